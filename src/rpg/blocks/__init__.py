@@ -1,0 +1,1 @@
+"""What words mean in MuJoCo: scene, predicates, visibility, initial states, goal arrangement."""

@@ -1,0 +1,79 @@
+"""Predicate: one definition of an atom of the goal language.
+
+Each file of `rpg.blocks.predicates` defines predicates for a family of atoms and registers them in its table;
+`rpg.blocks.predicates.PREDICATES` maps an atom's kind to its predicate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from random import Random
+from typing import Generic, TypeVar
+
+from rpg.blocks.state import BlockState, Quat, Vec3, World
+from rpg.blocks.verdict import Verdict
+from rpg.ir.node import Node
+
+N = TypeVar("N", bound=Node)
+
+
+@dataclass(frozen=True)
+class Cluster:
+    """Blocks whose poses relative to each other are settled; the solver only translates it over the table.
+
+    `poses`: centre (x, y, z) with z above the lowest point of the cluster, and orientation (None: any that is level).
+    `grounded`: its lowest blocks stand on the table (false for a piece that hangs on another cluster's block).
+    `fixed`: positions are world x, y and must not move.
+    """
+
+    poses: dict[str, tuple[Vec3, Quat | None]]
+    grounded: bool = True
+    fixed: bool = False
+
+
+@dataclass(frozen=True)
+class NearMiss:
+    """A state that almost satisfies an atom but must not, with what was done to it in a few words."""
+
+    what: str
+    state: BlockState
+
+
+class Predicate(Generic[N]):
+    """What an atom means. Subclasses implement every method that applies to their kind of atom.
+
+    The lowering to code needs no method: an atom lowers to the call of the BlockTask method named as its kind, with
+    its fields as arguments.
+    """
+
+    def evaluate(self, node: N, state: BlockState) -> Verdict:
+        """Truth and margin of the atom on `state`."""
+        raise NotImplementedError
+
+    def build(self, node: N, world: World, rng: Random) -> Iterator[list[Cluster]]:
+        """Ways to lay out the blocks of a structure, most natural first; nothing for a relation.
+
+        A relation constrains where clusters go and is searched for instead, by `propose` and `evaluate`.
+        """
+        yield from ()
+
+    def propose(self, node: N, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        """Places (x, y) for the foot of `block` that are likely to satisfy the atom, given the blocks in `state`.
+
+        `state` holds only what is placed already. The solver has proposals of its own around every placed object;
+        give only those that are exact or hard to hit (a distance, a midpoint, a region, a patch).
+        """
+        yield from ()
+
+    def near_misses(self, node: N, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        """States a small change away from `state` (which satisfies the atom) that must not satisfy it."""
+        raise NotImplementedError
+
+    def supports(self, node: N, world: World) -> Iterable[tuple[str, str]]:
+        """Edges (what rests, what it rests on) that the atom demands; "table" is the ground."""
+        return ()
+
+    def english(self, node: N, world: World) -> str:
+        """The atom as an English clause that compiles back to it ("the red block is on the yellow block")."""
+        raise NotImplementedError

@@ -1,0 +1,1 @@
+"""Compiler bones: source text and spans, diagnostics, passes, digests."""

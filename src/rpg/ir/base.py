@@ -1,0 +1,29 @@
+"""The base of every frozen record in the IR, and the types that its fields share."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, PlainSerializer
+
+
+class Record(BaseModel):
+    """Plain frozen data: unknown keys are an error, so that a typo in a hand-written file is found."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+def _as_tuple(value: Any) -> Any:
+    return (value,) if isinstance(value, str) else value
+
+
+def _as_scalar(value: tuple[str, ...]) -> Any:
+    return value[0] if len(value) == 1 else list(value)
+
+
+Names = Annotated[
+    tuple[str, ...],
+    BeforeValidator(_as_tuple),
+    PlainSerializer(_as_scalar, return_type=Any),
+]
+"""One or more names of objects; a single name may be written without a list."""

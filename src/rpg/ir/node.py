@@ -1,0 +1,44 @@
+"""What every goal node shares: its place in the instruction, and operands that name blocks or a tower's foot."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from rpg.ir.base import Names, Record
+
+
+class Node(Record):
+    """A node of a goal expression. `span` is its half-open character range in the instruction."""
+
+    span: tuple[int, int] | None = None
+
+
+class Lowest(Record):
+    """Whichever of these blocks is the lowest: a relation to a tower is a relation to its lowest block."""
+
+    lowest: Names
+
+
+class Highest(Record):
+    """Whichever of these blocks is the highest: what is put "on the tower" goes on its top block."""
+
+    highest: Names
+
+
+Operand = Names | Lowest | Highest
+"""One block or patch, a group of blocks, or the foot or the top of a tower."""
+
+
+def members(operand: Any) -> tuple[str, ...]:
+    """The names an operand mentions."""
+    if isinstance(operand, Lowest):
+        return operand.lowest
+    if isinstance(operand, Highest):
+        return operand.highest
+    return (operand,) if isinstance(operand, str) else tuple(operand)
+
+
+Direction = Literal["left", "right", "front", "back"]
+Axis = Literal["x", "y"]
+EACH = "each"
+"""The name that stands for the counted block inside `Count`."""

@@ -1,0 +1,43 @@
+"""How the members of a structure are ordered, and how a pattern colours its cells."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from rpg.ir.base import Names, Record
+
+Attribute = Literal["color", "kind", "label", "vowel", "parity", "size"]
+"""What blocks are told apart by: colour; letter, digit or plain; the symbol; vowel or consonant; odd or even; edge."""
+
+Side = Literal["left", "right", "front", "back", "top", "bottom"]
+
+
+class Order(Record):
+    """Which member comes where along a line, a stack or in reading order.
+
+    `by`: "any" asks for nothing; "given" follows `ranks` (each entry a block, or several whose order among themselves
+    is free); "label" is alphabetical, "number" numeric, "rainbow" red to pink, "size" by edge; "alternating" lets no
+    two neighbours agree in `attribute`, "mirrored" makes the line a palindrome in it, "together" keeps equals adjacent.
+    `first` is the side where the sequence begins; without it either end may be the beginning. `descending` turns
+    label, number, rainbow and size orders round.
+    """
+
+    by: Literal["any", "given", "label", "number", "rainbow", "size", "alternating", "mirrored", "together"] = "any"
+    ranks: tuple[Names, ...] = ()
+    attribute: Attribute = "color"
+    descending: bool = False
+    first: Side | None = None
+
+
+class Pattern(Record):
+    """How the cells of a grid, wall, pyramid or figure are filled.
+
+    "row", "column", "layer": each such line agrees in `attribute`, and no two lines share its value. "checkerboard":
+    neighbours along rows and columns differ in two alternating values. "reading": the cells follow `order` in reading
+    order (far row first, each left to right; for upright structures top layer first; bottom first if `upward`).
+    """
+
+    kind: Literal["row", "column", "layer", "checkerboard", "reading"]
+    attribute: Attribute = "color"
+    order: Order = Order()
+    upward: bool = False

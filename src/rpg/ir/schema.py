@@ -1,0 +1,75 @@
+"""TaskSchema: everything a task is, disambiguated, before anything runs. Its YAML form is task.yaml."""
+
+from __future__ import annotations
+
+from pydantic import Field, model_validator
+
+from rpg.ir.assets import Asset, Block, GoalPatch
+from rpg.ir.base import Names, Record
+from rpg.ir.goal import Goal
+from rpg.ir.walk import names
+
+FORMAT = 1
+MAX_BLOCKS = 30
+MAX_LETTERS = 26
+MAX_DIGITS = 10
+
+
+class Start(Record):
+    """A block that starts at a pose: centre (x, y) in metres, yaw in radians, uniform jitter in metres around it."""
+
+    block: str
+    position: tuple[float, float]
+    yaw: float = 0.0
+    jitter: float = Field(0.0, ge=0.0)
+
+
+class InitialState(Record):
+    """The distribution rho_0 that a seed samples.
+
+    `arranged`: goals that hold at the start (stacked, in a region, already a structure). `heaps`: blocks that start in
+    a settled heap. `poses`: blocks at given places. Every other block is scattered flat on the table.
+    """
+
+    arranged: tuple[Goal, ...] = ()
+    heaps: tuple[Names, ...] = ()
+    poses: tuple[Start, ...] = ()
+
+
+class TaskSchema(Record):
+    """A task: assets A, initial-state distribution rho_0, success predicate G, instruction l and paraphrases V."""
+
+    format: int = FORMAT
+    name: str = Field(pattern=r"^[a-z0-9]+(-[a-z0-9]+)*$", max_length=60)
+    instruction: str
+    author: str | None = None
+    seed: int = 0
+    assets: tuple[Asset, ...] = Field(min_length=1)
+    init: InitialState = InitialState()
+    goal: Goal
+    assumptions: tuple[str, ...] = ()
+    paraphrases: tuple[str, ...] = ()
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        return tuple(a for a in self.assets if not isinstance(a, GoalPatch))
+
+    @property
+    def patches(self) -> tuple[GoalPatch, ...]:
+        return tuple(a for a in self.assets if isinstance(a, GoalPatch))
+
+    @model_validator(mode="after")
+    def _names_exist(self) -> TaskSchema:
+        known = [asset.name for asset in self.assets]
+        doubled = sorted({name for name in known if known.count(name) > 1})
+        if doubled:
+            raise ValueError(f"two assets are called {doubled[0]!r}; every asset needs a name of its own")
+        mentioned = set(names(self.goal))
+        for goal in self.init.arranged:
+            mentioned.update(names(goal))
+        mentioned.update(name for heap in self.init.heaps for name in heap)
+        mentioned.update(start.block for start in self.init.poses)
+        unknown = sorted(mentioned - set(known))
+        if unknown:
+            raise ValueError(f"the task mentions {unknown[0]!r}, but its assets are {', '.join(known)}")
+        return self

@@ -1,0 +1,167 @@
+"""Goal atoms about what blocks form together: stacks, rows, figures, groups, words, equations."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from rpg.ir.base import Names
+from rpg.ir.node import Axis, Direction, Node
+from rpg.ir.order import Attribute, Order, Pattern
+
+
+class Stack(Node):
+    """`blocks` form one stack, bottom to top when the order is given; `order.first` is "bottom" unless it says "top".
+
+    `exact`: nothing else is in the stack (its top is clear and its foot on the table or the patch). `patch`: the
+    lowest block lies on that patch. `readable`: the symbols on the viewer's side read upright.
+    """
+
+    kind: Literal["stack"] = "stack"
+    blocks: Names
+    order: Order = Order()
+    exact: bool = False
+    patch: str | None = None
+    readable: bool = False
+
+
+class Towers(Node):
+    """`blocks` form towers and nothing else: stacks of two or more with clear tops that use every one of them.
+
+    `count` towers; `heights` lists their heights in any order; `equal`: all of one height; `each`: every tower agrees
+    in that attribute, and (`separate`) no two towers share its value. `matching`: every tower stands on a patch of its
+    blocks' colour.
+    """
+
+    kind: Literal["towers"] = "towers"
+    blocks: Names
+    count: int | None = None
+    heights: tuple[int, ...] | None = None
+    equal: bool = False
+    each: Attribute | None = None
+    separate: bool = False
+    matching: Names | None = None
+
+
+class Row(Node):
+    """`blocks` stand in one straight line.
+
+    `axis` "y" lies from left to right, "x" from front to back (a column on the table); within `angle` degrees of it.
+    Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between centres, or `gap` metres between
+    faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each other. `readable`: symbols on top read
+    upright for the viewer, and in the order's direction.
+    """
+
+    kind: Literal["row"] = "row"
+    blocks: Names
+    axis: Axis | None = None
+    order: Order = Order()
+    readable: bool = False
+    touching: bool = False
+    evenly: bool = False
+    spacing: float | None = None
+    gap: float | None = None
+    tolerance: float = 0.01
+    gap_edges: float = 1.5
+    line_edges: float = 0.5
+    even_edges: float = 0.5
+    angle: float = 15.0
+
+
+class Cells(Node):
+    """Blocks that fill the cells of an ideal figure, each within `fit_edges` of its cell.
+
+    The figure is fitted by position, rotation and pitch (`pitch_edges`, between neighbours' centres); figures that
+    name no direction hold in any rotation and mirroring.
+    """
+
+    blocks: Names
+    pattern: Pattern | None = None
+    readable: bool = False
+    fit_edges: float = 0.5
+    pitch_edges: tuple[float, float] = (1.0, 2.0)
+
+
+class Grid(Cells):
+    """`rows` lie along y, one behind the other along x; `columns` per row; `layers` high. A wall has one row."""
+
+    kind: Literal["grid"] = "grid"
+    rows: int
+    columns: int
+    layers: int = 1
+    axis: Axis | None = None
+
+
+class Pyramid(Cells):
+    """Layers of n, n-1, ... 1 blocks in a line (`base` = [n, 1]), or n x m, (n-1) x (m-1), ... (`base` = [n, m])."""
+
+    kind: Literal["pyramid"] = "pyramid"
+    base: tuple[int, int]
+
+
+class Staircase(Cells):
+    """Columns of 1, 2, ... `steps` blocks side by side, going up towards `up` when it is given."""
+
+    kind: Literal["staircase"] = "staircase"
+    steps: int
+    up: Direction | None = None
+
+
+class Figure(Cells):
+    """An outline or filled figure, or a letter shape, of `blocks` flat on the table.
+
+    `sides`: cells along x and y for square, rectangle and plus, the side for triangle, the arms (long, short) for
+    L, T, V, U; None takes what fits the number of blocks. `pointing`: where the apex of a triangle or V, the foot of
+    an L (its stem behind it), the open side of a U, or the stem of a T points.
+    """
+
+    kind: Literal["figure"] = "figure"
+    shape: Literal["square", "rectangle", "triangle", "circle", "L", "T", "V", "U", "plus", "X"]
+    filled: bool = False
+    sides: tuple[int, int] | None = None
+    pointing: Direction | None = None
+
+
+class GroupBy(Node):
+    """`groups` lie apart: members chained by face gaps of at most `inner_edges`, groups at least `outer_edges` apart.
+
+    Groups are also farther apart than any gap inside one. `by` is the attribute that tells the groups apart, where
+    one does. `outliers`: exactly so many members of each group differ in `by` from the rest of it; the groups are then
+    any division of the blocks that fits.
+    """
+
+    kind: Literal["group_by"] = "group_by"
+    groups: tuple[Names, ...]
+    by: Attribute | None = None
+    outliers: int = 0
+    inner_edges: float = 2.0
+    outer_edges: float = 1.5
+
+
+class Spells(Node):
+    """Cubes among `blocks` spell `word` from readable faces, and nothing else adjoins it.
+
+    `along` "row": left to right on top faces; "stack": down a tower on the viewer's side, top first. `reverse` reads
+    from the other end.
+    """
+
+    kind: Literal["spells"] = "spells"
+    blocks: Names
+    word: str
+    along: Literal["row", "stack"] = "row"
+    reverse: bool = False
+    readable: bool = True
+    gap_edges: float = 1.5
+
+
+class Equation(Node):
+    """All of `blocks`, read in a row from left to right (or down a stack), form a true equation.
+
+    `longer`: numbers of several digits are allowed. `text` fixes the equation; None accepts every true one.
+    """
+
+    kind: Literal["equation"] = "equation"
+    blocks: Names
+    along: Literal["row", "stack"] = "row"
+    longer: bool = False
+    text: str | None = None
+    gap_edges: float = 1.5

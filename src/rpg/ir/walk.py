@@ -1,0 +1,124 @@
+"""Folds and rewrites over goal expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any as AnyType
+from typing import get_args
+
+from pydantic import BaseModel
+
+from rpg.ir import goal as g
+from rpg.ir.node import Highest, Lowest, Node, members
+
+ATOMS: tuple[type[Node], ...] = get_args(g.Atom)
+NAME_FIELDS = ("a", "b", "c", "block", "blocks", "patch", "over", "groups", "matching", "order")
+
+
+def children(goal: g.Goal) -> tuple[g.Goal, ...]:
+    """The goals directly inside a connective; empty for atoms."""
+    match goal:
+        case g.All() | g.Any():
+            return goal.goals
+        case g.Not() | g.Always() | g.Count():
+            return (goal.goal,)
+        case g.Sequence():
+            return tuple(stage.goal for stage in goal.stages)
+        case _:
+            return ()
+
+
+def rebuild(goal: g.Goal, new: tuple[g.Goal, ...]) -> g.Goal:
+    """`goal` with `new` in place of its children."""
+    match goal:
+        case g.All() | g.Any():
+            return goal.model_copy(update={"goals": new})
+        case g.Not() | g.Always() | g.Count():
+            return goal.model_copy(update={"goal": new[0]})
+        case g.Sequence():
+            stages = tuple(s.model_copy(update={"goal": n}) for s, n in zip(goal.stages, new, strict=True))
+            return goal.model_copy(update={"stages": stages})
+        case _:
+            return goal
+
+
+def atoms(goal: g.Goal) -> Iterator[g.Atom]:
+    """Every atom, in order of reading."""
+    inner = children(goal)
+    if not inner and isinstance(goal, ATOMS):
+        yield goal  # type: ignore[misc]
+    for child in inner:
+        yield from atoms(child)
+
+
+def transform(goal: g.Goal, change: Callable[[g.Goal], g.Goal]) -> g.Goal:
+    """Apply `change` to every node, leaves first."""
+    inner = children(goal)
+    if inner:
+        goal = rebuild(goal, tuple(transform(child, change) for child in inner))
+    return change(goal)
+
+
+def names(goal: g.Goal) -> tuple[str, ...]:
+    """Every object a goal mentions, each once, in order of first mention; bound variables are left out."""
+    found: dict[str, None] = {}
+    _collect(goal, found, frozenset())
+    return tuple(found)
+
+
+def _collect(goal: g.Goal, found: dict[str, None], bound: frozenset[str]) -> None:
+    if isinstance(goal, g.Count):
+        found.update(dict.fromkeys(goal.over))
+        bound = bound | {goal.var}
+    elif not children(goal):
+        for field in NAME_FIELDS:
+            value = getattr(goal, field, None)
+            if value is not None:
+                found.update(dict.fromkeys(n for n in _names_in(value) if n not in bound))
+    for child in children(goal):
+        _collect(child, found, bound)
+
+
+def _names_in(value: AnyType) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, Lowest | Highest):
+        yield from members(value)
+    elif isinstance(value, BaseModel):
+        yield from _names_in(getattr(value, "ranks", ()))
+    else:
+        for item in value:
+            yield from _names_in(item)
+
+
+def rename(goal: g.Goal, mapping: Mapping[str, str]) -> g.Goal:
+    """`goal` with every object name replaced by `mapping` where it has an entry."""
+
+    def change(node: g.Goal) -> g.Goal:
+        update: dict[str, AnyType] = {}
+        for field in NAME_FIELDS:
+            value = getattr(node, field, None)
+            if value is not None and not (field in ("over",) and not isinstance(node, g.Count)):
+                new = _renamed(value, mapping)
+                if new != value:
+                    update[field] = new
+        return node.model_copy(update=update) if update else node
+
+    return transform(goal, change)
+
+
+def _renamed(value: AnyType, mapping: Mapping[str, str]) -> AnyType:
+    if isinstance(value, str):
+        return mapping.get(value, value)
+    if isinstance(value, Lowest):
+        return Lowest(lowest=_renamed(value.lowest, mapping))
+    if isinstance(value, Highest):
+        return Highest(highest=_renamed(value.highest, mapping))
+    if isinstance(value, BaseModel):
+        return value.model_copy(update={"ranks": _renamed(getattr(value, "ranks", ()), mapping)})
+    return tuple(_renamed(item, mapping) for item in value)
+
+
+def instances(count: g.Count) -> tuple[g.Goal, ...]:
+    """The goals that a `Count` counts, one per block of `over`."""
+    return tuple(rename(count.goal, {count.var: name}) for name in count.over)

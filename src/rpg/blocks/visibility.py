@@ -1,0 +1,170 @@
+"""What the viewer can see and read of a block's faces. Pure Python: no physics engine is asked.
+
+A glyph on TOP is upright when its up-direction is +x, on a side face when it is +z (BOTTOM as TOP), in the block's
+own frame. A face is readable when its normal lies within a cosine of the expected viewing direction and its glyph's
+up-direction within a cosine of upright; it is visible when three of five rays from the camera reach it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+from rpg.blocks.camera import POSITION
+from rpg.blocks.state import BlockState, Matrix, Vec3
+from rpg.blocks.verdict import Verdict, holds
+from rpg.ir.assets import FACES, Face, SemanticCube
+
+NORMAL_COS = 0.97
+UPRIGHT_COS = 0.94
+RAYS_NEEDED = 3
+CORNER_EXTENT = 0.8
+"""Rays go to a face's centre and to four points at this share of its extent."""
+
+X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+NORMALS: dict[Face, Vec3] = {
+    "top": Z,
+    "bottom": (0.0, 0.0, -1.0),
+    "front": X,
+    "back": (-1.0, 0.0, 0.0),
+    "left": Y,
+    "right": (0.0, -1.0, 0.0),
+}
+"""Outward normal of each face in the block's own frame."""
+UPS: dict[Face, Vec3] = {"top": X, "bottom": X, "front": Z, "back": Z, "left": Z, "right": Z}
+"""Up-direction of each face's glyph in the block's own frame."""
+
+Toward = Literal["up", "down", "left", "right", "front", "back"]
+TOWARD: dict[Toward, tuple[Vec3, Vec3]] = {
+    "up": (Z, X),
+    "down": ((0.0, 0.0, -1.0), X),
+    "front": ((-1.0, 0.0, 0.0), Z),
+    "back": (X, Z),
+    "left": (Y, Z),
+    "right": ((0.0, -1.0, 0.0), Z),
+}
+"""For each direction of the viewer's: the way a face's normal points, and the way its glyph is then upright.
+
+"front" is towards the viewer, as in "facing the front"; an unrotated block shows its BACK there.
+"""
+
+
+def dot(a: Vec3, b: Vec3) -> float:
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vec3, b: Vec3) -> Vec3:
+    """Vector product."""
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def rotate(axes: Matrix, vector: Vec3) -> Vec3:
+    """`vector` of a block's own frame in the world."""
+    return (dot(axes[0], vector), dot(axes[1], vector), dot(axes[2], vector))
+
+
+def turned(normal: Vec3, up: Vec3, degrees: float) -> Vec3:
+    """`up` turned counter-clockwise, as seen by the reader whom `normal` points at."""
+    angle = math.radians(degrees)
+    c, s = math.cos(angle), math.sin(angle)
+    side = cross(normal, up)
+    return (c * up[0] + s * side[0], c * up[1] + s * side[1], c * up[2] + s * side[2])
+
+
+def nearest_face(state: BlockState, name: str, direction: Vec3) -> Face:
+    """The face of the block whose normal is nearest to `direction` (a unit vector in the world)."""
+    axes = state.axes(name)
+    return max(FACES, key=lambda face: dot(rotate(axes, NORMALS[face]), direction))
+
+
+def symbol(state: BlockState, name: str, face: Face) -> str:
+    """The symbol on a face; empty for plain cubes and blank faces."""
+    block = state.world.blocks[name]
+    return block.symbol(face) if isinstance(block, SemanticCube) else ""
+
+
+def readable(
+    state: BlockState,
+    name: str,
+    face: Face,
+    normal: Vec3,
+    up: Vec3 | None,
+    normal_cos: float = NORMAL_COS,
+    upright_cos: float = UPRIGHT_COS,
+) -> Verdict:
+    """Does `face` point along `normal` with its glyph's up-direction along `up` (None: turned in any way)?"""
+    axes = state.axes(name)
+    margin = (dot(rotate(axes, NORMALS[face]), normal) - normal_cos) / (1.0 - normal_cos)
+    if up is not None:
+        margin = min(margin, (dot(rotate(axes, UPS[face]), up) - upright_cos) / (1.0 - upright_cos))
+    return holds(margin)
+
+
+def reads(
+    state: BlockState,
+    name: str,
+    normal: Vec3,
+    up: Vec3 | None,
+    normal_cos: float = NORMAL_COS,
+    upright_cos: float = UPRIGHT_COS,
+) -> tuple[str, float]:
+    """What a reader at `normal` of the block sees: the symbol of the face nearest to it, and readability's margin."""
+    face = nearest_face(state, name, normal)
+    return symbol(state, name, face), readable(state, name, face, normal, up, normal_cos, upright_cos).margin
+
+
+def visible(state: BlockState, name: str, face: Face, assume: Literal["coplanar", "stack"] | None = None) -> Verdict:
+    """Do at least three of five rays from the camera reach `face`?
+
+    `assume`: in a coplanar arrangement every face that points up counts as visible, in a vertical stack every face
+    that points at the viewer, with no rays cast.
+    """
+    axes = state.axes(name)
+    normal = rotate(axes, NORMALS[face])
+    if assume is not None:
+        expected = TOWARD["up" if assume == "coplanar" else "front"][0]
+        if dot(normal, expected) > math.cos(math.pi / 4):
+            return holds(1.0)
+    half = state.world.edge[name] / 2
+    position = state.position[name]
+    up = rotate(axes, UPS[face])
+    side = cross(normal, up)
+    reached = 0
+    for u, v in ((0.0, 0.0), (1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)):
+        a, b = u * CORNER_EXTENT * half, v * CORNER_EXTENT * half
+        point = (
+            position[0] + half * normal[0] + a * side[0] + b * up[0],
+            position[1] + half * normal[1] + a * side[1] + b * up[1],
+            position[2] + half * normal[2] + a * side[2] + b * up[2],
+        )
+        reached += dot(normal, _from(point, POSITION)) > 0.0 and not _blocked(state, name, point)
+    return holds((reached - RAYS_NEEDED + 0.5) / 2.5)
+
+
+def _from(origin: Vec3, end: Vec3) -> Vec3:
+    return (end[0] - origin[0], end[1] - origin[1], end[2] - origin[2])
+
+
+def _blocked(state: BlockState, name: str, point: Vec3) -> bool:
+    """Does another block stand between the camera and `point`?"""
+    sight = _from(POSITION, point)
+    return any(_crosses(state, other, sight) for other in state.position if other != name)
+
+
+def _crosses(state: BlockState, name: str, sight: Vec3) -> bool:
+    """Does the segment from the camera along `sight` pass through the block? (slab test in the block's frame)"""
+    axes = state.axes(name)
+    half = state.world.edge[name] / 2
+    origin = _from(state.position[name], POSITION)
+    near, far = 0.0, 1.0
+    for k in range(3):
+        start = axes[0][k] * origin[0] + axes[1][k] * origin[1] + axes[2][k] * origin[2]
+        step = axes[0][k] * sight[0] + axes[1][k] * sight[1] + axes[2][k] * sight[2]
+        if abs(step) < 1e-12:
+            if abs(start) > half:
+                return False
+            continue
+        low, high = sorted(((-half - start) / step, (half - start) / step))
+        near, far = max(near, low), min(far, high)
+    return far - near > 1e-9

@@ -32,7 +32,7 @@ class World:
 
 def look_of(block: Block) -> Look:
     """What tells `block` apart from another one by eye."""
-    data = block.model_dump(exclude={"name"}, mode="json")
+    data = block.model_dump(exclude={"name", "origin"}, mode="json")
     return tuple(f"{key}={value}" for key, value in sorted(data.items()))
 
 

@@ -32,16 +32,23 @@ class Faces(Record):
 
 
 class ColoredCube(Record):
-    """A cube in one plain colour. `size` is its edge in metres."""
+    """A cube in one plain colour. `size` is its edge in metres.
+
+    `origin`: the name under which its start is drawn, where an edit gave it another name since.
+    """
 
     type: Literal["ColoredCube"] = "ColoredCube"
     name: str
     color: Color
     size: float = Field(EDGE, ge=0.01, le=0.12)
+    origin: str | None = None
 
 
 class SemanticCube(Record):
-    """A cube that shows symbols: one `label` on all faces, or one per face in `labels`. `size` is its edge in metres."""
+    """A cube that shows symbols: one `label` on all faces, or one per face in `labels`.
+
+    `size` and `origin` as for a ColoredCube.
+    """
 
     type: Literal["SemanticCube"] = "SemanticCube"
     name: str
@@ -49,6 +56,7 @@ class SemanticCube(Record):
     labels: Faces | None = None
     color: Color = "ivory"
     size: float = Field(EDGE, ge=0.01, le=0.12)
+    origin: str | None = None
 
     def symbol(self, face: Face) -> str:
         """The symbol on `face` of the block's own frame."""

@@ -24,16 +24,29 @@ class Start(Record):
     jitter: float = Field(0.0, ge=0.0)
 
 
+class Vacancy(Record):
+    """The place of a block that an edit removed: drawn like a block's, `before` that asset (None: last), and left empty.
+
+    It keeps the starts of the other blocks where they were. `size` is the removed block's edge in metres.
+    """
+
+    origin: str
+    size: float
+    before: str | None = None
+
+
 class InitialState(Record):
     """The distribution rho_0 that a seed samples.
 
     `arranged`: goals that hold at the start (stacked, in a region, already a structure). `heaps`: blocks that start in
-    a settled heap. `poses`: blocks at given places. Every other block is scattered flat on the table.
+    a settled heap. `poses`: blocks at given places. Every other block is scattered flat on the table. `vacant`: places
+    that are kept free.
     """
 
     arranged: tuple[Goal, ...] = ()
     heaps: tuple[Names, ...] = ()
     poses: tuple[Start, ...] = ()
+    vacant: tuple[Vacancy, ...] = ()
 
 
 class TaskSchema(Record):

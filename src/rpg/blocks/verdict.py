@@ -32,9 +32,13 @@ TRUE = Verdict(True, 1.0)
 FALSE = Verdict(False, -1.0)
 
 
+ROUNDING = 1e-6
+"""Exactly at a tolerance counts as within it, whatever the last bits of a sum of floats say."""
+
+
 def holds(margin: float) -> Verdict:
     """A verdict from a margin: true when it is not negative."""
-    return Verdict(margin >= 0.0, margin)
+    return Verdict(True, margin if margin > 0.0 else 0.0) if margin >= -ROUNDING else Verdict(False, margin)
 
 
 def at_most(value: float, limit: float, scale: float | None = None) -> Verdict:

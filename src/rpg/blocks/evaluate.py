@@ -1,0 +1,49 @@
+"""Evaluation of goals: a fold over the expression, and the memory that sequences and `always` need over an episode."""
+
+from __future__ import annotations
+
+from rpg.blocks.constants import SUPPORT_GAP
+from rpg.blocks.geometry import supporters, table_gap
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.state import BlockState
+from rpg.blocks.verdict import FALSE, Verdict, at_most, between, every, some
+from rpg.ir import goal as g
+from rpg.ir.walk import instances
+
+
+def evaluate(goal: g.Goal, state: BlockState) -> Verdict:
+    """Truth and margin of `goal` on a single state, with its names as they stand.
+
+    A sequence holds when all of its stages do, but for those that a later one undoes; `always` when its goal does.
+    """
+    predicate = PREDICATES.get(goal.kind)
+    if predicate is not None:
+        return predicate.evaluate(goal, state)
+    match goal:
+        case g.All():
+            return every([evaluate(part, state) for part in goal.goals])
+        case g.Any():
+            return some([evaluate(part, state) for part in goal.goals])
+        case g.Not() | g.Always():
+            inner = evaluate(goal.goal, state)
+            return ~inner if isinstance(goal, g.Not) else inner
+        case g.Count():
+            return between(goal.at_least, goal.at_most, [evaluate(i, state) for i in instances(goal)])
+        case g.Sequence():
+            return every([evaluate(stage.goal, state) for stage in goal.stages if not stage.undone])
+    raise TypeError(f"no predicate is registered for {goal.kind!r}")
+
+
+def settled(state: BlockState) -> Verdict:
+    """Every block is at rest, released, and supported: nothing floats."""
+    if state.moving or state.held:
+        return FALSE
+    return every([_supported(name, state) for name in state.position])
+
+
+def _supported(name: str, state: BlockState) -> Verdict:
+    gap = abs(table_gap(state, name))
+    if gap > SUPPORT_GAP:
+        bottom = state.bottom(name)
+        gap = min((abs(bottom - state.top(b)) for b in supporters(state, name)), default=gap)
+    return at_most(gap, SUPPORT_GAP)

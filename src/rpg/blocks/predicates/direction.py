@@ -1,0 +1,79 @@
+"""left_of, right_of, in_front_of, behind: the viewer's directions on the table."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rpg.blocks.geometry import footprint_gap
+from rpg.blocks.nouns import phrase, verb
+from rpg.blocks.predicate import Predicate
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.verdict import Verdict, at_most, every, holds
+from rpg.ir.relations import Directional
+
+DIRECTIONS: dict[str, tuple[float, float]] = {
+    "left_of": (0.0, 1.0),
+    "right_of": (0.0, -1.0),
+    "in_front_of": (-1.0, 0.0),
+    "behind": (1.0, 0.0),
+}
+"""The unit vector from `b` to `a`."""
+WORDS = {"left_of": "left of", "right_of": "right of", "in_front_of": "in front of", "behind": "behind"}
+
+
+def edge_between(state: BlockState, a: str, b: str) -> float:
+    """The larger edge of the blocks among the two, the measure of relative distances."""
+    edge = state.world.edge
+    found = [edge[name] for name in (a, b) if name in edge]
+    return max(found) if found else 0.04
+
+
+def offsets(kind: str, a: str, b: str, state: BlockState) -> tuple[float, float]:
+    """Offset of `a` from `b` along the direction, and the distance across it."""
+    ux, uy = DIRECTIONS[kind]
+    ax, ay, _ = state.where(a)
+    bx, by, _ = state.where(b)
+    dx, dy = ax - bx, ay - by
+    return dx * ux + dy * uy, abs(dx * uy - dy * ux)
+
+
+def least_offset(node: Directional, a: str, b: str, state: BlockState) -> float:
+    """The least offset along the axis: so many edges, and for a patch at least to its outline."""
+    k = 0 if DIRECTIONS[str(node.kind)][0] else 1  # type: ignore[attr-defined]
+    outlines = sum(state.world.patches[n].size[k] / 2 for n in (a, b) if n in state.world.patches)
+    return max(node.min_edges * edge_between(state, a, b), outlines)
+
+
+class DirectionalPredicate(Predicate[Directional]):
+    """Offset along the axis, a 45-degree cone for single blocks, and what directly and immediately add."""
+
+    def __init__(self, kind: str) -> None:
+        self.kind = kind
+
+    def evaluate(self, node: Directional, state: BlockState) -> Verdict:
+        left, right = state.resolve(node.a), state.resolve(node.b)
+        cone = not node.somewhere and len(left) == 1 and len(right) == 1
+        parts = [self._pair(node, a, b, cone, state) for a in left for b in right]
+        if node.immediate:
+            gap, edge = min((footprint_gap(state, a, b), edge_between(state, a, b)) for a in left for b in right)
+            parts.append(at_most(gap, node.gap_edges * edge))
+        return every(parts)
+
+    def _pair(self, node: Directional, a: str, b: str, cone: bool, state: BlockState) -> Verdict:
+        along, across = offsets(self.kind, a, b, state)
+        edge = edge_between(state, a, b)
+        margin = (along - least_offset(node, a, b, state)) / edge
+        if cone:
+            margin = min(margin, (along - across) / edge)
+        if node.directly:
+            margin = min(margin, 1.0 - across / (node.across_edges * edge))
+        return holds(margin)
+
+    def english(self, node: Directional, world: World) -> str:
+        adverb = "somewhere " if node.somewhere else ""
+        adverb += "directly " if node.directly else ""
+        adverb += "immediately " if node.immediate else ""
+        return f"{phrase(node.a, world)} {verb(node.a)} {adverb}{WORDS[self.kind]} {phrase(node.b, world)}"
+
+
+TABLE: dict[str, Predicate[Any]] = {kind: DirectionalPredicate(kind) for kind in DIRECTIONS}

@@ -1,0 +1,121 @@
+"""on, above, on_table, clear: what rests on what."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+from rpg.blocks.geometry import footprint_gap, riders, table_gap
+from rpg.blocks.nouns import phrase, verb
+from rpg.blocks.predicate import Predicate
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.verdict import FALSE, Verdict, at_most, every, holds, some
+from rpg.ir.node import Lowest, members
+from rpg.ir.relations import Above, Clear, On, OnTable
+
+GROUND = "table"
+DIRECTLY = On(a=("a",), b=("b",))
+"""The tolerances of one link of a stack."""
+
+
+def directly_on(a: str, b: str, state: BlockState, node: On = DIRECTLY) -> Verdict:
+    """`a` rests directly on `b`, with the tolerances of `node`."""
+    if a == b:
+        return FALSE
+    ax, ay, _ = state.position[a]
+    bx, by, _ = state.position[b]
+    edge = state.world.edge
+    limit = node.offset_edges * max(edge[a], edge[b]) + node.slack
+    margin = min(
+        1.0 - abs(state.bottom(a) - state.top(b)) / node.gap,
+        1.0 - math.hypot(ax - bx, ay - by) / limit,
+        1.0 - state.tilt(a) / node.tilt,
+    )
+    return holds(margin)
+
+
+def above(a: str, b: str, state: BlockState) -> Verdict:
+    """`a` is above `b` in the same stack: a chain of blocks, each directly on the next, leads from `a` down to `b`."""
+    reached, frontier = {a: 1.0}, [a]
+    while frontier:
+        block = frontier.pop()
+        for other in state.position:
+            link = directly_on(block, other, state)
+            margin = min(reached[block], link.margin)
+            if link.value and margin > reached.get(other, -1.0):
+                reached[other] = margin
+                frontier.append(other)
+    return holds(reached[b]) if a != b and b in reached else ~holds(_apartness(a, b, state))
+
+
+def _apartness(a: str, b: str, state: BlockState) -> float:
+    """How far `a` is from any place above `b`, in edges; positive."""
+    (ax, ay, az), (bx, by, bz) = state.position[a], state.position[b]
+    edge = max(state.world.edge[a], state.world.edge[b])
+    return max(math.hypot(ax - bx, ay - by) / edge - 0.5, (bz - az) / edge + 0.5, 0.01)
+
+
+class OnPredicate(Predicate[On]):
+    """Each of `a` is directly on one of `b`."""
+
+    def evaluate(self, node: On, state: BlockState) -> Verdict:
+        below = state.resolve(node.b)
+        return every(some(directly_on(a, b, state, node) for b in below) for a in state.resolve(node.a))
+
+    def supports(self, node: On, world: World) -> Iterable[tuple[str, str]]:
+        if len(members(node.a)) == 1 and len(members(node.b)) == 1:
+            yield members(node.a)[0], members(node.b)[0]
+
+    def english(self, node: On, world: World) -> str:
+        return f"{phrase(node.a, world)} {verb(node.a)} on {phrase(node.b, world)}"
+
+
+class AbovePredicate(Predicate[Above]):
+    """Each of `a` is above all of `b`."""
+
+    def evaluate(self, node: Above, state: BlockState) -> Verdict:
+        below = state.resolve(node.b)
+        return every(above(a, b, state) for a in state.resolve(node.a) for b in below)
+
+    def english(self, node: Above, world: World) -> str:
+        return f"{phrase(node.a, world)} {verb(node.a)} above {phrase(node.b, world)}"
+
+
+class OnTablePredicate(Predicate[OnTable]):
+    """The lowest point of each block is at the table top."""
+
+    def evaluate(self, node: OnTable, state: BlockState) -> Verdict:
+        return every(at_most(abs(table_gap(state, a)), node.gap) for a in state.resolve(node.a))
+
+    def supports(self, node: OnTable, world: World) -> Iterable[tuple[str, str]]:
+        if not isinstance(node.a, Lowest):
+            yield from ((a, GROUND) for a in members(node.a))
+
+    def english(self, node: OnTable, world: World) -> str:
+        return f"{phrase(node.a, world)} {verb(node.a)} on the table"
+
+
+class ClearPredicate(Predicate[Clear]):
+    """No block rests on any of these."""
+
+    def evaluate(self, node: Clear, state: BlockState) -> Verdict:
+        return every(self._clear(a, state) for a in state.resolve(node.a))
+
+    def _clear(self, name: str, state: BlockState) -> Verdict:
+        loads = riders(state, name)
+        if not loads:
+            return Verdict(True, 1.0)
+        edge = state.world.edge[name]
+        return Verdict(False, min(footprint_gap(state, load, name) for load in loads) / edge)
+
+    def english(self, node: Clear, world: World) -> str:
+        return f"nothing is on {phrase(node.a, world)}"
+
+
+TABLE: dict[str, Predicate[Any]] = {
+    "on": OnPredicate(),
+    "above": AbovePredicate(),
+    "on_table": OnTablePredicate(),
+    "clear": ClearPredicate(),
+}

@@ -20,3 +20,9 @@ REST_SPEED = 0.05
 """A block slower than this (m/s) is at rest."""
 SUPPORT_GAP = 0.01
 """A block whose bottom is within this of what is under it rests on it."""
+
+TABLE_X = 0.55
+TABLE_SIZE = (0.84, 1.30, 0.04)
+"""The table's centre along x, and its extents."""
+PATCH_THICKNESS = 0.001
+"""Height of a patch's drawn slab, half of it above the table."""

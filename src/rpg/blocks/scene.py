@@ -1,0 +1,148 @@
+"""The MuJoCo scene of a task: table, camera, light and physics are the same for all tasks; blocks and patches are its own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+
+import mujoco
+import numpy as np
+
+from rpg.blocks import camera
+from rpg.blocks.constants import PATCH_THICKNESS, TABLE_SIZE, TABLE_X, TABLE_Z, TIMESTEP
+from rpg.blocks.textures import CUBE_FACES, cube_files, face_file, rgba
+from rpg.ir.assets import Asset, Block, GoalPatch
+
+DENSITY = 600.0
+"""Of a block's wood, kg/m^3: a 4 cm cube weighs 38 g."""
+FRICTION = (0.8, 0.005, 0.0001)
+SOLREF = (0.01, 1.0)
+SOLIMP = (0.99, 0.999, 0.001, 0.5, 2.0)
+MARGIN = 2e-5
+"""Contacts act from this distance on, so that blocks placed to touch exactly rest as they are."""
+
+
+def build_spec(assets: Iterable[Asset], *, textures: bool = False) -> mujoco.MjSpec:
+    """The scene as an editable spec. Only pictures need `textures`; physics is the same without."""
+    spec = mujoco.MjSpec()
+    spec.modelname = "blocks"
+    _physics(spec)
+    _surroundings(spec, textures)
+    for asset in assets:
+        if isinstance(asset, GoalPatch):
+            _add_patch(spec, asset)
+        else:
+            _add_block(spec, asset, textures)
+    return spec
+
+
+@lru_cache(maxsize=64)
+def compiled(assets: tuple[Asset, ...], textures: bool = False) -> mujoco.MjModel:
+    """The compiled scene; never modify it, for it is shared."""
+    return build_spec(assets, textures=textures).compile()
+
+
+def _physics(spec: mujoco.MjSpec) -> None:
+    spec.option.timestep = TIMESTEP
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    spec.option.impratio = 5.0
+    spec.stat.center = [0.55, 0.0, TABLE_Z]
+    spec.stat.extent = 0.8
+    spec.visual.global_.offwidth = 1280
+    spec.visual.global_.offheight = 960
+    spec.visual.quality.shadowsize = 2048
+    spec.visual.headlight.ambient = [0.42, 0.42, 0.42]
+    spec.visual.headlight.diffuse = [0.22, 0.22, 0.22]
+    spec.visual.headlight.specular = [0.0, 0.0, 0.0]
+
+
+def _surroundings(spec: mujoco.MjSpec, textures: bool) -> None:
+    world = spec.worldbody
+    if textures:
+        spec.add_texture(
+            name="sky",
+            type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
+            builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+            rgb1=[0.93, 0.95, 0.97],
+            rgb2=[0.80, 0.84, 0.88],
+            width=64,
+            height=384,
+        )
+    world.add_geom(
+        name="floor", type=mujoco.mjtGeom.mjGEOM_PLANE, size=[4.0, 4.0, 0.1], rgba=[0.72, 0.74, 0.76, 1.0], **_contact()
+    )
+    half = [TABLE_SIZE[0] / 2, TABLE_SIZE[1] / 2, TABLE_SIZE[2] / 2]
+    world.add_geom(
+        name="table",
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=half,
+        pos=[TABLE_X, 0.0, TABLE_Z - half[2]],
+        rgba=[0.86, 0.80, 0.71, 1.0],
+        **_contact(),
+    )
+    world.add_light(
+        name="lamp",
+        type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
+        pos=[-0.2, 0.9, 2.6],
+        dir=[0.42, -0.45, -1.0],
+        diffuse=[0.55, 0.55, 0.55],
+        specular=[0.08, 0.08, 0.08],
+        castshadow=True,
+    )
+    quat = np.zeros(4)
+    right, up, forward = camera.axes()
+    mujoco.mju_mat2Quat(quat, np.array([right, up, [-c for c in forward]]).T.ravel())
+    world.add_camera(
+        name=camera.NAME,
+        pos=list(camera.POSITION),
+        quat=quat,
+        fovy=camera.FOVY,
+    )
+
+
+def _contact() -> dict[str, list[float] | float]:
+    return {"friction": list(FRICTION), "solref": list(SOLREF), "solimp": list(SOLIMP), "margin": MARGIN}
+
+
+def _add_patch(spec: mujoco.MjSpec, patch: GoalPatch) -> None:
+    x, y = patch.position or (0.0, 0.0)
+    circle = patch.shape == "circle"
+    flat = PATCH_THICKNESS / 2
+    spec.worldbody.add_geom(
+        name=patch.name,
+        type=mujoco.mjtGeom.mjGEOM_CYLINDER if circle else mujoco.mjtGeom.mjGEOM_BOX,
+        size=[patch.size[0] / 2, flat, 0.0] if circle else [patch.size[0] / 2, patch.size[1] / 2, flat],
+        pos=[x, y, TABLE_Z],
+        rgba=list(rgba(patch.color)),
+        contype=0,
+        conaffinity=0,
+    )
+
+
+def _add_block(spec: mujoco.MjSpec, block: Block, textures: bool) -> None:
+    body = spec.worldbody.add_body(name=block.name, pos=[0.0, 0.0, TABLE_Z + block.size / 2])
+    body.add_freejoint(name=block.name)
+    geom = body.add_geom(
+        name=block.name,
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=[block.size / 2] * 3,
+        density=DENSITY,
+        rgba=list(rgba(block.color)),
+        **_contact(),
+    )
+    if textures:
+        geom.material = _material(spec, block)
+        geom.rgba = [1.0, 1.0, 1.0, 1.0]
+
+
+def _material(spec: mujoco.MjSpec, block: Block) -> str:
+    """The block's material, added when it is the first of its look."""
+    files = [face_file(block, face) for face in CUBE_FACES]
+    name = "cube_" + "_".join(dict.fromkeys(file.rsplit("_", 1)[0] for file in files))
+    if spec.texture(name) is None:
+        spec.assets.update(cube_files(block))
+        spec.add_texture(name=name, type=mujoco.mjtTexture.mjTEXTURE_CUBE, cubefiles=files)
+        roles = [""] * int(mujoco.mjtTextureRole.mjNTEXROLE)
+        roles[int(mujoco.mjtTextureRole.mjTEXROLE_RGB)] = name
+        spec.add_material(name=name, textures=roles, specular=0.15, shininess=0.2)
+    return name

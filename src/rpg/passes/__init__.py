@@ -1,0 +1,1 @@
+"""The four passes: schema, codegen, validate, repair. They never import each other."""

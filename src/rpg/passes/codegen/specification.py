@@ -1,0 +1,74 @@
+"""The short natural-language specification that opens a generated class: objects, goal, success criteria."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable
+
+from rpg.blocks.english import describe
+from rpg.ir.assets import Asset, GoalPatch, SemanticCube
+from rpg.ir.schema import TaskSchema
+from rpg.passes.codegen.layout import WIDTH
+
+DOUBLE = ("no", "a", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
+
+
+def docstring(schema: TaskSchema, conditions: tuple[str, ...]) -> list[str]:
+    """The lines of the class docstring, indented one level."""
+    criteria = " ".join(conditions)
+    paragraphs = [
+        f"{objects(schema.assets)}.",
+        "",
+        f"Goal: {describe(schema).strip()}",
+        "Success: "
+        + (f"{', '.join(conditions)}; " if criteria else "")
+        + "every block released, supported and at rest.",
+    ]
+    lines: list[str] = []
+    for paragraph in paragraphs:
+        lines += textwrap.wrap(_plain(paragraph), WIDTH - 7, break_on_hyphens=False) or [""]
+    lines[0] = '"""' + lines[0]
+    return [("    " + line).rstrip() for line in (*lines, '"""')]
+
+
+def _plain(text: str) -> str:
+    """Nothing in a docstring may end it or be read as an escape."""
+    shown = "".join(char if char.isprintable() else " " for char in text)
+    return shown.replace("\\", "/").replace('"', "'")
+
+
+def objects(assets: Iterable[Asset]) -> str:
+    """ "A red block, two letter blocks (A, B) and a green patch"."""
+    counts: dict[str, list[str]] = {}
+    for asset in assets:
+        counts.setdefault(_kind(asset), []).append(_symbol(asset))
+    parts = [_phrase(kind, symbols) for kind, symbols in counts.items()]
+    text = parts[0] if len(parts) == 1 else ", ".join(parts[:-1]) + " and " + parts[-1]
+    return text[:1].upper() + text[1:]
+
+
+def _kind(asset: Asset) -> str:
+    if isinstance(asset, GoalPatch):
+        return f"{asset.color} {asset.shape} patch" if asset.shape != "square" else f"{asset.color} patch"
+    if isinstance(asset, SemanticCube):
+        return "symbol block" if asset.color == "ivory" else f"{asset.color} symbol block"
+    return f"{asset.color} block"
+
+
+def _symbol(asset: Asset) -> str:
+    if not isinstance(asset, SemanticCube):
+        return ""
+    if asset.labels is None:
+        return asset.label
+    shown = [symbol for symbol in asset.labels.model_dump().values() if symbol]
+    return "/".join(dict.fromkeys(shown))
+
+
+def _phrase(kind: str, symbols: list[str]) -> str:
+    number = len(symbols)
+    count = DOUBLE[number] if number < len(DOUBLE) else str(number)
+    if number == 1 and kind[0] in "aeiou":
+        count = "an"
+    plural = kind if number == 1 else kind + ("es" if kind.endswith("ch") else "s")
+    shown = ", ".join(symbol for symbol in symbols if symbol)
+    return f"{count} {plural}" + (f" ({shown})" if shown else "")

@@ -25,7 +25,7 @@ class Start(Record):
 
 
 class Vacancy(Record):
-    """The place of a block that an edit removed: drawn like a block's, `before` that asset (None: last), and left empty.
+    """The place of a removed block: drawn like a block's, before the asset `before` (None: last), and left empty.
 
     It keeps the starts of the other blocks where they were. `size` is the removed block's edge in metres.
     """

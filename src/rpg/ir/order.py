@@ -19,7 +19,8 @@ class Order(Record):
     is free); "label" is alphabetical, "number" numeric, "rainbow" red to pink, "size" by edge; "alternating" lets no
     two neighbours agree in `attribute`, "mirrored" makes the line a palindrome in it, "together" keeps equals adjacent.
     `first` is the side where the sequence begins; without it either end may be the beginning. `descending` turns
-    label, number, rainbow and size orders round.
+    label, number, rainbow and size orders round. `match`: ranks are compared by what a block looks like, or by name
+    where other conditions of the goal tell blocks apart that look alike.
     """
 
     by: Literal["any", "given", "label", "number", "rainbow", "size", "alternating", "mirrored", "together"] = "any"
@@ -27,6 +28,7 @@ class Order(Record):
     attribute: Attribute = "color"
     descending: bool = False
     first: Side | None = None
+    match: Literal["look", "name"] = "look"
 
 
 class Pattern(Record):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 
 from rpg.core.digest import digest_of
@@ -19,7 +21,7 @@ def cube(color: str, name: str | None = None) -> ColoredCube:
 
 
 def tower(*colors: str) -> TaskSchema:
-    goals = tuple(On(a=(f"{a}_block",), b=(f"{b}_block",)) for b, a in zip(colors, colors[1:], strict=False))
+    goals = tuple(On(a=(f"{a}_block",), b=(f"{b}_block",)) for b, a in itertools.pairwise(colors))
     return TaskSchema(name="tower", instruction="tower", assets=tuple(map(cube, colors)), goal=All(goals=goals))
 
 

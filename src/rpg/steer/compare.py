@@ -1,0 +1,103 @@
+"""Two goals on one bank of states: which implies which, with a witness for every difference."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from rpg.blocks.evaluate import evaluate, settled
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.symmetry import interchangeable, namings, rename_state
+from rpg.ir import goal as g
+from rpg.ir.walk import transform
+from rpg.steer.bank import Bank, Sample, Side
+from rpg.steer.identity import Identity
+
+Relation = Literal["equal", "implies", "implied by", "overlaps", "disjoint"]
+"""The new goal's relation to the old one: "implies" is that every state which satisfies the new one satisfies the old."""
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A state that satisfies one of the two goals only, as the version that accepts it sees it."""
+
+    accepted_by: Literal["old", "new"]
+    source: str
+    state: BlockState
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What the bank says. Counts of states: in all, accepted by both, by the old goal only, by the new goal only."""
+
+    relation: Relation
+    states: int
+    both: int
+    only_old: int
+    only_new: int
+    witnesses: tuple[Witness, ...]
+
+
+class Judge:
+    """A goal with the renamings of look-alikes under which it may hold."""
+
+    def __init__(self, goal: g.Goal, world: World) -> None:
+        self.goal = goal
+        self.namings = namings(interchangeable(goal, world))
+
+    def __call__(self, state: BlockState) -> bool:
+        if not settled(state).value:
+            return False
+        return any(evaluate(self.goal, rename_state(state, naming)).value for naming in self.namings)
+
+
+def compare(identity: Identity, bank: Bank) -> Comparison:
+    """Judge every state of the bank by both goals."""
+    old, new = (Judge(side.schema.goal, side.world) for side in (bank.old, bank.new))
+    both: list[Sample] = []
+    only_old: list[Sample] = []
+    only_new: list[Sample] = []
+    for sample in bank.samples:
+        before, after = old(bank.old.state(sample)), new(bank.new.state(sample))
+        if before or after:
+            (both if before and after else only_old if before else only_new).append(sample)
+    relation = _temporal(identity, _relation(len(both), len(only_old), len(only_new)))
+    witnesses = (*_witness("new", bank.new, only_new), *_witness("old", bank.old, only_old))
+    return Comparison(relation, len(bank.samples), len(both), len(only_old), len(only_new), witnesses)
+
+
+def _relation(both: int, only_old: int, only_new: int) -> Relation:
+    if not both:
+        return "disjoint"
+    if only_old and only_new:
+        return "overlaps"
+    return "implies" if only_old else "implied by" if only_new else "equal"
+
+
+def _temporal(identity: Identity, relation: Relation) -> Relation:
+    """Goals that end alike may still differ on the way there."""
+    old, new = _stages(identity.old.goal), _stages(identity.new.goal)
+    if relation != "equal" or old == new:
+        return relation
+    return "implies" if not old else "implied by" if not new else "overlaps"
+
+
+def _stages(goal: g.Goal) -> tuple[str, ...]:
+    """What a goal asks for over time: its sequences and what must hold always."""
+    found: list[str] = []
+
+    def note(node: g.Goal) -> g.Goal:
+        if isinstance(node, g.Sequence | g.Always):
+            found.append(node.model_dump_json(exclude={"span"}))
+        return node
+
+    transform(goal, note)
+    return tuple(found)
+
+
+def _witness(accepted_by: Literal["old", "new"], side: Side, samples: list[Sample]) -> tuple[Witness, ...]:
+    """The plainest witness: a goal of that version rather than a random state."""
+    if not samples:
+        return ()
+    best = min(samples, key=lambda sample: sample.source != f"{accepted_by} goal")
+    return (Witness(accepted_by, best.source, side.state(best)),)

@@ -1,0 +1,118 @@
+"""The proof of what an edit preserved: A, rho_0, G and l compared, on data where data will do and on states elsewhere."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from rpg.blocks.initial import sample_start
+from rpg.blocks.state import BlockState, World
+from rpg.ir.base import Record
+from rpg.ir.schema import TaskSchema
+from rpg.steer.bank import Bank
+from rpg.steer.compare import Comparison, Relation, Witness, compare
+from rpg.steer.diff import Diff, diff
+from rpg.steer.identity import Identity, look
+
+SEEDS = 16
+"""Seeds for which starts are compared."""
+Axis = Literal["S", "V", "B"]
+
+
+class Positions(Record):
+    """Starts of untouched blocks under the same seeds. `moved` are the blocks that some seed puts elsewhere."""
+
+    blocks: tuple[str, ...]
+    seeds: int
+    identical: int
+    moved: tuple[str, ...] = ()
+
+    @property
+    def kept(self) -> bool:
+        """Whether every untouched block starts where it did, for every seed."""
+        return self.identical == self.seeds
+
+
+class Goals(Record):
+    """The new goal against the old one on a bank of states; counts of states."""
+
+    relation: Relation
+    states: int
+    both: int
+    only_old: int
+    only_new: int
+
+
+class Proof(Record):
+    """What differs, what stayed, and how the goals relate. `axes`: S, language; V, appearance or start; B, behaviour."""
+
+    diff: Diff
+    positions: Positions
+    goals: Goals
+    axes: tuple[Axis, ...]
+
+
+def prove(old: TaskSchema, new: TaskSchema) -> tuple[Proof, tuple[Witness, ...]]:
+    """Compare two versions; the witnesses are states for people to look at."""
+    identity = Identity(old, new)
+    bank = Bank(identity)
+    found = compare(identity, bank)
+    changes = diff(identity)
+    proof = Proof(
+        diff=changes,
+        positions=_positions(identity),
+        goals=_goals(found),
+        axes=_axes(identity, changes, found.relation),
+    )
+    return proof, found.witnesses
+
+
+def _goals(found: Comparison) -> Goals:
+    return Goals(
+        relation=found.relation,
+        states=found.states,
+        both=found.both,
+        only_old=found.only_old,
+        only_new=found.only_new,
+    )
+
+
+def _positions(identity: Identity) -> Positions:
+    """Draw both versions' starts for the same seeds and compare them to the bit."""
+    worlds = World(identity.old.assets), World(identity.new.assets)
+    moved: set[str] = set()
+    identical = 0
+    for seed in range(SEEDS):
+        before = sample_start(identity.old, worlds[0], seed)
+        after = sample_start(identity.new, worlds[1], seed)
+        elsewhere = {k for k in identity.untouched if _pose(before, identity, k, old=True) != _pose(after, identity, k)}
+        identical += not elsewhere
+        moved |= elsewhere
+    names = {k: identity.after[k].name for k in identity.untouched}
+    return Positions(
+        blocks=tuple(names.values()),
+        seeds=SEEDS,
+        identical=identical,
+        moved=tuple(names[k] for k in names if k in moved),
+    )
+
+
+def _pose(state: BlockState, identity: Identity, k: str, *, old: bool = False) -> tuple[object, object]:
+    name = (identity.before if old else identity.after)[k].name
+    return state.position[name], state.orientation.get(name)
+
+
+def _axes(identity: Identity, changes: Diff, relation: Relation) -> tuple[Axis, ...]:
+    """Which of language, appearance or start, and required behaviour the edit changed."""
+    found: list[Axis] = []
+    if _words(identity.old.instruction) != _words(identity.new.instruction):
+        found.append("S")
+    looks = [sorted(repr(look(asset)) for asset in version.assets) for version in (identity.old, identity.new)]
+    if looks[0] != looks[1] or changes.starts_added or changes.starts_removed or changes.assets_changed:
+        found.append("V")
+    if relation != "equal":
+        found.append("B")
+    return tuple(found)
+
+
+def _words(text: str) -> list[str]:
+    return "".join(c if c.isalnum() else " " for c in text.lower()).split()

@@ -1,0 +1,122 @@
+"""The shape of a goal: what it asks for, without the parameters that a tweak may change."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import BaseModel
+
+from rpg.ir import goal as g
+from rpg.ir.shrink import TooSmall, without
+from rpg.ir.walk import atoms, names, rename
+from rpg.steer.identity import Identity
+
+STRUCTURES = frozenset(
+    {"stack", "towers", "row", "grid", "pyramid", "staircase", "figure", "group_by", "spells", "equation"}
+)
+
+
+def conjuncts(goal: g.Goal) -> tuple[g.Goal, ...]:
+    """The parts of a conjunction; a goal that is none is its own only part."""
+    return tuple(part for each in goal.goals for part in conjuncts(each)) if isinstance(goal, g.All) else (goal,)
+
+
+def shape(goal: g.Goal) -> Any:
+    """Nested kinds and qualities; numbers, names and repetitions are left out."""
+    match goal:
+        case g.All() | g.Any():
+            return goal.kind, tuple(sorted({repr(shape(part)) for part in goal.goals}))
+        case g.Not() | g.Always():
+            return goal.kind, shape(goal.goal)
+        case g.Count():
+            return goal.kind, shape(goal.goal)
+        case g.Sequence():
+            return goal.kind, tuple((shape(stage.goal), stage.undone) for stage in goal.stages)
+        case _:
+            return goal.kind, _qualities(goal)
+
+
+def duties(goal: g.Goal) -> Any:
+    """Nested kinds, qualities and names; numbers are left out."""
+    match goal:
+        case g.All() | g.Any():
+            return goal.kind, tuple(sorted(repr(duties(part)) for part in goal.goals))
+        case g.Not() | g.Always() | g.Count():
+            return goal.kind, duties(goal.goal)
+        case g.Sequence():
+            return goal.kind, tuple((duties(stage.goal), stage.undone) for stage in goal.stages)
+        case _:
+            return goal.kind, _qualities(goal), repr(_named(goal))
+
+
+def same_shape(old: g.Goal, new: g.Goal) -> bool:
+    """Whether two goals differ in parameters alone, whichever blocks they are about."""
+    return bool(_flat(shape(old)) == _flat(shape(new)))
+
+
+def same_duties(identity: Identity) -> bool:
+    """Whether every shared block has the part in the new goal that it had in the old one."""
+    old = rename(identity.old.goal, identity.names)
+    kept = set(identity.names.values())
+    try:
+        before = without(old, set(names(old)) - kept)
+        after = without(identity.new.goal, set(names(identity.new.goal)) - kept)
+    except TooSmall:
+        return True
+    if before is None or after is None:
+        return before is None and after is None
+    return bool(_flat(duties(before)) == _flat(duties(after)))
+
+
+def structures(goal: g.Goal) -> frozenset[str]:
+    """What blocks form together in a goal: kinds of structures, and "stack" for towers written as "a on b"."""
+    found = {part.kind for part in atoms(goal)}
+    return frozenset((found & STRUCTURES) | ({"stack"} if found & {"on", "above"} else set()) or found)
+
+
+def _flat(found: Any) -> Any:
+    """A conjunction of one is that one."""
+    if found[0] == "all" and len(found[1]) == 1:
+        return found[1][0]
+    return found if found[0] == "all" else repr(found)
+
+
+def _qualities(atom: g.Goal) -> tuple[tuple[str, str], ...]:
+    """Fields of an atom that are words or truth values; a field at its default and one left out are the same."""
+    kept = []
+    for field, info in type(atom).model_fields.items():
+        value = getattr(atom, field)
+        if field in ("kind", "span") or value == info.default:
+            continue
+        quality = _quality(value, field)
+        if quality:
+            kept.append((field, quality))
+    return tuple(kept)
+
+
+def _quality(value: Any, field: str) -> str:
+    match value:
+        case bool():
+            return str(value)
+        case int() | float() | None | tuple():
+            return ""
+        case str():
+            return "" if field in ("a", "b", "c", "block", "patch", "word", "text", "label") else value
+        case BaseModel():
+            inner = ((name, _quality(getattr(value, name), name)) for name in type(value).model_fields)
+            return " ".join(f"{name}={text}" for name, text in inner if text)
+    return ""
+
+
+def _named(atom: g.Goal) -> tuple[Any, ...]:
+    """What an atom says of whom; members of a structure without an order are a set."""
+    order = getattr(atom, "order", None)
+    ranks = getattr(order, "ranks", ())
+    fields = []
+    for field in ("a", "b", "c", "block", "patch"):
+        value = getattr(atom, field, None)
+        if value is not None:
+            fields.append((field, value.model_dump(mode="json") if isinstance(value, BaseModel) else value))
+    members = tuple(sorted(getattr(atom, "blocks", ())))
+    groups = tuple(sorted(tuple(sorted(group)) for group in getattr(atom, "groups", ())))
+    return (tuple(fields), members, groups, ranks)

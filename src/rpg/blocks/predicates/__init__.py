@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import Any
 
 from rpg.blocks.predicate import Predicate
-from rpg.blocks.predicates import direction, vertical
+from rpg.blocks.predicates import between, change, direction, facing, patches, proximity, region, vertical
 
-FAMILIES = (vertical, direction)
+FAMILIES = (vertical, direction, proximity, between, patches, region, facing, change)
 
 PREDICATES: dict[str, Predicate[Any]] = {kind: p for family in FAMILIES for kind, p in family.TABLE.items()}

@@ -1,0 +1,137 @@
+"""What the structure predicates share: how flat and how level blocks lie, and the changes that near-misses make."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z, WORKSPACE_X, WORKSPACE_Y
+from rpg.blocks.geometry import footprint_gap
+from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, yaw_quat
+from rpg.ir.assets import EDGE
+
+TILT = 15.0
+"""A block of a structure is not tilted more than this (degrees)."""
+BUILD_GAP = 0.01
+"""Face gap in metres that is left between blocks that need not touch, so that a gripper can place them."""
+TOUCH = 0.002
+"""Faces at most this far apart (m) touch."""
+SPANS = {"x": WORKSPACE_X[1] - WORKSPACE_X[0], "y": WORKSPACE_Y[1] - WORKSPACE_Y[0]}
+
+Poses = dict[str, tuple[Vec3, Quat]]
+
+
+def flatness(state: BlockState, names: Iterable[str]) -> float:
+    """Margin of "none of these is tilted more than 15 degrees"."""
+    return 1.0 - max([state.tilt(name) for name in names], default=0.0) / TILT
+
+
+def levelness(state: BlockState, names: Sequence[str]) -> float:
+    """Margin of "these stand at one height", within a centimetre."""
+    bottoms = [state.bottom(name) for name in names]
+    return 1.0 - (max(bottoms) - min(bottoms)) / SUPPORT_GAP
+
+
+def largest_edge(state: BlockState, names: Iterable[str]) -> float:
+    """The edge that tolerances of a whole structure are measured in."""
+    edge = state.world.edge
+    return max((edge[name] for name in names), default=EDGE)
+
+
+def shift(state: BlockState, names: Iterable[str], dx: float, dy: float, dz: float = 0.0) -> BlockState:
+    """`state` with some blocks moved by an offset in metres."""
+    poses: Poses = {}
+    for name in names:
+        x, y, z = state.position[name]
+        poses[name] = ((x + dx, y + dy, z + dz), state.orientation.get(name, IDENTITY))
+    return state.moved(poses)
+
+
+def swap(state: BlockState, a: str, b: str) -> BlockState:
+    """`state` with two blocks exchanged; heights are kept apart where their edges differ."""
+    lift = (state.world.edge[a] - state.world.edge[b]) / 2
+    (ax, ay, az), (bx, by, bz) = state.position[a], state.position[b]
+    turn = state.orientation
+    poses: Poses = {
+        a: ((bx, by, bz + lift), turn.get(b, IDENTITY)),
+        b: ((ax, ay, az - lift), turn.get(a, IDENTITY)),
+    }
+    return state.moved(poses)
+
+
+def put(state: BlockState, name: str, position: Vec3, orientation: Quat = IDENTITY) -> BlockState:
+    """`state` with one block at a pose."""
+    return state.moved({name: (position, orientation)})
+
+
+def spin(state: BlockState, names: Iterable[str], degrees: float, about: tuple[float, float] | None = None) -> BlockState:
+    """`state` with blocks turned about the vertical through `about`, or each through its own centre."""
+    angle = math.radians(degrees)
+    c, s = math.cos(angle), math.sin(angle)
+    poses: Poses = {}
+    for name in names:
+        x, y, z = state.position[name]
+        if about is not None:
+            dx, dy = x - about[0], y - about[1]
+            x, y = about[0] + c * dx - s * dy, about[1] + s * dx + c * dy
+        poses[name] = ((x, y, z), product(yaw_quat(angle), state.orientation.get(name, IDENTITY)))
+    return state.moved(poses)
+
+
+def product(p: Quat, q: Quat) -> Quat:
+    """The turn `q` followed by `p`."""
+    a, b, c, d = p
+    e, f, g, h = q
+    return (
+        a * e - b * f - c * g - d * h,
+        a * f + b * e + c * h - d * g,
+        a * g - b * h + c * e + d * f,
+        a * h + b * g - c * f + d * e,
+    )
+
+
+def centroid(state: BlockState, names: Sequence[str]) -> tuple[float, float]:
+    """Mean of the centres in the plane."""
+    return (
+        sum(state.position[n][0] for n in names) / len(names),
+        sum(state.position[n][1] for n in names) / len(names),
+    )
+
+
+def set_aside(state: BlockState, name: str, clearance: float = 0.12) -> BlockState:
+    """`state` with one block flat on the table, away from every other block."""
+    half = state.world.edge[name] / 2
+    others = [p for other, p in state.position.items() if other != name]
+
+    def room(spot: tuple[float, float]) -> float:
+        return min((math.hypot(x - spot[0], y - spot[1]) for x, y, _ in others), default=1.0)
+
+    spots = [(WORKSPACE_X[0] + 0.05 * i, WORKSPACE_Y[0] + 0.05 * j) for i in range(7) for j in range(11)]
+    spot = max(spots, key=room)
+    if room(spot) < clearance:
+        spot = (spot[0], WORKSPACE_Y[1] + 0.2)
+    return put(state, name, (spot[0], spot[1], TABLE_Z + half))
+
+
+def stand_on(state: BlockState, name: str, support: str) -> BlockState:
+    """`state` with one block centred on top of another."""
+    x, y, _ = state.position[support]
+    z = state.top(support) + state.world.edge[name] / 2
+    return put(state, name, (x, y, z), state.orientation.get(support, IDENTITY))
+
+
+def strangers(state: BlockState, names: Iterable[str]) -> list[str]:
+    """Blocks of the state that are none of these."""
+    inside = set(names)
+    return [name for name in state.position if name not in inside]
+
+
+def pair_edge(state: BlockState, a: str, b: str) -> float:
+    """The larger edge of two blocks."""
+    edge = state.world.edge
+    return max(edge[a], edge[b])
+
+
+def gaps_along(state: BlockState, sequence: Sequence[str]) -> list[float]:
+    """Face gaps between neighbours of a sequence, metres."""
+    return [footprint_gap(state, a, b) for a, b in zip(sequence, sequence[1:], strict=False)]

@@ -1,0 +1,64 @@
+"""facing: which face of a block points where, and how its symbol is turned."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rpg.blocks.nouns import phrase
+from rpg.blocks.predicate import Predicate
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.verdict import FALSE, TRUE, Verdict, some
+from rpg.blocks.visibility import TOWARD, Toward, readable, turned, visible
+from rpg.ir.assets import FACES, Face, SemanticCube
+from rpg.ir.relations import Facing
+
+SEEN: dict[str, tuple[Toward, ...]] = {"viewer": ("up", "front"), "up": ("up",), "front": ("front",)}
+"""The directions in which the viewer can see a face at all."""
+
+
+def shown_faces(node: Facing, world: World) -> tuple[Face, ...]:
+    """The faces that may do what `node` asks: the one it names, those with its label, or all."""
+    if node.face is not None:
+        return (node.face,)
+    block = world.blocks[node.block]
+    if node.label is None:
+        return FACES
+    return tuple(f for f in FACES if isinstance(block, SemanticCube) and block.symbol(f) == node.label)
+
+
+def directions(node: Facing) -> tuple[Toward, ...]:
+    """The directions that `node` accepts."""
+    return ("up", "front") if node.toward == "viewer" else (node.toward,)
+
+
+class FacingPredicate(Predicate[Facing]):
+    """Some face that is meant points the right way, is turned as asked, and is visible where it can be."""
+
+    def evaluate(self, node: Facing, state: BlockState) -> Verdict:
+        found = [
+            self._shows(node, face, toward, state)
+            for face in shown_faces(node, state.world)
+            for toward in directions(node)
+        ]
+        return some(found) if found else FALSE
+
+    def _shows(self, node: Facing, face: Face, toward: Toward, state: BlockState) -> Verdict:
+        normal, upright = TOWARD[toward]
+        up = None if node.turn is None else turned(normal, upright, node.turn)
+        verdict = readable(state, node.block, face, normal, up, node.normal_cos, node.upright_cos)
+        return verdict & seen(node.block, face, toward, state) if verdict else verdict
+
+    def english(self, node: Facing, world: World) -> str:
+        name = phrase(node.block, world)
+        subject = f"the {node.face} of {name}" if node.face else f"the {node.label} of {name}" if node.label else name
+        way = {"viewer": "the viewer", "front": "the front", "back": "the back"}.get(node.toward, node.toward)
+        turn = {None: "", 0.0: ", upright", 180.0: ", upside down"}.get(node.turn, f", turned by {node.turn:g} degrees")
+        return f"{subject} faces {way}{turn}"
+
+
+def seen(name: str, face: Face, toward: Toward, state: BlockState) -> Verdict:
+    """Faces that point up or at the viewer must be visible; the others cannot be from where the viewer stands."""
+    return visible(state, name, face) if toward in ("up", "front") else TRUE
+
+
+TABLE: dict[str, Predicate[Any]] = {"facing": FacingPredicate()}

@@ -1,0 +1,202 @@
+"""beside, adjacent, touching, near, apart, distance: how close things are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from random import Random
+from typing import Any
+
+from rpg.blocks.geometry import body_gap, footprint_gap, plane_distance
+from rpg.blocks.nouns import phrase, verb
+from rpg.blocks.predicate import Predicate
+from rpg.blocks.predicates.direction import edge_between
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.verdict import Verdict, at_least, at_most, every, holds, some
+from rpg.ir.node import members
+from rpg.ir.relations import Adjacent, Apart, Beside, Distance, Near, Touching
+
+LEVEL_GAP = 0.01
+LEVEL_TILT = 15.0
+RING_TRIES = 8
+
+
+def level(a: str, b: str, state: BlockState) -> Verdict:
+    """Both stand at one height, neither of them tilted; a patch is as high as the table."""
+    parts = [1.0 - state.tilt(n) / LEVEL_TILT for n in (a, b) if n in state.position]
+    bottoms = [state.bottom(n) if n in state.position else state.where(n)[2] for n in (a, b)]
+    return holds(min(*parts, 1.0 - abs(bottoms[0] - bottoms[1]) / LEVEL_GAP))
+
+
+def pairs(node: Any, state: BlockState) -> list[tuple[str, str]]:
+    """Every pair of a member of `a` and another of `b`."""
+    return [(a, b) for a in state.resolve(node.a) for b in state.resolve(node.b) if a != b]
+
+
+def beside(a: str, b: str, state: BlockState, gap_edges: float) -> Verdict:
+    """Level, and the gap between the footprints within the limit."""
+    gap = footprint_gap(state, a, b)
+    edge = edge_between(state, a, b)
+    if a in state.position and b in state.position:
+        overlap = holds(1.0 + min(gap, 0.0) / LEVEL_GAP)
+        return level(a, b, state) & overlap & at_most(max(gap, 0.0), gap_edges * edge)
+    return level(a, b, state) & holds(gap / edge) & at_most(gap, gap_edges * edge)
+
+
+class BesidePredicate(Predicate[Any]):
+    """Some member of `a` is beside one of `b`."""
+
+    def evaluate(self, node: Beside | Adjacent, state: BlockState) -> Verdict:
+        return some([beside(a, b, state, node.gap_edges) for a, b in pairs(node, state)])
+
+    def propose(self, node: Any, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        yield from side_places(node, block, state, node.gap_edges, rng)
+
+    def english(self, node: Beside | Adjacent, world: World) -> str:
+        word = "next to" if node.kind == "beside" else "adjacent to"
+        return f"{phrase(node.a, world)} {verb(node.a)} {word} {phrase(node.b, world)}"
+
+
+class TouchingPredicate(Predicate[Touching]):
+    """The bodies of some member of `a` and one of `b` are at most a hair apart."""
+
+    def evaluate(self, node: Touching, state: BlockState) -> Verdict:
+        return some([at_most(max(body_gap(state, a, b), 0.0), node.gap) for a, b in pairs(node, state)])
+
+    def propose(self, node: Touching, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        for x, y, other in _others(node, block, state):
+            reach = (state.world.edge[block] + state.world.edge[other]) / 2
+            yield from ((x + dx * reach, y + dy * reach) for dx, dy in _shuffled(SIDES, rng))
+
+    def english(self, node: Touching, world: World) -> str:
+        return f"{phrase(node.a, world)} {verb(node.a, 'touches', 'touch')} {phrase(node.b, world)}"
+
+
+class NearPredicate(Predicate[Near]):
+    """The nearest members are close."""
+
+    def evaluate(self, node: Near, state: BlockState) -> Verdict:
+        return some([at_most(plane_distance(state, a, b), node.distance) for a, b in pairs(node, state)])
+
+    def propose(self, node: Near, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        for x, y, _ in _others(node, block, state):
+            yield from ring(x, y, 0.7 * node.distance, rng)
+
+    def english(self, node: Near, world: World) -> str:
+        limit = "" if node.distance == 0.10 else f" (within {_cm(node.distance)})"
+        return f"{phrase(node.a, world)} {verb(node.a)} near {phrase(node.b, world)}{limit}"
+
+
+class ApartPredicate(Predicate[Apart]):
+    """Even the nearest members are far from each other."""
+
+    def evaluate(self, node: Apart, state: BlockState) -> Verdict:
+        return every([at_least(plane_distance(state, a, b), node.distance) for a, b in pairs(node, state)])
+
+    def english(self, node: Apart, world: World) -> str:
+        return f"{phrase(node.a, world)} {verb(node.a)} at least {_cm(node.distance)} from {phrase(node.b, world)}"
+
+
+class DistancePredicate(Predicate[Distance]):
+    """The distance in the plane lies in a range: of the nearest members, where there are several."""
+
+    def evaluate(self, node: Distance, state: BlockState) -> Verdict:
+        measure: Callable[[BlockState, str, str], float]
+        measure = plane_distance if node.measure == "centres" else footprint_gap
+        value = min(measure(state, a, b) for a, b in pairs(node, state))
+        parts = []
+        scale = range_scale(node)
+        if node.minimum is not None:
+            parts.append(at_least(value, node.minimum, scale))
+        if node.maximum is not None:
+            parts.append(at_most(value, node.maximum, scale))
+        return every(parts)
+
+    def propose(self, node: Distance, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        middle = range_middle(node)
+        for x, y, other in _others(node, block, state):
+            if node.measure == "centres":
+                yield from ring(x, y, middle, rng)
+            else:
+                edge = state.world.edge
+                reach = middle + (edge.get(other, 0.1) + edge.get(block, 0.1)) / 2
+                yield from ((x + dx * reach, y + dy * reach) for dx, dy in _shuffled(SIDES, rng))
+
+    def english(self, node: Distance, world: World) -> str:
+        ends = f"{phrase(node.a, world)} and {phrase(node.b, world)}"
+        between = "between the centres of" if node.measure == "centres" else "between the faces of"
+        return f"the distance {between} {ends} is {_range(node)}"
+
+
+SIDES = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
+
+
+def side_places(
+    node: Any, block: str, state: BlockState, gap_edges: float, rng: Random
+) -> Iterator[tuple[float, float]]:
+    """Places at the four sides of what is placed already, in the middle of the allowed gap."""
+    for x, y, other in _others(node, block, state):
+        edge = state.world.edge
+        sizes = state.world.patches[other].size if other in state.world.patches else (edge[other], edge[other])
+        gap = gap_edges * max(edge.get(block, 0.0), edge.get(other, 0.0)) / 2
+        for dx, dy in _shuffled(SIDES, rng):
+            reach = (sizes[0] if dx else sizes[1]) / 2 + edge.get(block, 0.1) / 2 + gap
+            yield x + dx * reach, y + dy * reach
+
+
+def ring(x: float, y: float, radius: float, rng: Random) -> Iterator[tuple[float, float]]:
+    """Places on a circle: along the axes first, then anywhere."""
+    turns = [k * math.pi / 2 for k in range(4)]
+    rng.shuffle(turns)
+    turns += [rng.uniform(0.0, 2 * math.pi) for _ in range(RING_TRIES)]
+    yield from ((x + radius * math.cos(t), y + radius * math.sin(t)) for t in turns)
+
+
+def range_scale(node: Distance) -> float:
+    """What slack in a distance is measured by: half of the range, or a centimetre."""
+    if node.minimum is not None and node.maximum is not None and node.maximum > node.minimum:
+        return (node.maximum - node.minimum) / 2
+    return 0.01
+
+
+def range_middle(node: Distance) -> float:
+    """A distance well inside of the range."""
+    low = node.minimum or 0.0
+    return (low + node.maximum) / 2 if node.maximum is not None else low + 0.02
+
+
+def _others(node: Any, block: str, state: BlockState) -> Iterator[tuple[float, float, str]]:
+    """Centres of the other side's members that are placed already."""
+    mine, theirs = members(node.a), members(node.b)
+    if block not in mine:
+        mine, theirs = theirs, mine
+    for other in theirs:
+        if other != block and (other in state.position or other in state.world.patches):
+            x, y, _ = state.where(other)
+            yield x, y, other
+
+
+def _shuffled(sides: tuple[tuple[float, float], ...], rng: Random) -> list[tuple[float, float]]:
+    return rng.sample(sides, len(sides))
+
+
+def _cm(metres: float) -> str:
+    return f"{round(metres * 100, 1):g} cm"
+
+
+def _range(node: Distance) -> str:
+    if node.minimum is None:
+        return f"at most {_cm(node.maximum or 0.0)}"
+    if node.maximum is None:
+        return f"at least {_cm(node.minimum)}"
+    return f"between {_cm(node.minimum)} and {_cm(node.maximum)}"
+
+
+TABLE: dict[str, Predicate[Any]] = {
+    "beside": BesidePredicate(),
+    "adjacent": BesidePredicate(),
+    "touching": TouchingPredicate(),
+    "near": NearPredicate(),
+    "apart": ApartPredicate(),
+    "distance": DistancePredicate(),
+}

@@ -1,0 +1,106 @@
+"""in_region: halves, corners, edges and the middle of the table, as the viewer names them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from random import Random
+from typing import Any
+
+from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
+from rpg.blocks.nouns import phrase, verb
+from rpg.blocks.predicate import Predicate
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.verdict import Verdict, every, holds
+from rpg.ir.node import members
+from rpg.ir.relations import InRegion, Region
+
+CORNER = (0.10, 0.12)
+"""Depth of a corner along x and y."""
+MIDDLE_RADIUS = 0.08
+EDGE_DEPTH = 0.05
+INSET = 0.025
+"""How far inside of the workspace's border proposals lie."""
+
+CORNERS: tuple[Region, ...] = ("near_left_corner", "near_right_corner", "far_left_corner", "far_right_corner")
+EDGES: tuple[Region, ...] = ("left_edge", "right_edge", "near_edge", "far_edge")
+
+
+def border_distances(x: float, y: float) -> dict[str, float]:
+    """Distance inward from each side of the workspace."""
+    return {
+        "near": x - WORKSPACE_X[0],
+        "far": WORKSPACE_X[1] - x,
+        "right": y - WORKSPACE_Y[0],
+        "left": WORKSPACE_Y[1] - y,
+    }
+
+
+def region_margin(region: Region, x: float, y: float, edge: float) -> float:
+    """Slack of a centre in a region, over the tolerance of that region."""
+    if region in ("corner", "edge"):
+        return max(region_margin(part, x, y, edge) for part in (CORNERS if region == "corner" else EDGES))
+    mx, my = sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2
+    inward = border_distances(x, y)
+    match region.split("_"):
+        case ["middle"]:
+            return 1.0 - math.hypot(x - mx, y - my) / MIDDLE_RADIUS
+        case [side, "half"]:
+            beyond = {"left": y - my, "right": my - y, "far": x - mx, "near": mx - x}[side]
+            return (beyond - edge / 2) / (edge / 2)
+        case [side, "edge"]:
+            return 1.0 - inward[side] / EDGE_DEPTH
+        case [depth, side, "corner"]:
+            return min(1.0 - inward[depth] / CORNER[0], 1.0 - inward[side] / CORNER[1])
+    raise ValueError(f"there is no region {region!r}")
+
+
+class InRegionPredicate(Predicate[InRegion]):
+    """Each centre lies in the region."""
+
+    def evaluate(self, node: InRegion, state: BlockState) -> Verdict:
+        return every([self._in(node.region, a, state) for a in state.resolve(node.a)])
+
+    def _in(self, region: Region, name: str, state: BlockState) -> Verdict:
+        x, y, _ = state.where(name)
+        return holds(region_margin(region, x, y, state.world.edge.get(name, 0.04)))
+
+    def propose(self, node: InRegion, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        if block not in members(node.a):
+            return
+        yield from sorted(_grid(), key=lambda p: (-region_margin(node.region, p[0], p[1], 0.04), rng.random()))[:12]
+        places = [p for p in _grid() if region_margin(node.region, p[0], p[1], 0.04) > 0.2]
+        rng.shuffle(places)
+        yield from places[:24]
+
+    def english(self, node: InRegion, world: World) -> str:
+        return f"{phrase(node.a, world)} {verb(node.a)} {REGION_WORDS[node.region]}"
+
+
+def _grid() -> list[tuple[float, float]]:
+    """Places all over the workspace, 2 cm or so apart."""
+    (x0, x1), (y0, y1) = WORKSPACE_X, WORKSPACE_Y
+    xs = [x0 + INSET + k * (x1 - x0 - 2 * INSET) / 10 for k in range(11)]
+    ys = [y0 + INSET + k * (y1 - y0 - 2 * INSET) / 18 for k in range(19)]
+    return [(x, y) for x in xs for y in ys]
+
+
+REGION_WORDS: dict[Region, str] = {
+    "left_half": "on the left half of the table",
+    "right_half": "on the right half of the table",
+    "near_half": "on the near half of the table",
+    "far_half": "on the far half of the table",
+    "middle": "in the middle of the table",
+    "corner": "in a corner of the table",
+    "edge": "at an edge of the table",
+    "near_left_corner": "in the near left corner of the table",
+    "near_right_corner": "in the near right corner of the table",
+    "far_left_corner": "in the far left corner of the table",
+    "far_right_corner": "in the far right corner of the table",
+    "left_edge": "at the left edge of the table",
+    "right_edge": "at the right edge of the table",
+    "near_edge": "at the near edge of the table",
+    "far_edge": "at the far edge of the table",
+}
+
+TABLE: dict[str, Predicate[Any]] = {"in_region": InRegionPredicate()}

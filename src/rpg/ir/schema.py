@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from pydantic import Field, model_validator
 
 from rpg.ir.assets import Asset, Block, GoalPatch
@@ -9,7 +11,7 @@ from rpg.ir.base import Names, Record
 from rpg.ir.goal import Goal
 from rpg.ir.walk import names
 
-FORMAT = 1
+FORMAT: Literal[1] = 1
 MAX_BLOCKS = 30
 MAX_LETTERS = 26
 MAX_DIGITS = 10
@@ -52,7 +54,7 @@ class InitialState(Record):
 class TaskSchema(Record):
     """A task: assets A, initial-state distribution rho_0, success predicate G, instruction l and paraphrases V."""
 
-    format: int = FORMAT
+    format: Literal[1] = FORMAT
     name: str = Field(pattern=r"^[a-z0-9]+(-[a-z0-9]+)*$", max_length=60)
     instruction: str
     author: str | None = None

@@ -23,7 +23,10 @@ def explain(error: ValidationError, root: yaml.Node | None) -> list[tuple[int, s
     """Line and sentence for each problem, in the order of the file; the first few if there are many."""
     grouped: dict[Place, list[ErrorDetails]] = {}
     for detail in error.errors(include_url=False):
-        grouped.setdefault(_place(root, detail["loc"]), []).append(detail)
+        location = detail["loc"]
+        if detail["type"] == "union_tag_invalid":
+            location = (*location, _key(detail))
+        grouped.setdefault(_place(root, location), []).append(detail)
     found = [(_line(root, place), _sentence(place, details)) for place, details in grouped.items()]
     found.sort()
     return found[:MOST]
@@ -106,14 +109,17 @@ def _unknown_choice(where: str, detail: ErrorDetails) -> str:
 
 def _unknown_tag(where: str, detail: ErrorDetails) -> str:
     choices = [choice.strip("' ") for choice in _context(detail, "expected_tags").split(",")]
-    key = _context(detail, "discriminator").strip("'")
-    place = f"{where}.{key}" if where else key
-    return f"`{place}` cannot be {_shown(_context(detail, 'tag'))}{_nearest(_context(detail, 'tag'), choices)}"
+    tag = _context(detail, "tag")
+    return f"`{where}` cannot be {_shown(tag)}{_nearest(tag, choices)}"
 
 
 def _no_tag(where: str, detail: ErrorDetails) -> str:
-    key = _context(detail, "discriminator").strip("'")
-    return f"`{where}` needs a `{key}`: what sort of thing it is"
+    return f"`{where}` needs a `{_key(detail)}`: what sort of thing it is"
+
+
+def _key(detail: ErrorDetails) -> str:
+    """The key that tells alternatives apart."""
+    return _context(detail, "discriminator").strip("'")
 
 
 def _not_text(where: str, detail: ErrorDetails) -> str:
@@ -131,7 +137,7 @@ def _own(where: str, detail: ErrorDetails) -> str:
 
 
 def _pattern(where: str, detail: ErrorDetails) -> str:
-    return f"`{where}` should look like {_context(detail, 'pattern')}, not {_shown(detail['input'])}"
+    return f"`{where}` should be lower-case words and numbers joined by hyphens, not {_shown(detail['input'])}"
 
 
 def _shown(value: Any) -> str:

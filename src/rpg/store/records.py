@@ -10,7 +10,7 @@ from pydantic import Field
 from rpg.core.digest import digest_of
 from rpg.ir.base import Record
 
-FORMAT = 1
+FORMAT: Literal[1] = 1
 SOURCE = "task.yaml"
 CODE = "code.py"
 GOAL_CODE = "goal_state_code.py"
@@ -51,7 +51,7 @@ class SteeringMeta(Record):
 class Snapshot(Record):
     """The contents of snapshot.json. `backend` is what wrote the code: "lower" regenerates it from task.yaml."""
 
-    format: int = FORMAT
+    format: Literal[1] = FORMAT
     hash: str = Digest
     snapshot: TaskSnapshot
     backend: Literal["lower", "llm"] = "lower"

@@ -112,10 +112,11 @@ def _check(node: yaml.Node | None, seen: set[int]) -> None:
         raise yaml.MarkedYAMLError(problem="a task.yaml has no anchors; write it out", problem_mark=node.start_mark)
     seen.add(id(node))
     if isinstance(node, yaml.MappingNode):
-        keys = [key.value for key, _ in node.value]
+        keys: set[str] = set()
         for key, value in node.value:
-            if keys.count(key.value) > 1:
+            if str(key.value) in keys:
                 raise yaml.MarkedYAMLError(problem=f"`{key.value}` stands here twice", problem_mark=key.start_mark)
+            keys.add(str(key.value))
             _check(value, seen)
     elif isinstance(node, yaml.SequenceNode):
         for item in node.value:

@@ -20,7 +20,7 @@ _UNPRINTABLE = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff\ud800-\udfff
 
 def dump(data: Mapping[str, Any]) -> str:
     """`data` as a YAML document in block style; lists of scalars stand on one line where they fit."""
-    return "".join(line + "\n" for line in _mapping(data, 0))
+    return "".join(line + "\n" for line in _mapping(data, 0)) or "{}\n"
 
 
 def _mapping(data: Mapping[str, Any], indent: int) -> Iterator[str]:

@@ -32,6 +32,13 @@ CODES: tuple[Code, ...] = (
         "files, the parent's hash and the steering metadata. One of these was changed, or the directory was renamed.",
     ),
     Code(
+        "picture-damaged",
+        "a picture of a version is damaged",
+        "Pictures depend on the machine's graphics and are not hashed; their own checksums show that bytes changed.",
+        "truncate -s -1 tasks/red-on-blue/v0-*/goal.png",
+        "rpg render red-on-blue",
+    ),
+    Code(
         "parent-missing",
         "the version that this one came from is missing",
         "A steered version names its parent by its hash, and no version of the family has that hash any more.",

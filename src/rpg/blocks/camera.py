@@ -10,9 +10,9 @@ import math
 from rpg.blocks.state import Vec3
 
 NAME = "viewer"
-POSITION: Vec3 = (-0.14, 0.0, 1.62)
-TARGET: Vec3 = (0.565, 0.0, 0.985)
-FOVY = 38.0
+POSITION: Vec3 = (-0.18, 0.0, 1.64)
+TARGET: Vec3 = (0.555, 0.0, 1.02)
+FOVY = 33.0
 """Vertical field of view in degrees."""
 WIDTH, HEIGHT = 640, 480
 

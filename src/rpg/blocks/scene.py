@@ -1,4 +1,4 @@
-"""The MuJoCo scene of a task: table, camera, light and physics are the same for all tasks; blocks and patches are its own."""
+"""The MuJoCo scene of a task: table, camera, light and physics are the same for all; blocks and patches are its own."""
 
 from __future__ import annotations
 

@@ -1,0 +1,95 @@
+"""A compiled scene with its state: block poses in and out, and steps of the fixed physics."""
+
+from __future__ import annotations
+
+import math
+
+import mujoco
+import numpy as np
+
+from rpg.blocks.constants import REST_SPEED, SUBSTEPS
+from rpg.blocks.scene import compiled
+from rpg.blocks.state import BlockState, Quat, Vec3, World
+
+SETTLE_STEPS = 100
+"""Control steps after which a start that still moves is given up."""
+QUIET_SPEED = 0.002
+"""Speed (m/s) below which every block has settled for good."""
+QUIET_STEPS = 4
+
+
+class Physics:
+    """One episode's simulation. Blocks come first in the model's coordinates, in the order of the world."""
+
+    def __init__(self, world: World, model: mujoco.MjModel | None = None) -> None:
+        self.world = world
+        self.model = model or compiled(tuple(world.assets.values()))
+        self.data = mujoco.MjData(self.model)
+        self.names = tuple(world.blocks)
+        self.count = len(self.names)
+        self._reach = tuple(world.edge[name] * math.sqrt(3) / 2 for name in self.names)
+        for index, name in enumerate(self.names):
+            if self.model.joint(name).qposadr[0] != 7 * index:
+                raise ValueError(f"the model does not have block {name!r} in place {index} of its coordinates")
+
+    def write(self, state: BlockState) -> None:
+        """Put every block at rest where `state` has it; everything else goes to its default."""
+        mujoco.mj_resetData(self.model, self.data)
+        flat: list[float] = []
+        for name in self.names:
+            flat += state.position[name]
+            flat += state.orientation[name]
+        self.data.qpos[: 7 * self.count] = flat
+        mujoco.mj_forward(self.model, self.data)
+
+    def read(self, start: BlockState | None = None, held: frozenset[str] = frozenset()) -> BlockState:
+        """Where every block is now, and which of them move."""
+        count = self.count
+        q: list[float] = self.data.qpos[: 7 * count].tolist()
+        v: list[float] = self.data.qvel[: 6 * count].tolist()
+        position: dict[str, Vec3] = {}
+        orientation: dict[str, Quat] = {}
+        moving = []
+        for index, name in enumerate(self.names):
+            i, j = 7 * index, 6 * index
+            position[name] = (q[i], q[i + 1], q[i + 2])
+            orientation[name] = (q[i + 3], q[i + 4], q[i + 5], q[i + 6])
+            if _speed(v[j : j + 6], self._reach[index]) >= REST_SPEED:
+                moving.append(name)
+        return BlockState(self.world, position, orientation, frozenset(moving), held, start)
+
+    def step(self, control_steps: int = 1) -> None:
+        """Advance by control steps of 1/20 s."""
+        mujoco.mj_step(self.model, self.data, SUBSTEPS * control_steps)
+
+    def settle(self) -> bool:
+        """Step until nothing moves any more; False where something still does after SETTLE_STEPS."""
+        quiet = 0
+        for _ in range(SETTLE_STEPS):
+            self.step()
+            quiet = quiet + 1 if self.fastest() < QUIET_SPEED else 0
+            if quiet >= QUIET_STEPS:
+                return True
+        return False
+
+    def fastest(self) -> float:
+        """Greatest speed (m/s) of any point of any block."""
+        v: list[float] = self.data.qvel[: 6 * self.count].tolist()
+        return max((_speed(v[6 * k : 6 * k + 6], reach) for k, reach in enumerate(self._reach)), default=0.0)
+
+    def sane(self) -> bool:
+        """Are all numbers finite?"""
+        return bool(np.isfinite(self.data.qpos).all() and np.isfinite(self.data.qvel).all())
+
+
+def settled_state(state: BlockState) -> BlockState | None:
+    """`state` after it has come to rest by itself; None where it does not."""
+    physics = Physics(state.world)
+    physics.write(state)
+    return physics.read(state.start) if physics.settle() and physics.sane() else None
+
+
+def _speed(velocity: list[float], reach: float) -> float:
+    """Bound on the speed of a block's points from its linear and angular velocity."""
+    vx, vy, vz, wx, wy, wz = velocity
+    return math.sqrt(vx * vx + vy * vy + vz * vz) + reach * math.sqrt(wx * wx + wy * wy + wz * wz)

@@ -1,0 +1,284 @@
+"""BlockTask: the one class that tasks extend. It samples starts, runs the physics, and judges the goal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from functools import lru_cache
+
+import mujoco
+import numpy as np
+
+from rpg.blocks.evaluate import settled
+from rpg.blocks.initial import sample_start
+from rpg.blocks.judgement import Judgement
+from rpg.blocks.physics import Physics
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.scene import build_spec
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.symmetry import Cells, namings, rename_state
+from rpg.blocks.verdict import FALSE, Verdict, between
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.env.embodiment import ACTION_SIZE, Action, Embodiment, Robot
+from rpg.env.progress import Memory
+from rpg.env.relations import Relations
+from rpg.env.setup import Setup
+from rpg.env.structures import Structures
+from rpg.ir.assets import Asset
+from rpg.ir.node import Node
+
+ATTEMPTS = 100
+"""Starts drawn in search of one where the goal is still ahead."""
+AT_REST = "every block is at rest, released and supported"
+HOLD: Action = np.zeros(ACTION_SIZE)
+
+
+@lru_cache(maxsize=64)
+def model_for(assets: tuple[Asset, ...], embodiment: Embodiment | None, textures: bool) -> mujoco.MjModel:
+    """The compiled scene with its robot; shared, so never modify it."""
+    spec = build_spec(assets, textures=textures)
+    if embodiment is not None:
+        embodiment.attach(spec)
+    return spec.compile()
+
+
+class BlockTask(Relations, Structures, Setup):
+    """A manipulation task: assets, a distribution of starts, and a goal that is judged after every control step.
+
+    Subclasses give `instruction` and the hooks; `interchangeable` lists, for look-alike blocks that the goal tells
+    apart, the cells of blocks that it uses alike. Steps are control steps of 1/20 s.
+    """
+
+    instruction: str = ""
+    interchangeable: Cells = ()
+
+    def __init__(self, embodiment: Embodiment | None = None, *, textures: bool = False) -> None:
+        Relations.__init__(self)
+        Setup.__init__(self)
+        self._embodiment, self._textures = embodiment, textures
+        self._initialize_env()
+        self.world = World(self._assets)
+        self._namings = namings(self.interchangeable)
+        self._memories: list[Memory] = []
+        self._memory = Memory()
+        self._state: BlockState | None = None
+        self._judgement: Judgement | None = None
+        self._physics: Physics | None = None
+        self._robot: Robot | None = None
+        self._written: BlockState | None = None
+        self._names_of_conditions: dict[int, str] = {}
+        self.seed = 0
+
+    # Hooks
+
+    def _initialize_env(self) -> None:
+        """Add the task's blocks and patches."""
+        raise NotImplementedError
+
+    def _on_reset(self) -> None:
+        """Say how an episode starts."""
+
+    def _on_step(self) -> None:
+        """Called after every control step."""
+
+    def _success(self) -> Verdict:
+        """Does the goal hold in the current state?"""
+        raise NotImplementedError
+
+    def _fail(self) -> Verdict:
+        """Is the episode lost for good?"""
+        return FALSE
+
+    # Connectives and memory, for `_success` and `_fail`
+
+    def at_rest(self) -> Verdict:
+        """Every block is slower than 5 cm/s, released, and supported."""
+        return settled(self._view())
+
+    def count(self, verdicts: Iterable[Verdict], *, at_least: int = 0, at_most: int | None = None) -> Verdict:
+        """At least / at most so many of the verdicts hold."""
+        return between(at_least, at_most, verdicts)
+
+    def in_order(self, *stages: Verdict, undone: Sequence[int] = ()) -> Verdict:
+        """The stages were met one after the other; at the end all hold but those that a later one had to undo."""
+        return self._memory.in_order(stages, undone)
+
+    def always(self, condition: Verdict) -> Verdict:
+        """The condition holds now and held at every step before."""
+        return self._memory.always(condition)
+
+    def out_of_order(self) -> Verdict:
+        """A stage was met before the one in front of it."""
+        return self._memory.out_of_order()
+
+    def lapsed(self) -> Verdict:
+        """A condition that must always hold did not at some step."""
+        return self._memory.lapsed()
+
+    # Running a task
+
+    def reset(self, seed: int = 0) -> BlockState:
+        """Begin the episode of `seed`: a start where the goal is still ahead, the same to the bit for the same seed."""
+        self.seed = seed
+        self._forget()
+        self._on_reset()
+        scenes = self._placed_states()
+        if scenes:
+            self._begin(scenes[0])
+            for scene in scenes[1:]:
+                self._observe(replace(scene, start=scenes[0], _axes={}))
+        else:
+            self._draw(seed)
+        return self.state()
+
+    def step(self, control_steps: int = 1, action: Action = HOLD) -> None:
+        """Advance; without an action the robot holds still. The goal is judged after every control step."""
+        physics = self.physics
+        for _ in range(control_steps):
+            if self._robot is not None:
+                self._robot.command(self.data, action)
+            physics.step()
+            held = self._robot.held(self.data) if self._robot is not None else frozenset()
+            self._observe(physics.read(self._start(), held))
+            self._on_step()
+
+    def state(self) -> BlockState:
+        """Where every block is now."""
+        if self._state is None:
+            raise RuntimeError("the task has no state yet: call reset() first")
+        return self._state
+
+    def judge(self) -> Judgement:
+        """Success, failure, stage and conditions in the current state."""
+        if self._judgement is None:
+            self._judgement = self._judged(self.state())
+        return self._judgement
+
+    def judge_states(self, states: Iterable[BlockState], start: BlockState | None = None) -> list[Judgement]:
+        """Judge an episode that is given by its states, without physics; it began with `start`, else the first one."""
+        found: list[Judgement] = []
+        for state in states:
+            if start is None:
+                start = state
+                self._begin(start)
+            elif not found:
+                self._begin(start)
+                self._observe(replace(state, start=start, _axes={}))
+            else:
+                self._observe(replace(state, start=start, _axes={}))
+            found.append(self.judge())
+        self._state = None
+        return found
+
+    @property
+    def physics(self) -> Physics:
+        """The simulation, with the blocks where the episode has them."""
+        if self._physics is None:
+            model = model_for(tuple(self.world.assets.values()), self._embodiment, self._textures)
+            self._physics = Physics(self.world, model)
+            if self._embodiment is not None:
+                self._robot = self._embodiment.bind(model, tuple(self.world.blocks))
+        if self._written is not None:
+            self._physics.write(self._written)
+            if self._robot is not None:
+                self._robot.reset(self._physics.data)
+            self._written = None
+        return self._physics
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model of the scene."""
+        return self.physics.model
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's state of the scene."""
+        return self.physics.data
+
+    @property
+    def robot(self) -> Robot | None:
+        """The robot, where the task was made with one."""
+        return self._robot if self.physics else None
+
+    # Inside
+
+    def _draw(self, seed: int) -> None:
+        """Draw starts until the goal is ahead: not satisfied, not lost, and no stage met, if possible no later one."""
+        init = self._initial_state()
+        fallback: BlockState | None = None
+        for attempt in range(ATTEMPTS):
+            start = sample_start(init, self.world, seed, attempt)
+            self._begin(start)
+            judgement = self.judge()
+            if judgement.success or judgement.failed or judgement.stage:
+                continue
+            if not any(memory.ahead for memory in self._memories):
+                return
+            fallback = fallback or start
+        if fallback is None:
+            raise Refusal([_solved_at_start()])
+        self._begin(fallback)
+
+    def _begin(self, start: BlockState) -> None:
+        """An episode begins with `start`."""
+        start = replace(start, start=None, _axes={})
+        self._memories = [Memory() for _ in self._namings]
+        self._written = start
+        self._observe(replace(start, start=start))
+        self.judge()
+
+    def _observe(self, state: BlockState) -> None:
+        """The episode is now in `state`."""
+        if self._written is not None:
+            self._written = replace(state, start=None)
+        self._state, self._judgement = state, None
+        if self._memories[0].used:
+            self.judge()
+
+    def _start(self) -> BlockState | None:
+        return self._state.start if self._state is not None else None
+
+    def _view(self) -> BlockState:
+        if self._now is None:
+            raise RuntimeError("the task has no state yet: call reset() before judging it")
+        return self._now
+
+    def _judged(self, state: BlockState) -> Judgement:
+        """The judgement under the naming of look-alikes that comes closest to success."""
+        at_rest = settled(state)
+        best: tuple[tuple[bool, bool, int, float], Judgement] | None = None
+        lost = True
+        for naming, memory in zip(self._namings, self._memories, strict=True):
+            self._now, self._memory, self._noted = rename_state(state, naming), memory, []
+            memory.begin(at_rest.value)
+            success = self._success()
+            failed = self._fail().value
+            lost = lost and failed
+            rank = (success.value, not failed, memory.stage, success.margin)
+            if best is None or rank > best[0]:
+                best = rank, Judgement(success, failed, memory.stage, self._conditions(at_rest))
+        self._now = state
+        assert best is not None
+        return best[1]._replace(failed=lost)
+
+    def _conditions(self, at_rest: Verdict) -> tuple[tuple[str, Verdict], ...]:
+        found = {self._condition(node): verdict for node, verdict in self._noted}
+        return (*found.items(), (AT_REST, at_rest))
+
+    def _condition(self, node: Node) -> str:
+        """The condition in words."""
+        name = self._names_of_conditions.get(id(node))
+        if name is None:
+            kind: str = node.kind  # type: ignore[attr-defined]
+            name = self._names_of_conditions[id(node)] = PREDICATES[kind].english(node, self.world)
+        return name
+
+
+def _solved_at_start() -> Diagnostic:
+    return Diagnostic(
+        code="start-solves-goal",
+        message=f"the goal holds, is lost, or is past its first stage in each of {ATTEMPTS} starts",
+        hint="say how the blocks start, or ask for something that is not so from the beginning",
+        origin="initial",
+        facts={"attempts": ATTEMPTS},
+    )

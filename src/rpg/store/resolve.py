@@ -30,6 +30,14 @@ def resolve(workspace: Workspace, text: str) -> Version:
     raise UsageError(_unknown(workspace, text))
 
 
+def resolve_family(workspace: Workspace, text: str) -> Family:
+    """The family of the task that `text` names, found even where its HEAD is broken."""
+    family = workspace.family(text.partition("@")[0]) if "/" not in text else Family(Path(text).resolve())
+    if family.name and not family.name.startswith(".") and family.directories():
+        return family
+    return Family(resolve(workspace, text).directory.parent)
+
+
 def _in_directory(path: Path) -> Version:
     directory = path.resolve()
     version = version_at(directory)

@@ -1,0 +1,42 @@
+"""What a user is told when a command cannot do what was asked, and the exit status that says so to scripts."""
+
+from __future__ import annotations
+
+import json
+import sys
+from typing import Any
+
+from rpg.cli.main import EXIT_REFUSED, EXIT_UNAVAILABLE, EXIT_USAGE
+from rpg.core.diagnostics import Refusal, Unavailable, UsageError
+
+
+def report(error: Exception, *, as_json: bool) -> int | None:
+    """Tell the user about `error`; the exit status, or None for what is no user's mistake but a bug."""
+    status = _status(error)
+    if status is None:
+        return None
+    message = _message(error)
+    if as_json:
+        data: dict[str, Any] = {"status": "refused" if status == EXIT_REFUSED else "error", "message": message}
+        if isinstance(error, Refusal):
+            data |= {"diagnostics": [d.model_dump(mode="json") for d in error.diagnostics]}
+        sys.stdout.write(json.dumps(data, ensure_ascii=False) + "\n")
+    for line in message.splitlines() or [""]:
+        sys.stderr.write(f"rpg: {line}\n")
+    return status
+
+
+def _status(error: Exception) -> int | None:
+    if isinstance(error, UsageError | OSError):
+        return EXIT_USAGE
+    if isinstance(error, Refusal):
+        return EXIT_REFUSED
+    if isinstance(error, Unavailable):
+        return EXIT_UNAVAILABLE
+    return None
+
+
+def _message(error: Exception) -> str:
+    if isinstance(error, OSError) and error.filename:
+        return f"{error.filename}: {error.strerror}"
+    return str(error)

@@ -1,0 +1,117 @@
+"""The entry point: which commands there are, and what becomes of errors.
+
+Nothing heavy is imported here. A command's module is imported when the command is used, and imports what it needs
+inside its function.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib import import_module
+from typing import Any
+
+import typer
+from typer.core import TyperGroup
+
+COMMANDS = {
+    "compile": "Compile an instruction into a verified task.",
+    "show": "Explain a task: its assets, start, goal and checks.",
+    "check": "Judge given states by a task's goal.",
+    "validate": "Run a task's gates again.",
+    "verify": "Check hashes, lineage, and that code still follows from task.yaml.",
+    "log": "Show how a family's versions came about.",
+    "checkout": "Make another version of a family the current one.",
+    "render": "Draw a task's start and goal.",
+    "view": "Open a task in MuJoCo's interactive viewer.",
+    "export": "Write a task's scene for any MuJoCo user.",
+    "doctor": "Say what works on this machine and what to install for the rest.",
+}
+"""Every command with its summary; the module of the same name has a function `run` and an `EXAMPLE`."""
+
+EXIT_USAGE, EXIT_REFUSED, EXIT_UNAVAILABLE, EXIT_INTERRUPTED, EXIT_PIPE = 2, 3, 4, 130, 141
+CONTEXT = {"help_option_names": ["-h", "--help"]}
+
+
+class Commands(TyperGroup):
+    """A group that imports a command when it is asked for."""
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        if cmd_name not in COMMANDS:
+            return None
+        module = import_module(f"rpg.cli.{cmd_name}")
+        command = typer.Typer(add_completion=False, rich_markup_mode=None, context_settings=CONTEXT)
+        command.command(cmd_name, short_help=COMMANDS[cmd_name], epilog=f"Example: {module.EXAMPLE}")(module.run)
+        return typer.main.get_command(command)
+
+    def format_commands(self, ctx: Any, formatter: Any) -> None:
+        """The list of commands, without importing one of them."""
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
+app = typer.Typer(
+    cls=Commands,
+    help="Compile sentences into verified MuJoCo manipulation tasks.",
+    epilog='Example: rpg compile "Stack the red block on the blue block"',
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings=CONTEXT,
+)
+
+
+@app.callback()
+def _group() -> None:
+    """Compile sentences into verified MuJoCo manipulation tasks."""
+
+
+def main() -> None:
+    """Run the command line and leave the process with its exit status."""
+    sys.exit(run(sys.argv[1:]))
+
+
+def run(arguments: list[str]) -> int:
+    """Run one command; its exit status."""
+    try:
+        app(args=_command_first(arguments), prog_name="rpg", standalone_mode=True)
+        sys.stdout.flush()
+    except SystemExit as done:
+        return _status(done.code)
+    except KeyboardInterrupt:
+        return EXIT_INTERRUPTED
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return EXIT_PIPE
+    except Exception as error:
+        from rpg.cli.errors import report
+
+        status = report(error, as_json="--json" in arguments)
+        if status is None:
+            raise
+        return status
+    return 0
+
+
+def _status(code: Any) -> int:
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return EXIT_PIPE
+    return code if isinstance(code, int) else int(code is not None)
+
+
+def _command_first(arguments: list[str]) -> list[str]:
+    """The arguments with options that every command has moved behind the command, where they may be written too."""
+    leading: list[str] = []
+    rest = list(arguments)
+    while (rest and rest[0] in ("--json", "-q", "--quiet", "--tasks")) or (rest and rest[0].startswith("--tasks=")):
+        leading.append(rest.pop(0))
+        if leading[-1] == "--tasks" and rest:
+            leading.append(rest.pop(0))
+    return [rest[0], *leading, *rest[1:]] if rest else leading

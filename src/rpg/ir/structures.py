@@ -13,7 +13,8 @@ class Stack(Node):
     """`blocks` form one stack, bottom to top when the order is given; `order.first` is "bottom" unless it says "top".
 
     `exact`: nothing else is in the stack (its top is clear and its foot on the table or the patch). `patch`: the
-    lowest block lies on that patch. `readable`: the symbols on the viewer's side read upright.
+    lowest block lies on that patch. `readable`: the symbols on the viewer's side read upright, but for cubes that are
+    `excused` because another condition turns them in the plane of their face.
     """
 
     kind: Literal["stack"] = "stack"
@@ -22,6 +23,7 @@ class Stack(Node):
     exact: bool = False
     patch: str | None = None
     readable: bool = False
+    excused: Names = ()
 
 
 class Towers(Node):
@@ -48,7 +50,7 @@ class Row(Node):
     `axis` "y" lies from left to right, "x" from front to back (a column on the table); within `angle` degrees of it.
     Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between centres, or `gap` metres between
     faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each other. `readable`: symbols on top read
-    upright for the viewer, and in the order's direction.
+    upright for the viewer (but for those `excused`), and in the order's direction.
     """
 
     kind: Literal["row"] = "row"
@@ -56,6 +58,7 @@ class Row(Node):
     axis: Axis | None = None
     order: Order = Order()
     readable: bool = False
+    excused: Names = ()
     touching: bool = False
     evenly: bool = False
     spacing: float | None = None
@@ -77,6 +80,7 @@ class Cells(Node):
     blocks: Names
     pattern: Pattern | None = None
     readable: bool = False
+    excused: Names = ()
     fit_edges: float = 0.5
     pitch_edges: tuple[float, float] = (1.0, 2.0)
 
@@ -150,6 +154,7 @@ class Spells(Node):
     along: Literal["row", "stack"] = "row"
     reverse: bool = False
     readable: bool = True
+    excused: Names = ()
     gap_edges: float = 1.5
 
 
@@ -164,4 +169,5 @@ class Equation(Node):
     along: Literal["row", "stack"] = "row"
     longer: bool = False
     text: str | None = None
+    excused: Names = ()
     gap_edges: float = 1.5

@@ -10,9 +10,10 @@ from pydantic import BaseModel
 
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, Node, members
+from rpg.ir.order import Pattern
 
 ATOMS: tuple[type[Node], ...] = get_args(g.Atom)
-NAME_FIELDS = ("a", "b", "c", "block", "blocks", "patch", "over", "groups", "matching", "order")
+NAME_FIELDS = ("a", "b", "c", "block", "blocks", "patch", "over", "groups", "matching", "order", "pattern", "excused")
 
 
 def children(goal: g.Goal) -> tuple[g.Goal, ...]:
@@ -85,7 +86,7 @@ def _names_in(value: AnyType) -> Iterator[str]:
     elif isinstance(value, Lowest | Highest):
         yield from members(value)
     elif isinstance(value, BaseModel):
-        yield from _names_in(getattr(value, "ranks", ()))
+        yield from _names_in(value.order if isinstance(value, Pattern) else getattr(value, "ranks", ()))
     else:
         for item in value:
             yield from _names_in(item)
@@ -114,6 +115,8 @@ def _renamed(value: AnyType, mapping: Mapping[str, str]) -> AnyType:
         return Lowest(lowest=_renamed(value.lowest, mapping))
     if isinstance(value, Highest):
         return Highest(highest=_renamed(value.highest, mapping))
+    if isinstance(value, Pattern):
+        return value.model_copy(update={"order": _renamed(value.order, mapping)})
     if isinstance(value, BaseModel):
         return value.model_copy(update={"ranks": _renamed(getattr(value, "ranks", ()), mapping)})
     return tuple(_renamed(item, mapping) for item in value)

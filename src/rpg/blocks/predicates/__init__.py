@@ -8,8 +8,21 @@ from __future__ import annotations
 from typing import Any
 
 from rpg.blocks.predicate import Predicate
-from rpg.blocks.predicates import between, change, direction, facing, patches, proximity, region, vertical
+from rpg.blocks.predicates import (
+    between,
+    change,
+    direction,
+    facing,
+    patches,
+    proximity,
+    region,
+    row,
+    stack,
+    towers,
+    vertical,
+    words,
+)
 
-FAMILIES = (vertical, direction, proximity, between, patches, region, facing, change)
+FAMILIES = (vertical, direction, proximity, between, patches, region, facing, change, stack, towers, row, words)
 
 PREDICATES: dict[str, Predicate[Any]] = {kind: p for family in FAMILIES for kind, p in family.TABLE.items()}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 
 from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import footprint_gap
@@ -64,7 +65,9 @@ def put(state: BlockState, name: str, position: Vec3, orientation: Quat = IDENTI
     return state.moved({name: (position, orientation)})
 
 
-def spin(state: BlockState, names: Iterable[str], degrees: float, about: tuple[float, float] | None = None) -> BlockState:
+def spin(
+    state: BlockState, names: Iterable[str], degrees: float, about: tuple[float, float] | None = None
+) -> BlockState:
     """`state` with blocks turned about the vertical through `about`, or each through its own centre."""
     angle = math.radians(degrees)
     c, s = math.cos(angle), math.sin(angle)
@@ -134,4 +137,4 @@ def pair_edge(state: BlockState, a: str, b: str) -> float:
 
 def gaps_along(state: BlockState, sequence: Sequence[str]) -> list[float]:
     """Face gaps between neighbours of a sequence, metres."""
-    return [footprint_gap(state, a, b) for a, b in zip(sequence, sequence[1:], strict=False)]
+    return [footprint_gap(state, a, b) for a, b in pairwise(sequence)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from random import Random
 
 from rpg.blocks.state import World
@@ -33,13 +34,13 @@ def agrees(order: Order, sequence: Sequence[str], traits: Traits) -> bool:
         if None in keys:
             return False
         ahead = keys[::-1] if order.descending else keys
-        return all(a <= b for a, b in zip(ahead, ahead[1:], strict=False))  # type: ignore[operator]
+        return all(a <= b for a, b in pairwise(ahead))  # type: ignore[operator]
     values = [traits.of(name, order.attribute) for name in sequence]
     if order.by == "alternating":
-        return all(a != b for a, b in zip(values, values[1:], strict=False))
+        return all(a != b for a, b in pairwise(values))
     if order.by == "mirrored":
         return values == values[::-1]
-    changes = sum(a != b for a, b in zip(values, values[1:], strict=False))
+    changes = sum(a != b for a, b in pairwise(values))
     return changes == len(set(values)) - 1
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
 from random import Random
 from typing import Any
 
@@ -29,7 +30,7 @@ def chain(state: BlockState, upward: Sequence[str]) -> Verdict:
     """Each block directly on the one below it, the lowest on the table."""
     foot = upward[0]
     parts = [at_most(abs(table_gap(state, foot)), SUPPORT_GAP), holds(1.0 - state.tilt(foot) / TILT)]
-    parts += [directly_on(a, b, state) for b, a in zip(upward, upward[1:], strict=False)]
+    parts += [directly_on(a, b, state) for b, a in pairwise(upward)]
     return every(parts)
 
 

@@ -1,0 +1,252 @@
+"""row: blocks in one straight line on one level."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from random import Random
+from typing import Any, NamedTuple
+
+from rpg.blocks.geometry import footprint_gap
+from rpg.blocks.predicate import Cluster, NearMiss, Predicate
+from rpg.blocks.predicates.common import (
+    BUILD_GAP,
+    SPANS,
+    TOUCH,
+    centroid,
+    flatness,
+    largest_edge,
+    levelness,
+    pair_edge,
+    shift,
+    spin,
+    swap,
+)
+from rpg.blocks.predicates.order import ordered, sequences, swaps
+from rpg.blocks.predicates.stack import legible, unreadable
+from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
+from rpg.blocks.traits import AWAY, UP, Traits, symbols_shown
+from rpg.blocks.verdict import Verdict, every, holds
+from rpg.ir.node import Axis
+from rpg.ir.order import Order
+from rpg.ir.structures import Row
+
+SIDES: dict[str, Axis] = {"left": "y", "right": "y", "front": "x", "back": "x"}
+"""The axis that a first side asks for."""
+SLANT = 0.45
+"""Turn (radians) of the rows that lie along no axis."""
+
+
+class Line(NamedTuple):
+    """Blocks along their best line, from left to right or from front to back.
+
+    `sequence` by position along it, `along` those positions and `off` the distances from it (m, signed), `direction`
+    the unit vector of the line.
+    """
+
+    sequence: list[str]
+    along: list[float]
+    off: list[float]
+    direction: tuple[float, float]
+
+
+def best_line(state: BlockState, names: Sequence[str]) -> Line:
+    """Blocks along the line with the least squared distance from their centres."""
+    points = [state.position[name] for name in names]
+    n = len(points)
+    cx, cy = sum(p[0] for p in points) / n, sum(p[1] for p in points) / n
+    xx = yy = xy = 0.0
+    for x, y, _ in points:
+        dx, dy = x - cx, y - cy
+        xx += dx * dx
+        yy += dy * dy
+        xy += dx * dy
+    angle = 0.5 * math.atan2(2.0 * xy, xx - yy)
+    ux, uy = math.cos(angle), math.sin(angle)
+    if (uy > 0.0) if abs(uy) >= abs(ux) else (ux < 0.0):
+        ux, uy = -ux, -uy
+    ranked = sorted(
+        ((p[0] - cx) * ux + (p[1] - cy) * uy, name, (p[1] - cy) * ux - (p[0] - cx) * uy)
+        for name, p in zip(names, points, strict=True)
+    )
+    return Line([name for _, name, _ in ranked], [a for a, _, _ in ranked], [o for _, _, o in ranked], (ux, uy))
+
+
+def angle_to(axis: Axis, direction: tuple[float, float]) -> float:
+    """Degrees between a line and an axis."""
+    across, along = direction if axis == "y" else direction[::-1]
+    return math.degrees(math.atan2(abs(across), abs(along)))
+
+
+def straightness(line: Line, state: BlockState, line_edges: float) -> float:
+    """Margin of "centres near their best line, one after the other along it"."""
+    edge = largest_edge(state, line.sequence)
+    margin = 1.0 - max(map(abs, line.off)) / (line_edges * edge)
+    for k in range(1, len(line.along)):
+        step, aside = line.along[k] - line.along[k - 1], abs(line.off[k] - line.off[k - 1])
+        margin = min(margin, (step - aside) / edge)
+    return margin
+
+
+def axis_of(node: Row) -> Axis | None:
+    """The axis that a row must lie along: its own, that of its first side, or the one that reading asks for."""
+    implied = SIDES.get(node.order.first or "")
+    return node.axis or implied or ("y" if node.readable else None)
+
+
+def from_first(order: Order, sequence: Sequence[str]) -> list[str]:
+    """A sequence from left or front, as the order counts it."""
+    return list(sequence)[::-1] if order.first in ("right", "back") else list(sequence)
+
+
+def lined_up(line: Line, state: BlockState, node: Row) -> float:
+    """Margin of "level, straight, and along the axis", gaps apart."""
+    names = line.sequence
+    margin = min(levelness(state, names), flatness(state, names))
+    if len(names) > 1:
+        margin = min(margin, straightness(line, state, node.line_edges))
+        axis = axis_of(node)
+        if axis is not None:
+            margin = min(margin, 1.0 - angle_to(axis, line.direction) / node.angle)
+    return margin
+
+
+def spacing(node: Row, sequence: Sequence[str], state: BlockState) -> float:
+    """Margin of the distances between neighbours."""
+    pairs = list(pairwise(sequence))
+    if not pairs:
+        return 1.0
+    gaps = [footprint_gap(state, a, b) for a, b in pairs]
+    margins = []
+    if node.touching:
+        margins += [1.0 - gap / TOUCH for gap in gaps]
+    if node.gap is not None:
+        margins += [1.0 - abs(gap - node.gap) / node.tolerance for gap in gaps]
+    if node.spacing is not None:
+        position = state.position
+        steps = [math.dist(position[a][:2], position[b][:2]) for a, b in pairs]
+        margins += [1.0 - abs(step - node.spacing) / node.tolerance for step in steps]
+    if not margins:
+        edges = [pair_edge(state, a, b) for a, b in pairs]
+        margins += [1.0 - gap / (node.gap_edges * edge) for gap, edge in zip(gaps, edges, strict=True)]
+    if node.evenly:
+        limit = node.even_edges * largest_edge(state, sequence)
+        margins.append(1.0 - (max(gaps) - min(gaps)) / limit)
+    return min(margins)
+
+
+class RowPredicate(Predicate[Row]):
+    """Best line, gaps, order, readability."""
+
+    def evaluate(self, node: Row, state: BlockState) -> Verdict:
+        line = best_line(state, node.blocks)
+        parts = [holds(min(lined_up(line, state, node), spacing(node, line.sequence, state)))]
+        if node.order.by != "any":
+            traits = Traits(state.world, symbols_shown(state, node.blocks, UP))
+            either = node.order.first is None
+            parts.append(ordered(node.order, from_first(node.order, line.sequence), traits, either))
+        if node.readable:
+            parts.append(legible(state, line.sequence, UP, AWAY, node.excused))
+        return every(parts)
+
+    def build(self, node: Row, world: World, rng: Random) -> Iterator[list[Cluster]]:
+        for sequence in sequences(node.order, node.blocks, Traits(world), rng):
+            forward = from_first(node.order, sequence)
+            for yaw in self._yaws(node):
+                cluster = lay(node, forward, yaw, world)
+                if cluster is not None:
+                    yield [cluster]
+            if node.order.first is None and node.order.by != "any":
+                cluster = lay(node, forward[::-1], self._yaws(node)[0], world)
+                if cluster is not None:
+                    yield [cluster]
+
+    def _yaws(self, node: Row) -> list[float]:
+        """Turns of a row from left to right: along y, along x, slanting."""
+        axis = axis_of(node)
+        if axis is not None:
+            return [0.0 if axis == "y" else math.pi / 2]
+        return [0.0, math.pi / 2, SLANT]
+
+    def near_misses(self, node: Row, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        names = node.blocks
+        if len(names) < 2:
+            return
+        line = best_line(state, names)
+        (ux, uy), edge = line.direction, largest_edge(state, names)
+        middle = line.sequence[len(names) // 2]
+        if len(names) > 2:
+            out = 2.0 * edge
+            yield NearMiss(f"{middle} out of the line", shift(state, [middle], -uy * out, ux * out))
+        yield gap_too_large(node, line, state)
+        axis = axis_of(node)
+        if axis is not None:
+            aslant = 25.0 + node.angle
+            yield NearMiss("the row aslant", spin(state, names, aslant, centroid(state, names)))
+        sequence = from_first(node.order, line.sequence)
+        traits, either = Traits(state.world), node.order.first is None
+        for a, b in swaps(node.order, sequence, traits, either):
+            yield NearMiss(f"{a} and {b} exchanged", swap(state, a, b))
+        if node.readable:
+            yield from unreadable(state, line.sequence, UP, AWAY, node.excused)
+
+
+def lay(node: Row, sequence: list[str], yaw: float, world: World) -> Cluster | None:
+    """The row from left to right, turned by `yaw`; None where it is longer than the workspace."""
+    edges = [world.edge[name] for name in sequence]
+    steps = row_steps(edges, room_along(yaw), node)
+    if steps is None:
+        return None
+    turn = IDENTITY if node.readable else yaw_quat(0.0 if abs(yaw) > 1.5 else yaw)
+    poses: dict[str, tuple[Vec3, Quat | None]] = {}
+    offset = -sum(steps) / 2
+    for k, name in enumerate(sequence):
+        x, y = math.sin(yaw) * offset, -math.cos(yaw) * offset
+        poses[name] = ((x, y, edges[k] / 2), None if name in node.excused else turn)
+        offset += steps[k] if k < len(steps) else 0.0
+    return Cluster(poses)
+
+
+def gap_too_large(node: Row, line: Line, state: BlockState) -> NearMiss:
+    """The last block moved on along the line until its gap is past what is allowed."""
+    before, last = line.sequence[-2:]
+    gap, edge = footprint_gap(state, before, last), pair_edge(state, before, last)
+    limit = node.gap_edges * edge
+    if node.touching:
+        limit = TOUCH
+    if node.gap is not None:
+        limit = node.gap + node.tolerance
+    if node.spacing is not None:
+        limit = gap + 2 * node.tolerance
+    if node.evenly:
+        limit = max(limit, gap + node.even_edges * largest_edge(state, line.sequence))
+    step = limit - gap + max(0.25 * limit, 0.003)
+    dx, dy = line.direction[0] * step, line.direction[1] * step
+    return NearMiss(f"{last} too far from {before}", shift(state, [last], dx, dy))
+
+
+def room_along(yaw: float) -> float:
+    """How long a row turned by `yaw` from left to right may be between its outer centres, in metres."""
+    across, along = abs(math.sin(yaw)), abs(math.cos(yaw))
+    return min(SPANS["y"] / along if along > 1e-9 else 1.0, SPANS["x"] / across if across > 1e-9 else 1.0)
+
+
+def row_steps(edges: list[float], room: float, node: Row) -> list[float] | None:
+    """Distances between the centres of neighbours, or None where `edges` do not fit side by side."""
+    pairs = [(a + b) / 2 for a, b in pairwise(edges)]
+    if sum(edges) > room + 1e-9:
+        return None
+    if node.spacing is not None:
+        steps = [node.spacing] * len(pairs)
+        return steps if all(s >= p for s, p in zip(steps, pairs, strict=True)) and sum(steps) <= room else None
+    gap = 0.0 if node.touching else BUILD_GAP if node.gap is None else node.gap
+    free = room - sum(pairs)
+    if pairs and free < gap * len(pairs):
+        if node.gap is not None:
+            return None
+        gap = math.floor(free / len(pairs) * 1e4) / 1e4
+    return [pair + gap for pair in pairs]
+
+
+TABLE: dict[str, Predicate[Any]] = {"row": RowPredicate()}

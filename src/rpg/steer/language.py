@@ -1,0 +1,34 @@
+"""The language that edits share with instructions: tokens, grammar rules for noun phrases and places, their meanings."""
+
+from __future__ import annotations
+
+from rpg.passes.schema import lexicon
+from rpg.passes.schema import meaning as m
+from rpg.passes.schema.grammar.adjectives import adjectives, colors
+from rpg.passes.schema.grammar.amounts import count, length
+from rpg.passes.schema.grammar.core import Parser, Results, TooMuchWork, rule
+from rpg.passes.schema.grammar.labels import label_list, literal
+from rpg.passes.schema.grammar.nouns import noun_phrase, simple
+from rpg.passes.schema.grammar.relations import bounds, loc
+from rpg.passes.schema.tokens import Token, tokenize
+
+__all__ = [
+    "Parser",
+    "Results",
+    "Token",
+    "TooMuchWork",
+    "adjectives",
+    "bounds",
+    "colors",
+    "count",
+    "label_list",
+    "length",
+    "lexicon",
+    "literal",
+    "loc",
+    "m",
+    "noun_phrase",
+    "rule",
+    "simple",
+    "tokenize",
+]

@@ -1,0 +1,304 @@
+"""Which objects of a task a phrase of an edit speaks of. What the task does not have is refused, never invented."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from rpg.blocks.nouns import bare, join
+from rpg.blocks.traits import VOWELS, kind_of, symbol_of
+from rpg.core.diagnostics import Diagnostic, Refusal, Span
+from rpg.steer.language import m
+from rpg.steer.view import NOUNS, Line, Shape, View
+
+RANKS = {"top": -1, "bottom": 0, "left": 0, "right": -1, "front": 0, "back": -1, "last": -1, "base": 0}
+AXES = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
+ALL_OF = frozenset({"them", "they", "these", "those", "all of them", "everything", "all", "themselves", "all of it"})
+OTHERS = frozenset({"the other one", "the others", "the other ones", "the rest", "others", "the other", "all others",
+                    "all the others", "all the rest", "everything else", "the remaining ones", "the other two"})  # fmt: skip
+LINE_NOUNS = {"stack": "tower", "row": "row", "column": "column"}
+
+
+@dataclass(frozen=True)
+class Found:
+    """The objects of a phrase; the line or figure it named, if it named one."""
+
+    names: tuple[str, ...]
+    line: Line | None = None
+    figure: Shape | None = None
+
+    @property
+    def whole(self) -> bool:
+        """Whether the phrase meant a structure rather than single blocks."""
+        return self.line is not None or self.figure is not None
+
+
+def resolve(view: View, phrase: m.Meaning) -> Found:
+    """The objects that `phrase` speaks of; raises Refusal where there are none, or where it could be several."""
+    match phrase:
+        case m.Pronoun():
+            return _pronoun(view, phrase)
+        case m.Noun():
+            return Found(_noun(view, phrase))
+        case m.Structure():
+            return _structure(view, phrase)
+        case m.Coord():
+            return Found(tuple(dict.fromkeys(name for item in phrase.items for name in resolve(view, item).names)))
+        case m.PartOf():
+            return _part(view, phrase)
+    raise Refusal(
+        [Diagnostic(code="edit-unclear", message="this does not name a block", span=phrase.span, origin="steer")]
+    )
+
+
+def exists(view: View, phrase: m.Meaning) -> bool:
+    """Whether the task has what `phrase` speaks of."""
+    try:
+        return bool(resolve(view, phrase).names)
+    except Refusal:
+        return False
+
+
+def _pronoun(view: View, phrase: m.Pronoun) -> Found:
+    line, figure = view.main_line(), view.main_figure()
+    structure = Found(line.members, line) if line else Found(figure.members, None, figure) if figure else None
+    if phrase.word in OTHERS:
+        rest = tuple(name for name in view.world.blocks if name not in view.focus)
+        if rest:
+            return Found(rest)
+        raise _missing(view, phrase.span, phrase.word)
+    if phrase.word in ALL_OF:
+        if len(view.focus) > 1 and not structure:
+            return Found(view.focus)
+        return structure or Found(view.busy or tuple(view.world.blocks))
+    if structure and (not view.focus or len(view.focus) > 1):
+        return structure
+    if view.focus:
+        return Found(view.focus[-1:])
+    if len(view.world.blocks) == 1:
+        return Found(tuple(view.world.blocks))
+    raise _ambiguous(view, phrase.span, tuple(view.world.blocks), phrase.word)
+
+
+def _structure(view: View, phrase: m.Structure) -> Found:
+    """The phrase "the tower", "the row", "the pyramid": the last one of its kind that was mentioned."""
+    wanted = LINE_NOUNS.get(phrase.kind)
+    lines = [line for line in view.lines if wanted == line.kind or (phrase.kind == "row" and line.kind == "column")]
+    figures = [figure for figure in view.figures if _is_kind(phrase.kind, figure)]
+    words = [line for line in view.lines if line.node is not None and line.node.kind == _WORDS.get(phrase.kind)]
+    found = [Found(line.members, line) for line in (words or lines)] + [Found(f.members, None, f) for f in figures]
+    if phrase.members is not None and len(found) > 1:
+        named = set(resolve(view, phrase.members).names)
+        found = [each for each in found if named <= set(each.names)] or found
+    if not found:
+        kinds = sorted({_noun_of(view, line) for line in view.lines} | {NOUNS[type(f.node)] for f in view.figures})
+        hint = f"the task builds {join(['a ' + kind for kind in kinds])}" if kinds else "name the blocks instead"
+        raise Refusal([_diagnostic("no-such-object", phrase.span, f"the task has no {phrase.kind} like this", hint)])
+    if phrase.plural:
+        return Found(tuple(name for each in found for name in each.names), None, found[-1].figure)
+    recent = [each for each in found if set(each.names) & set(view.focus)]
+    return (recent or found)[-1]
+
+
+_WORDS = {"word": "spells", "equation": "equation"}
+_FIGURES = {
+    "grid": ("grid",), "wall": ("grid",), "square": ("grid", "figure"), "pyramid": ("pyramid",), "staircase": ("staircase",),
+    "pile": ("group_by", "towers"), "stack": ("towers",), "cube": ("grid",), "checkerboard": ("grid",),
+    "rectangle": ("grid", "figure"), "circle": ("figure",), "triangle": ("figure",), "plus": ("figure",), "set": ("group_by",),
+}  # fmt: skip
+
+
+def _is_kind(kind: str, figure: Shape) -> bool:
+    return figure.node.kind in _FIGURES.get(kind, ("figure",) if kind in ("letter", "shape", "figure") else ())
+
+
+def _noun_of(view: View, line: Line) -> str:
+    return NOUNS.get(type(line.node), line.kind) if line.node is not None else line.kind
+
+
+def _part(view: View, phrase: m.PartOf) -> Found:
+    """The phrase "the top of the tower": the block there."""
+    whole = resolve(view, phrase.whole) if phrase.whole is not None else None
+    line = whole.line if whole else view.main_line()
+    if line is None or not line.ordered:
+        raise Refusal(
+            [
+                _diagnostic(
+                    "edit-unclear",
+                    phrase.span,
+                    f"it is not settled which block is at the {phrase.part}",
+                    "name the block",
+                )
+            ]
+        )
+    index = {"middle": len(line.members) // 2}.get(phrase.part, RANKS.get(phrase.part, -1))
+    return Found((line.members[index],))
+
+
+def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
+    if phrase.part_of is not None:
+        return _some_of(view, phrase)
+    pool: Sequence[str] = tuple(view.world.patches if phrase.head == "patch" else view.world.blocks)
+    found = tuple(name for name in pool if matches(view, name, phrase.traits))
+    for condition in phrase.conditions:
+        found = tuple(name for name in found if _placed(view, name, condition))
+    if phrase.traits.extra:
+        found = tuple(name for name in found if name in view.idle)
+    if phrase.det == "other":
+        found = tuple(name for name in found if name not in view.focus) or found
+    if phrase.traits.rank:
+        found = _ranked(view, found, phrase)
+    if not found:
+        raise _missing(view, phrase.span, "")
+    return _counted(view, found, phrase)
+
+
+def _counted(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ...]:
+    """As many as the phrase says: "the" is all there are of the number said, "a" is any one of look-alikes."""
+    amount = phrase.amount.low if phrase.amount else None
+    every = phrase.plural or phrase.det in ("all", "each", "both") or phrase.traits.extra
+    if phrase.det in ("a", "another", "some", "any") or (phrase.det == "bare" and amount is not None):
+        wanted = amount or 1
+        if len(found) < wanted:
+            raise _missing(view, phrase.span, "")
+        if len({view.world.look.get(name, (name,)) for name in found}) == 1:
+            return found[len(found) - wanted :]
+        if len(found) > wanted:
+            raise _ambiguous(view, phrase.span, found, "")
+        return found
+    if amount is not None and amount != len(found):
+        counted = f"there are {len(found)} such blocks, not {amount}"
+        raise Refusal([_diagnostic("ambiguous-object", phrase.span, counted, _choices(view, found))])
+    if len(found) > 1 and not every and amount is None:
+        recent = [name for name in found if name in view.focus[-1:]]
+        if len(recent) != 1:
+            raise _ambiguous(view, phrase.span, found, "")
+        return tuple(recent)
+    return found
+
+
+def _some_of(view: View, phrase: m.Noun) -> tuple[str, ...]:
+    """The phrase "one of the red blocks", "two of them", "all of them"."""
+    whole = resolve(view, phrase.part_of).names if phrase.part_of is not None else ()
+    if phrase.det in ("all", "each", "both"):
+        return whole
+    wanted = phrase.amount.low if phrase.amount else 1
+    if wanted > len(whole):
+        raise _missing(view, phrase.span, "")
+    if len({view.world.look.get(name, (name,)) for name in whole}) > 1 and wanted < len(whole):
+        raise _ambiguous(view, phrase.span, whole, "")
+    return whole[len(whole) - wanted :]
+
+
+def _ranked(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ...]:
+    """The phrase "the top block", "the leftmost one", "the second block", "the biggest block"."""
+    rank = phrase.traits.rank or ""
+    if rank in ("largest", "smallest"):
+        sizes = {name: view.world.edge[name] for name in found if name in view.world.edge}
+        wanted = (max if rank == "largest" else min)(sizes.values(), default=0.0)
+        return tuple(name for name, size in sizes.items() if size == wanted)
+    lines = [line for line in view.lines if line.kind == AXES.get(rank, line.kind)] or list(view.lines)
+    lines = [line for line in lines if line.ordered]
+    recent = [line for line in lines if set(line.members) & set(view.focus)]
+    lines = lines if phrase.plural else (recent or lines)[-1:]
+    if not lines:
+        raise Refusal(
+            [
+                _diagnostic(
+                    "edit-unclear", phrase.span, "it is not settled which block this is", "name its colour or letter"
+                )
+            ]
+        )
+    picked = [
+        _nth([name for name in line.members if name in found] if rank.isdigit() else line.members, rank)
+        for line in lines
+    ]
+    return tuple(name for name in picked if name in found)
+
+
+def _nth(members: Sequence[str], rank: str) -> str:
+    if rank.isdigit():
+        return members[int(rank) - 1] if int(rank) <= len(members) else ""
+    return members[len(members) // 2] if rank == "middle" else members[RANKS.get(rank, 0)]
+
+
+def matches(view: View, name: str, traits: m.Traits) -> bool:
+    """Whether an object has the colours, labels, kind and size that a phrase says."""
+    asset = view.world.assets[name]
+    if traits.colors and asset.color not in traits.colors:
+        return False
+    if name in view.world.patches:
+        return traits.shape is None or getattr(asset, "shape", None) == traits.shape
+    symbol = symbol_of(view.world, name)
+    if traits.labels and symbol not in traits.labels:
+        return False
+    if traits.kind is not None and kind_of(symbol) != traits.kind and not (traits.kind == "symbol" and symbol):
+        return False
+    if traits.scheme == "some" and symbol:
+        return False
+    if traits.quality and not _of_quality(symbol, traits.quality):
+        return False
+    edge = view.world.edge[name]
+    if traits.edge is not None and abs(edge - traits.edge) > 1e-6:
+        return False
+    edges = view.world.edge.values()
+    if traits.size == "big":
+        return edge == max(edges) > min(edges) or edge > 0.04
+    if traits.size == "small":
+        return edge == min(edges) < max(edges) or edge < 0.04
+    return True
+
+
+def _of_quality(symbol: str, quality: str) -> bool:
+    if quality in ("vowel", "consonant"):
+        return symbol.isalpha() and (symbol in VOWELS) == (quality == "vowel")
+    return symbol.isdigit() and (int(symbol) % 2 == 1) == (quality == "odd")
+
+
+def _placed(view: View, name: str, condition: m.Meaning) -> bool:
+    """Whether the goal puts a block where a relative clause says it is: on something, under it, on a patch."""
+    if not isinstance(condition, m.Loc) or condition.landmark is None:
+        return True
+    others = resolve(view, condition.landmark).names
+    line = view.line_of((name,))
+    if condition.rel in ("on", "above", "under") and line is not None and line.kind == "tower":
+        at = line.members.index(name)
+        near = line.members[:at] if condition.rel != "under" else line.members[at + 1 :]
+        return bool(set(near) & set(others))
+    return any(name in _mentioned(atom) and set(_mentioned(atom)) & set(others) for _, atom in view.atoms)
+
+
+def _mentioned(atom: object) -> tuple[str, ...]:
+    from rpg.ir.walk import names
+
+    return names(atom)  # type: ignore[arg-type]
+
+
+def _missing(view: View, span: Span, word: str) -> Refusal:
+    """There is no such object; what there is, instead."""
+    there = join([f"the {bare(name, view.world)}" for name in _distinct(view, view.world.assets)])
+    message = f"there is nothing that {word!r} could mean" if word else "the task has no such block"
+    return Refusal([_diagnostic("no-such-object", span, message, f"the task has {there}")])
+
+
+def _ambiguous(view: View, span: Span, found: Sequence[str], word: str) -> Refusal:
+    message = f"{word!r} could be any of {len(found)} blocks" if word else f"this could be any of {len(found)} blocks"
+    return Refusal([_diagnostic("ambiguous-object", span, message, _choices(view, found))])
+
+
+def _choices(view: View, found: Iterable[str]) -> str:
+    named = [f"the {bare(name, view.world)}" for name in _distinct(view, found)]
+    return (
+        f"say which: {join(named, 'or')}" if len(named) > 1 else "say which by its place: the top one, the leftmost one"
+    )
+
+
+def _distinct(view: View, names: Iterable[str]) -> list[str]:
+    found: dict[str, str] = {}
+    for name in names:
+        found.setdefault(bare(name, view.world), name)
+    return list(found.values())
+
+
+def _diagnostic(code: str, span: Span, message: str, hint: str) -> Diagnostic:
+    return Diagnostic(code=code, message=message, span=span, hint=hint, origin="steer")

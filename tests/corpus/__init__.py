@@ -1,0 +1,1 @@
+"""The instruction corpus: entries, the states they name, and their judgement."""

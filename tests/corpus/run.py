@@ -1,0 +1,82 @@
+"""Score the front end on the corpus: `python -m tests.corpus.run [--split dev] [--full] [--only PHENOMENON] [--show]`."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections import Counter
+
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.ir.schema import TaskSchema
+from tests.corpus.entries import SPLITS, load
+from tests.corpus.judge import Score, judge
+
+OUTCOMES = ("right", "refused", "wrong", "crash")
+
+
+def read(text: str) -> tuple[TaskSchema | None, tuple[Diagnostic, ...]]:
+    """The schema pass alone: no physics, no pictures."""
+    from rpg.blocks.patches import place_patches
+    from rpg.passes.schema import BuiltinFrontEnd, check_feasibility
+
+    try:
+        schema, diagnostics = BuiltinFrontEnd().read(text, name=None, seed=0, author=None)
+        if schema is None or any(d.severity == "error" for d in diagnostics):
+            return None, diagnostics
+        schema = place_patches(schema)
+        found = check_feasibility(schema)
+        return (None if any(d.severity == "error" for d in found) else schema), (*diagnostics, *found)
+    except Refusal as refusal:
+        return None, refusal.diagnostics
+
+
+def compile_fully(text: str) -> tuple[TaskSchema | None, tuple[Diagnostic, ...]]:
+    """All four passes with every gate."""
+    from rpg.pipeline import compile_instruction
+
+    outcome = compile_instruction(text)
+    if outcome.status != "admitted" or outcome.program is None:
+        return None, outcome.diagnostics
+    return outcome.program.schema, outcome.diagnostics
+
+
+def score(split: str, *, full: bool = False, only: str | None = None) -> list[Score]:
+    """Judge every entry of a split."""
+    compiler = compile_fully if full else read
+    return [judge(entry, compiler) for entry in load(split) if only in (None, entry.phenomenon)]
+
+
+def table(scores: list[Score]) -> str:
+    """Right, refused, wrong and crashed by phenomenon, with the share that is right."""
+    lines = [f"{'phenomenon':24}" + "".join(f"{o:>9}" for o in OUTCOMES) + f"{'share':>9}"]
+    phenomena = sorted({s.entry.phenomenon for s in scores})
+    for name in [*phenomena, "all"]:
+        mine = [s for s in scores if name in ("all", s.entry.phenomenon)]
+        counts = Counter(s.outcome for s in mine)
+        share = f"{counts['right'] / len(mine):9.1%}" if mine else ""
+        lines.append(f"{name:24}" + "".join(f"{counts[o]:9}" for o in OUTCOMES) + share)
+    unblamed = sum(not s.blamed for s in scores)
+    marked = sum(bool(s.entry.marked) for s in scores)
+    return "\n".join([*lines, f"refusals that underline the marked words: {marked - unblamed} of {marked}"])
+
+
+def main() -> None:
+    """Print the report."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--split", choices=SPLITS, action="append")
+    parser.add_argument("--only", help="one phenomenon")
+    parser.add_argument("--full", action="store_true", help="through all four passes, with physics")
+    parser.add_argument("--show", action="store_true", help="list what is not right")
+    options = parser.parse_args()
+    for split in options.split or SPLITS:
+        began = time.perf_counter()
+        scores = score(split, full=options.full, only=options.only)
+        print(f"== {split}: {len(scores)} instructions, {time.perf_counter() - began:.1f} s")
+        print(table(scores), end="\n\n")
+        for s in scores if options.show else ():
+            if s.outcome != "right":
+                print(f"{s.outcome:8} {s.entry.phenomenon}: {s.entry.text!r}\n         {s.why}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,4 +1,4 @@
-"""Score the front end on the corpus: `python -m tests.corpus.run [--split dev] [--full] [--only PHENOMENON] [--show]`."""
+"""Score the front end on the corpus: `python -m tests.corpus.run --help`."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ OUTCOMES = ("right", "refused", "wrong", "crash")
 def read(text: str) -> tuple[TaskSchema | None, tuple[Diagnostic, ...]]:
     """The schema pass alone: no physics, no pictures."""
     from rpg.blocks.patches import place_patches
+
     from rpg.passes.schema import BuiltinFrontEnd, check_feasibility
 
     try:

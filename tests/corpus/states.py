@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, field
+from itertools import pairwise
 
-from tests.corpus.looks import Binding, Mismatch
 from rpg.blocks.constants import TABLE_Z
 from rpg.blocks.state import BlockState, Quat, World, yaw_quat
 from rpg.ir.assets import EDGE, SemanticCube
+from tests.corpus.looks import Binding, Mismatch
 
 MIDDLE = (0.55, 0.0)
 TOKEN = re.compile(
@@ -21,7 +22,7 @@ OPTION = re.compile(r"(at|pitch|yaw|circle|towers|groups|swap|drop)=(\S+)|(rev|s
 
 @dataclass
 class Place:
-    """A block in a piece: `x`, `y` in units from the piece's middle, `z` its centre in metres above the piece's foot."""
+    """A block in a piece: `x`, `y` in units from the piece's middle, `z` of its centre in metres above the foot."""
 
     name: str
     x: float
@@ -157,7 +158,7 @@ class Painter:
             count = int(options["towers"])
             size, more = divmod(len(names), count)
             cuts = [i * size + min(i, more) for i in range(count + 1)]
-            stacks = [names[a:b] for a, b in zip(cuts, cuts[1:], strict=False)]
+            stacks = [names[a:b] for a, b in pairwise(cuts)]
             return [p for k, s in enumerate(stacks) for p in self._stack([(n, "") for n in s], 0.0, -4.0 * k)]
         groups: dict[str, list[str]] = {}
         for name in names:

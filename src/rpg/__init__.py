@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -17,3 +18,7 @@ def load(task: str | Path, tasks: str | Path = "tasks") -> Task:
     from rpg.loading import load as load_task
 
     return load_task(task, tasks)
+
+
+if "gymnasium" in sys.modules:
+    import rpg.registration  # noqa: F401

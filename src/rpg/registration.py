@@ -1,22 +1,19 @@
-"""Makes `gymnasium.make("rpg/Task-v0", task=...)` work: Gymnasium calls `register` when it is imported."""
+"""Makes `gymnasium.make("rpg/Task-v0", task=...)` work: importing this module tells Gymnasium about it.
+
+`import rpg` does that where Gymnasium is imported already; `gymnasium.make("rpg.registration:rpg/Task-v0", ...)`
+works in any case.
+"""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any
 
+from gymnasium.envs.registration import register, registry
+
 ENV_ID = "rpg/Task-v0"
 MAX_STEPS = 600
 """Control steps of an episode before it is cut off: 30 s."""
-
-
-def register() -> None:
-    """Tell Gymnasium about the environment, once."""
-    from gymnasium.envs.registration import register as add
-    from gymnasium.envs.registration import registry
-
-    if ENV_ID not in registry:
-        add(ENV_ID, entry_point="rpg.registration:make", max_episode_steps=MAX_STEPS)
 
 
 def make(task: Any, **options: Any) -> Any:
@@ -30,3 +27,7 @@ def make(task: Any, **options: Any) -> Any:
     from rpg.env.gym import BlockEnv
 
     return BlockEnv(task, **options)
+
+
+if ENV_ID not in registry:
+    register(ENV_ID, entry_point="rpg.registration:make", max_episode_steps=MAX_STEPS)

@@ -58,6 +58,7 @@ class Child:
 
     def __init__(self, work: Callable[[Send], None], *, confined: bool, limits: Limits) -> None:
         self._deadline = time.monotonic() + limits.seconds
+        self._over = False
         self._pipe, theirs = os.pipe()
         self._pid = os.fork()
         if self._pid == 0:
@@ -66,13 +67,22 @@ class Child:
         os.close(theirs)
 
     def answer(self) -> Answer:
-        """Everything the child said, once it has ended or its time is over."""
+        """Everything the child said, once it has ended or its time is over. To be asked once."""
         data, late = self._read()
-        if late:
+        return _understood(data, late, self._end(kill=late))
+
+    def cancel(self) -> None:
+        """End the child where nobody has waited for its answer."""
+        if not self._over:
+            self._end(kill=True)
+
+    def _end(self, kill: bool) -> int:
+        self._over = True
+        if kill:
             os.kill(self._pid, signal.SIGKILL)
         _, status = os.waitpid(self._pid, 0)
         os.close(self._pipe)
-        return _understood(data, late, os.waitstatus_to_exitcode(status))
+        return os.waitstatus_to_exitcode(status)
 
     def _read(self) -> tuple[bytes, bool]:
         chunks: list[bytes] = []

@@ -1,7 +1,7 @@
 """What the kernel can hold a process to: resource limits, Landlock, seccomp. Applied by a process to itself, for good.
 
-Each layer is tried on its own and reported as it took, for older kernels lack some. Linux on x86-64 and arm64; elsewhere
-only the resource limits hold.
+Each layer is tried on its own and reported as it took, for older kernels lack some. Linux on x86-64 and arm64;
+elsewhere only the resource limits hold.
 """
 
 from __future__ import annotations

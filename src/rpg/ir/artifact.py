@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, Literal
 
 from pydantic import Field
@@ -51,6 +52,12 @@ class GateReport(Record):
     passed: bool
     figures: dict[str, Any] = Field(default_factory=dict)
     diagnostics: tuple[Diagnostic, ...] = ()
+
+    @classmethod
+    def of(cls, name: str, diagnostics: Iterable[Diagnostic] = (), **figures: Any) -> GateReport:
+        """The report of a gate that is passed unless one of `diagnostics` is an error."""
+        found = tuple(diagnostics)
+        return cls(name=name, passed=all(d.severity != "error" for d in found), figures=figures, diagnostics=found)
 
     @property
     def failures(self) -> tuple[Diagnostic, ...]:

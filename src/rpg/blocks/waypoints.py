@@ -1,0 +1,75 @@
+"""The scenes of an episode that ends in a goal state: most goals need the last one only, some look back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from random import Random
+
+from rpg.blocks.arrange import arrange
+from rpg.blocks.evaluate import evaluate
+from rpg.blocks.initial import sample_start
+from rpg.blocks.state import BlockState, World
+from rpg.ir import goal as g
+from rpg.ir.schema import InitialState
+from rpg.ir.walk import atoms, children
+
+LOOKING_BACK = frozenset({"stayed", "moved", "swapped", "turned"})
+"""Atoms that compare with the start of the episode."""
+STARTS = 50
+
+
+def looks_back(goal: g.Goal) -> bool:
+    """Does the goal depend on more than the state in which it is judged?"""
+    return _over_time(goal) or any(atom.kind in LOOKING_BACK for atom in atoms(goal))
+
+
+def waypoints(
+    goal: g.Goal, init: InitialState, world: World, rng: Random, start: BlockState | None = None
+) -> list[BlockState]:
+    """Scenes to pass through, the last one a goal state: [goal], or [start, stage by stage ..., goal].
+
+    Raises Impossible where the goal cannot be arranged.
+    """
+    if not looks_back(goal):
+        return arrange(goal, world, rng=rng)[:1]
+    start = start or _start(goal, init, world)
+    scenes = [start]
+    for moment in _moments(goal):
+        scenes.append(replace(arrange(moment, world, rng=rng, start=start)[0], start=start))
+    return scenes
+
+
+def _moments(goal: g.Goal) -> Iterator[g.Goal]:
+    """What holds in each scene after the start: a stage and those before it, none of those after it."""
+    parts = list(_conjuncts(goal))
+    stages = [stage for part in parts if isinstance(part, g.Sequence) for stage in part.stages]
+    standing = [part for part in parts if isinstance(part, g.Always)]
+    for index, stage in enumerate(stages[:-1]):
+        kept = [earlier.goal for earlier in stages[:index] if not earlier.undone]
+        ahead = [g.Not(goal=later.goal) for later in stages[index + 1 :]]
+        yield g.All(goals=(*standing, *kept, stage.goal, *ahead))
+    yield goal
+
+
+def _start(goal: g.Goal, init: InitialState, world: World) -> BlockState:
+    """A start from which the whole way is still ahead."""
+    stages = [stage.goal for part in _conjuncts(goal) if isinstance(part, g.Sequence) for stage in part.stages]
+    for attempt in range(STARTS):
+        start = sample_start(init, world, 0, attempt)
+        seen = replace(start, start=start)
+        if not evaluate(goal, seen) and not any(evaluate(stage, seen) for stage in stages):
+            return start
+    return sample_start(init, world, 0)
+
+
+def _conjuncts(goal: g.Goal) -> Iterator[g.Goal]:
+    if isinstance(goal, g.All):
+        for part in goal.goals:
+            yield from _conjuncts(part)
+    else:
+        yield goal
+
+
+def _over_time(goal: g.Goal) -> bool:
+    return isinstance(goal, g.Sequence | g.Always) or any(_over_time(child) for child in children(goal))

@@ -1,0 +1,86 @@
+"""What the gates share about one program: its classes, and what earlier gates have measured with them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Protocol
+
+from rpg.blocks.state import BlockState, World
+from rpg.env import BlockTask
+from rpg.ir.artifact import GateReport, Program
+from rpg.passes.validate.load import load
+
+
+@dataclass(frozen=True)
+class Measures:
+    """How much each gate does. Steps are control steps at 20 Hz."""
+
+    smoke_steps: int = 10
+    settle_steps: int = 50
+    hold_steps: int = 50
+    resets: int = 8
+    other_goals: int = 3
+    drift_m: float = 0.01
+    topple_m: float = 0.02
+    overlap_m: float = 0.001
+
+
+@dataclass
+class Trace:
+    """The goal configuration in physics: as authored, after settling, at the end; earlier waypoints in `history`."""
+
+    authored: BlockState
+    settled: BlockState
+    final: BlockState
+    history: tuple[BlockState, ...] = ()
+
+
+@dataclass
+class Bench:
+    """One program on the test bench. Gates run in order, each may use what the ones before it left here."""
+
+    program: Program
+    measures: Measures = field(default_factory=Measures)
+    prints: dict[str, str] = field(default_factory=dict)
+    trace: Trace | None = None
+    elsewhere: Callable[[], dict[str, str]] | None = None
+    """Yields the prints of the same program in a fresh process."""
+
+    @cached_property
+    def classes(self) -> tuple[type[BlockTask], type[BlockTask]]:
+        """The task class and its goal class; running the code may raise anything."""
+        return load(self.program.code, self.program.goal_code)
+
+    @cached_property
+    def task(self) -> BlockTask:
+        """One instance of the task, reset by every gate that uses it."""
+        return self.classes[0]()
+
+    @cached_property
+    def goal(self) -> BlockTask:
+        """One instance of the goal-state task."""
+        return self.classes[1]()
+
+    @cached_property
+    def world(self) -> World:
+        """The objects that the schema asks for."""
+        return World(self.program.task.assets)
+
+    @property
+    def sources(self) -> dict[str, str]:
+        """The generated files by name."""
+        return {"code.py": self.program.code, "goal_state_code.py": self.program.goal_code}
+
+
+class Gate(Protocol):
+    """One gate. `cost` orders them: 0 reads text, 1 runs Python, 2 runs physics, 3 needs another process."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def cost(self) -> int: ...
+
+    def check(self, program: Program, bench: Bench) -> GateReport:
+        """Everything independent that is wrong, with measured figures in any case."""

@@ -1,0 +1,47 @@
+"""The part of Python that generated code is written in: syntax, names and attributes that the text gate allows."""
+
+from __future__ import annotations
+
+import ast
+
+NODES: tuple[type[ast.AST], ...] = (
+    ast.Module, ast.Expr, ast.ImportFrom, ast.alias, ast.ClassDef, ast.FunctionDef, ast.arguments, ast.arg, ast.Return,
+    ast.Assign, ast.AnnAssign, ast.AugAssign, ast.For, ast.If, ast.IfExp, ast.Pass, ast.Name, ast.Load, ast.Store,
+    ast.Attribute, ast.Constant, ast.Call, ast.keyword, ast.List, ast.Tuple, ast.Dict, ast.Set, ast.Subscript,
+    ast.Slice, ast.Starred, ast.ListComp, ast.GeneratorExp, ast.comprehension, ast.BinOp, ast.UnaryOp, ast.BoolOp,
+    ast.Compare, ast.operator, ast.unaryop, ast.boolop, ast.cmpop,
+)  # fmt: skip
+"""What a task is written with. Loops without an end, exceptions, closures and formatting are not among it."""
+
+ORDINARY_ATTRIBUTES = frozenset(
+    {"value", "margin", "append", "extend", "items", "keys", "values", "get", "index", "count"}
+)
+"""Attributes of values other than the task itself."""
+
+HOOKS = ("_initialize_env", "_on_reset", "_on_step", "_success", "_fail")
+REQUIRED_HOOKS = ("_initialize_env", "_success")
+LONGEST_FILE = 200_000
+"""Characters; a task of 30 blocks takes a tenth of it."""
+DEEPEST = 60
+"""Levels of nesting."""
+
+
+def what(node: ast.AST) -> str:
+    """A construct by its name in Python."""
+    words = {
+        ast.Import: "import of a module",
+        ast.While: "while loop",
+        ast.Lambda: "lambda",
+        ast.Try: "try statement",
+        ast.With: "with statement",
+        ast.Global: "global statement",
+        ast.Nonlocal: "nonlocal statement",
+        ast.AsyncFunctionDef: "async function",
+        ast.Await: "await",
+        ast.Yield: "yield",
+        ast.JoinedStr: "f-string",
+        ast.Raise: "raise statement",
+        ast.Delete: "del statement",
+        ast.NamedExpr: "assignment expression",
+    }
+    return words.get(type(node), type(node).__name__)

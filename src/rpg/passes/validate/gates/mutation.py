@@ -1,0 +1,98 @@
+"""Gate 8: the code's goal tells the goal state from its near-misses, and accepts other goal states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from random import Random
+from typing import Any
+
+from rpg.blocks.near_miss import near_misses
+from rpg.blocks.predicate import NearMiss
+from rpg.blocks.state import BlockState
+from rpg.blocks.waypoints import waypoints
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.env import BlockTask
+from rpg.ir.artifact import GateReport, Program
+from rpg.passes.validate.bench import Bench
+from rpg.passes.validate.findings import failure, poses, told
+from rpg.passes.validate.subgoals import subgoals
+
+MOST_NAMED = 5
+"""Survivors listed in a failure."""
+
+
+@dataclass(frozen=True)
+class MutationGate:
+    """Near-misses must make G false, other sampled goal states must make it true."""
+
+    name: str = "mutation"
+    cost: int = 1
+
+    def check(self, program: Program, bench: Bench) -> GateReport:
+        """Judge states without physics."""
+        assert bench.trace is not None
+        try:
+            return self._run(program, bench)
+        except Exception as error:
+            message = f"the goal cannot be judged on a near-miss: {type(error).__name__}: {error}"
+            crash = failure(self.name, "task-crashes", "runtime", message, traceback=told(error, bench.sources))
+            return GateReport.of(self.name, [crash])
+
+    def _run(self, program: Program, bench: Bench) -> GateReport:
+        assert bench.trace is not None
+        rng = Random(f"near-misses of {program.task.name}")
+        goal = bench.trace.authored
+        misses = near_misses(program.task.goal, goal, rng)
+        survivors = [miss for miss in misses if holds(bench.task, (*bench.trace.history, miss.state))]
+        others = other_goals(program, bench)
+        rejected = [path[-1] for path in others if not holds(bench.task, path)]
+        found = []
+        if survivors:
+            found.append(self._vacuous(program, survivors, len(misses)))
+        if rejected:
+            found.append(self._over_tight(program, rejected, len(others)))
+        score = 1.0 if not misses else (len(misses) - len(survivors)) / len(misses)
+        figures: dict[str, Any] = {
+            "score": round(score, 4),
+            "near_misses": len(misses),
+            "survivors": len(survivors),
+            "other_goals": len(others),
+            "rejected": len(rejected),
+        }
+        if survivors:
+            figures["survived"] = [miss.what for miss in survivors]
+        return GateReport.of(self.name, found, **figures)
+
+    def _vacuous(self, program: Program, survivors: list[NearMiss], total: int) -> Diagnostic:
+        what = "; ".join(miss.what for miss in survivors[:MOST_NAMED])
+        message = f"the goal holds in {len(survivors)} of {total} states that only nearly satisfy it: {what}"
+        first = subgoals(program.task, survivors[0].state)
+        facts = {"survivors": [miss.what for miss in survivors], "poses": poses(survivors[0].state), **first.facts()}
+        return failure(self.name, "goal-vacuous", "goal", message, span=first.span, **facts)
+
+    def _over_tight(self, program: Program, rejected: list[BlockState], total: int) -> Diagnostic:
+        message = f"the goal does not hold in {len(rejected)} of {total} other states that satisfy the instruction"
+        first = subgoals(program.task, rejected[0])
+        facts = {"poses": poses(rejected[0]), **first.facts()}
+        return failure(self.name, "goal-over-tight", "goal", message, span=first.span, **facts)
+
+
+def holds(task: BlockTask, path: tuple[BlockState, ...]) -> bool:
+    """Does the code's goal hold at the end of an episode that passes through these scenes? The first is its start."""
+    if len(path) == 1:
+        return bool(task.judge_states(path)[-1].success)
+    start = replace(path[0], start=None)
+    return bool(task.judge_states(path[1:], start)[-1].success)
+
+
+def other_goals(program: Program, bench: Bench) -> list[tuple[BlockState, ...]]:
+    """Paths to further goal states, drawn apart from the one that the program has."""
+    found = []
+    for number in range(bench.measures.other_goals):
+        rng = Random(f"other goal {number} of {program.task.name}")
+        start = bench.trace.history[0] if bench.trace and bench.trace.history else None
+        try:
+            found.append(tuple(waypoints(program.task.goal, program.task.init, bench.world, rng, start)))
+        except Refusal:
+            continue
+    return found

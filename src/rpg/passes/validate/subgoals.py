@@ -1,0 +1,92 @@
+"""The parts of a goal on a state: which hold, which do not, and where the instruction speaks of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from rpg.blocks.evaluate import evaluate
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.symmetry import interchangeable, namings, rename_state
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import names
+
+
+@dataclass(frozen=True)
+class Subgoals:
+    """Conjuncts of the goal under the naming of look-alikes that comes closest."""
+
+    parts: tuple[tuple[g.Goal, str, bool], ...]
+
+    def facts(self) -> dict[str, Any]:
+        """For a failure's facts."""
+        return {
+            "subgoals_passed": [text for _, text, holds in self.parts if holds],
+            "subgoals_failed": [text for _, text, holds in self.parts if not holds],
+        }
+
+    @property
+    def span(self) -> Span | None:
+        """Where the instruction asks for the first part that does not hold."""
+        return next((part.span for part, _, holds in self.parts if not holds and part.span), None)
+
+    def span_about(self, block: str) -> Span | None:
+        """Where the instruction speaks of `block`, first among the parts that do not hold."""
+        ranked = sorted(self.parts, key=lambda part: part[2])
+        return next((part.span for part, _, _ in ranked if part.span and block in names(part)), None)
+
+    def broken_text(self) -> str:
+        """The parts that do not hold, in words."""
+        broken = [text for _, text, holds in self.parts if not holds]
+        return "; ".join(f"not so: {text}" for text in broken) or "its parts hold, but not together"
+
+
+def subgoals(task: TaskSchema, state: BlockState) -> Subgoals:
+    """Judge every conjunct of the schema's goal on `state`."""
+    world = World(task.assets)
+    best: tuple[int, tuple[tuple[g.Goal, str, bool], ...]] | None = None
+    for naming in namings(interchangeable(task.goal, world)):
+        seen = rename_state(state, naming)
+        parts = tuple((part, in_words(part, world), evaluate(part, seen).value) for part in conjuncts(task.goal))
+        score = sum(holds for _, _, holds in parts)
+        if best is None or score > best[0]:
+            best = (score, parts)
+    assert best is not None
+    return Subgoals(best[1])
+
+
+def conjuncts(goal: g.Goal) -> Iterator[g.Goal]:
+    """The parts that all have to hold; the stages of a sequence count one by one."""
+    match goal:
+        case g.All():
+            for part in goal.goals:
+                yield from conjuncts(part)
+        case g.Sequence():
+            for stage in goal.stages:
+                yield from () if stage.undone else conjuncts(stage.goal)
+        case _:
+            yield goal
+
+
+def in_words(goal: g.Goal, world: World) -> str:
+    """A part of a goal as a clause."""
+    predicate = PREDICATES.get(goal.kind)
+    if predicate is not None:
+        return predicate.english(goal, world)
+    match goal:
+        case g.Not():
+            return f"not: {in_words(goal.goal, world)}"
+        case g.Any():
+            return " or ".join(in_words(part, world) for part in goal.goals)
+        case g.Count():
+            limits = f"at least {goal.at_least}" if goal.at_most is None else f"{goal.at_least} to {goal.at_most}"
+            return f"{limits} of {', '.join(goal.over)}: {in_words(goal.goal, world)}"
+        case g.All():
+            return " and ".join(in_words(part, world) for part in goal.goals)
+        case g.Always():
+            return f"always: {in_words(goal.goal, world)}"
+    return goal.kind

@@ -24,4 +24,4 @@ def run(task: Task, version: Wanted, tasks: Tasks = WORKSPACE, as_json: Json = F
     out.document(
         {"family": found.family, "version": found.number, "hash": found.hash, "directory": str(found.directory)}
     )
-    out.people.print(f"{found.family} is now at version {found.number} ({found.short_hash})")
+    out.result.print(f"{found.family} is now at version {found.number} ({found.short_hash})")

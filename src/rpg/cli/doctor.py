@@ -19,7 +19,7 @@ def run(as_json: Json = False, quiet: Quiet = False) -> None:
     )
     for finding in found:
         sign = "[green]✓[/]" if finding.ok else "[yellow]–[/]"
-        out.people.print(f"{sign} [bold]{finding.name:<9}[/] {finding.detail}")
+        out.result.print(f"{sign} [bold]{finding.name:<9}[/] {finding.detail}")
         if finding.hint:
-            out.people.print(f"            {finding.hint}", style="dim")
+            out.result.print(f"            {finding.hint}", style="dim")
     out.finish(0 if all(finding.ok for finding in found if finding.needed) else 4)

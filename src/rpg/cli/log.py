@@ -22,7 +22,7 @@ def run(task: Task, tasks: Tasks = WORKSPACE, as_json: Json = False, quiet: Quie
     family = Family(find(task, tasks).directory.parent)
     versions, head = family.versions(), family.head()
     out.document({"family": family.name, "head": head.number, "versions": [_entry(v) for v in versions]})
-    out.people.print(lineage_tree(family.name, versions, head))
+    out.result.print(lineage_tree(family.name, versions, head))
 
 
 def _entry(version: Version) -> dict[str, Any]:

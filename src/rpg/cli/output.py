@@ -14,28 +14,27 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Output:
-    """What a command writes to. With `as_json`, stdout gets one document and nothing else; `quiet` drops what is
-    said to people beyond errors."""
+    """What a command writes to. With `as_json`, stdout gets one document and nothing else."""
 
     as_json: bool = False
     quiet: bool = False
 
     @cached_property
-    def people(self) -> Console:
-        """The console for results as people read them; stderr where stdout is for JSON."""
+    def result(self) -> Console:
+        """The console for what was asked for, as people read it; silent where JSON was asked for."""
         from rich.console import Console
 
-        return Console(stderr=self.as_json, quiet=self.quiet, highlight=False, soft_wrap=False)
+        return Console(quiet=self.as_json, highlight=False)
 
     @cached_property
-    def errors(self) -> Console:
-        """The console for what went wrong."""
+    def asides(self) -> Console:
+        """The console, on stderr, for what is worth knowing besides; `quiet` silences it."""
         from rich.console import Console
 
-        return Console(stderr=True, highlight=False)
+        return Console(stderr=True, quiet=self.quiet, highlight=False)
 
     def document(self, data: Any) -> None:
-        """Write the JSON document, if that is what was asked for."""
+        """Write the JSON document, where JSON was asked for."""
         if self.as_json:
             sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=2) + "\n")
 

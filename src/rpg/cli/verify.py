@@ -38,9 +38,9 @@ def run(task: Some = None, tasks: Tasks = WORKSPACE, as_json: Json = False, quie
         }
     )
     for problem in bad:
-        out.people.print(f"[bold red]{problem.code}[/]: {problem.message}")
+        out.result.print(f"[bold red]{problem.code}[/]: {problem.message}")
     if not bad:
-        out.people.print(f"[green]✓[/] {count} version{'s' * (count != 1)} of {len(families)} tasks: nothing differs")
+        out.result.print(f"[green]✓[/] {count} version{'s' * (count != 1)} of {len(families)} tasks: nothing differs")
     out.finish(1 if bad else 0)
 
 

@@ -30,7 +30,13 @@ _RESOLVED = {
 
 def dump_schema(schema: TaskSchema) -> str:
     """`schema` as task.yaml: keys in the schema's order, tolerances spelled out, what says nothing left out."""
-    return dump(_plain(schema, schema.model_dump(mode="json")))
+    return dump(plain(schema))
+
+
+def plain(record: BaseModel) -> dict[str, Any]:
+    """A record of the IR as plain data, with what task.yaml shows of it."""
+    found: dict[str, Any] = _plain(record, record.model_dump(mode="json"))
+    return found
 
 
 def _plain(value: Any, dumped: Any) -> Any:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from random import Random
 from typing import Any
 
 from rpg.blocks.geometry import footprint_gap
@@ -9,6 +11,7 @@ from rpg.blocks.nouns import phrase, verb
 from rpg.blocks.predicate import Predicate
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict, at_most, every, holds
+from rpg.ir.node import members
 from rpg.ir.relations import Directional
 
 DIRECTIONS: dict[str, tuple[float, float]] = {
@@ -68,6 +71,34 @@ class DirectionalPredicate(Predicate[Directional]):
         if node.directly:
             margin = min(margin, 1.0 - across / (node.across_edges * edge))
         return holds(margin)
+
+    def propose(self, node: Directional, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        ux, uy = DIRECTIONS[self.kind]
+        ahead = block in members(node.a)
+        sign = 1.0 if ahead else -1.0
+        for other in members(node.b if ahead else node.a):
+            if other == block or not (other in state.position or other in state.world.patches):
+                continue
+            x, y, _ = state.where(other)
+            for along, across in self._steps(node, block, other, state):
+                yield x + sign * along * ux + across * uy, y + sign * along * uy + across * ux
+
+    def _steps(self, node: Directional, a: str, b: str, state: BlockState) -> Iterator[tuple[float, float]]:
+        edge = edge_between(state, a, b)
+        least = least_offset(node, a, b, state)
+        if node.immediate:
+            reach = sum(self._half(n, state.world) for n in (a, b))
+            yield max(least, reach + 0.5 * node.gap_edges * edge), 0.0
+            return
+        for more in (1.0, 0.5, 0.25, 2.0):
+            yield least + more * edge, 0.0
+        if not node.directly:
+            yield from ((least + edge, side * edge) for side in (0.8, -0.8))
+            yield from ((least + 2.0 * edge, side * edge) for side in (1.6, -1.6))
+
+    def _half(self, name: str, world: World) -> float:
+        patch = world.patches.get(name)
+        return world.edge[name] / 2 if patch is None else patch.size[0 if DIRECTIONS[self.kind][0] else 1] / 2
 
     def english(self, node: Directional, world: World) -> str:
         adverb = "somewhere " if node.somewhere else ""

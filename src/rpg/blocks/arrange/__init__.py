@@ -1,0 +1,36 @@
+"""Goal states: physically valid arrangements of blocks that satisfy a goal expression."""
+
+from __future__ import annotations
+
+from random import Random
+
+from rpg.blocks.arrange.explain import Impossible, explain
+from rpg.blocks.arrange.solve import Solver, imagined_start
+from rpg.blocks.state import BlockState, World
+from rpg.ir import goal as g
+from rpg.ir.walk import atoms
+
+__all__ = ["Impossible", "arrange"]
+
+CHANGES = frozenset({"stayed", "moved", "swapped", "turned"})
+
+
+def arrange(
+    goal: g.Goal, world: World, *, rng: Random, start: BlockState | None = None, count: int = 1
+) -> list[BlockState]:
+    """`count` states in which `goal` holds, every block settled and well inside of the workspace and of tolerances.
+
+    The first one is the most natural; equal generators give equal states. `start`: where the episode begins, for
+    conditions relative to it (imagined where it is not given); the states carry it. Raises Impossible.
+    """
+    if start is None and any(atom.kind in CHANGES for atom in atoms(goal)):
+        start = imagined_start(world, rng)
+    solver = Solver(goal, world, start)
+    found: list[BlockState] = []
+    for k in range(count):
+        state = solver.solve(rng, vary=k > 0)
+        if state is None and not found:
+            raise Impossible(explain(goal, world, start))
+        if state is not None:
+            found.append(state)
+    return found

@@ -1,0 +1,86 @@
+"""A goal as alternatives: conjunctions of atoms that hold and atoms that must not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import NamedTuple
+
+from rpg.ir import goal as g
+from rpg.ir.node import Highest, Lowest, members
+from rpg.ir.relations import On
+from rpg.ir.walk import instances
+
+
+class Literal(NamedTuple):
+    """An atom, and whether it must hold."""
+
+    atom: g.Atom
+    holds: bool = True
+
+
+Conjunction = tuple[Literal, ...]
+
+
+def alternatives(goal: g.Goal, wanted: bool = True) -> Iterator[Conjunction]:
+    """Every conjunction of literals that makes `goal` true (or, where not `wanted`, false), most natural first."""
+    match goal:
+        case g.All():
+            yield from _all(goal.goals, wanted) if wanted else _any(goal.goals, wanted)
+        case g.Any():
+            yield from _any(goal.goals, wanted) if wanted else _all(goal.goals, wanted)
+        case g.Not():
+            yield from alternatives(goal.goal, not wanted)
+        case g.Always():
+            yield from alternatives(goal.goal, wanted)
+        case g.Sequence():
+            final = g.All(goals=tuple(stage.goal for stage in goal.stages if not stage.undone))
+            yield from alternatives(final, wanted)
+        case g.Count():
+            yield from _count(goal, wanted)
+        case On() if wanted:
+            yield from _pairings(goal)
+        case _:
+            yield (Literal(goal, wanted),)
+
+
+def _all(goals: tuple[g.Goal, ...], wanted: bool) -> Iterator[Conjunction]:
+    if not goals:
+        yield ()
+        return
+    for first in alternatives(goals[0], wanted):
+        for rest in _all(goals[1:], wanted):
+            yield first + rest
+
+
+def _any(goals: tuple[g.Goal, ...], wanted: bool) -> Iterator[Conjunction]:
+    for goal in goals:
+        yield from alternatives(goal, wanted)
+
+
+def _count(count: g.Count, wanted: bool) -> Iterator[Conjunction]:
+    total = len(count.over)
+    low, high = count.at_least, total if count.at_most is None else min(count.at_most, total)
+    allowed = range(low, high + 1)
+    sizes = [k for k in range(total + 1) if (k in allowed) == wanted]
+    if wanted and low == 0:
+        sizes.reverse()
+    each = instances(count)
+    for size in sizes:
+        for chosen in combinations(range(total), size):
+            parts = tuple(each[k] if k in chosen else g.Not(goal=each[k]) for k in range(total))
+            yield from _all(parts, True)
+
+
+def _pairings(on: On) -> Iterator[Conjunction]:
+    """Groups on groups: each of `a` on one of `b`."""
+    if isinstance(on.a, Lowest | Highest) or isinstance(on.b, Lowest | Highest):
+        yield (Literal(on),)
+        return
+    above, below = members(on.a), members(on.b)
+    for k in range(len(below) ** len(above)):
+        pairs = []
+        for a in above:
+            k, index = divmod(k, len(below))
+            pairs.append(Literal(on.model_copy(update={"a": (a,), "b": (below[index],)})))
+        yield tuple(pairs)

@@ -1,0 +1,164 @@
+"""Why a goal cannot be arranged: the smallest set of its conditions that clash, as a diagnostic."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice
+from random import Random
+
+from rpg.blocks.arrange.alternatives import alternatives
+from rpg.blocks.arrange.bounds import Contradiction
+from rpg.blocks.arrange.solve import Solver
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.state import BlockState, World
+from rpg.core.diagnostics import Diagnostic, Label, Refusal
+from rpg.ir import goal as g
+from rpg.ir.walk import atoms, children
+
+SMALL = 1500
+"""Candidate places judged for each subset of the conditions."""
+AXES = ("from front to back", "from left to right")
+
+
+class Impossible(Refusal):
+    """No arrangement satisfies the goal; its diagnostics name the smallest set of conditions that clash."""
+
+
+def explain(goal: g.Goal, world: World, start: BlockState | None) -> tuple[Diagnostic, ...]:
+    """What clashes in a goal for which no arrangement was found."""
+    parts = _clashing(list(conditions(goal)), world, start)
+    return (_diagnostic(parts, world, start),)
+
+
+def conditions(goal: g.Goal) -> Iterator[g.Goal]:
+    """The goals that must all hold."""
+    match goal:
+        case g.All():
+            for part in goal.goals:
+                yield from conditions(part)
+        case g.Sequence():
+            for stage in goal.stages:
+                if not stage.undone:
+                    yield from conditions(stage.goal)
+        case g.Always():
+            yield from conditions(goal.goal)
+        case _:
+            yield goal
+
+
+def _clashing(parts: list[g.Goal], world: World, start: BlockState | None) -> list[g.Goal]:
+    """A subset that cannot be arranged, though it can without any one of its conditions."""
+    kept = list(parts)
+    for part in parts:
+        rest = [other for other in kept if other is not part]
+        if rest and _solver(rest, world, start).solve(Random(0)) is None:
+            kept = rest
+    return kept
+
+
+def _solver(parts: list[g.Goal], world: World, start: BlockState | None) -> Solver:
+    return Solver(g.All(goals=tuple(parts)), world, start, SMALL)
+
+
+def _diagnostic(parts: list[g.Goal], world: World, start: BlockState | None) -> Diagnostic:
+    solver = _solver(parts, world, start)
+    solver.solve(Random(0))
+    reason = next((r for r in solver.reasons if r.needed is not None), None)
+    spans = [span for span in map(span_of, parts) if span is not None]
+    texts = [in_words(part, world) for part in parts]
+    labels = tuple(Label(span=s, text=t) for part, t in zip(parts, texts, strict=True) if (s := span_of(part)))[1:]
+    cycle = support_cycle(parts, world)
+    span = spans[0] if spans else None
+    if cycle:
+        return Diagnostic(
+            code="support-cycle",
+            message=f"{' rests on '.join(cycle)}: nothing in this ring reaches the table",
+            span=span,
+            labels=labels,
+            hint="let one of these blocks stand on the table",
+            facts={"cycle": cycle},
+            origin="arrange",
+        )
+    if reason is not None:
+        return _does_not_fit(reason, texts, span, labels)
+    return Diagnostic(
+        code="goal-contradiction",
+        message=_contradiction(texts),
+        span=span,
+        labels=labels,
+        hint="drop or change one of these conditions" if len(parts) > 1 else None,
+        facts={"conditions": texts},
+        origin="arrange",
+    )
+
+
+def _contradiction(texts: list[str]) -> str:
+    if len(texts) == 1:
+        return f"there is no way to arrange the blocks so that {texts[0]}"
+    return f"{', and '.join(texts)}: these cannot hold together"
+
+
+def _does_not_fit(
+    reason: Contradiction, texts: list[str], span: tuple[int, int] | None, labels: tuple[Label, ...]
+) -> Diagnostic:
+    needed, available = round(reason.needed or 0.0, 3), round(reason.available, 3)
+    what = f"this takes {needed * 100:g} cm {AXES[reason.axis]}, and the workspace has {available * 100:g} cm"
+    return Diagnostic(
+        code="does-not-fit",
+        message=f"{what}: {'; '.join(texts)}" if texts else what,
+        span=span,
+        labels=labels,
+        hint="use fewer or smaller blocks, or closer spacing",
+        facts={"needed_m": needed, "available_m": available, "axis": "xy"[reason.axis]},
+        origin="arrange",
+    )
+
+
+def support_cycle(parts: list[g.Goal], world: World) -> list[str]:
+    """Blocks each of which must rest on the next, the last on the first; empty where there is no such ring."""
+    goal = g.All(goals=tuple(parts))
+    for literals in islice(alternatives(goal), 1):
+        edges: dict[str, list[str]] = {}
+        for atom, holds in literals:
+            if holds:
+                for upper, lower in PREDICATES[atom.kind].supports(atom, world):
+                    edges.setdefault(upper, []).append(lower)
+        for block in edges:
+            ring = _ring(block, edges)
+            if ring:
+                return ring
+    return []
+
+
+def _ring(first: str, edges: dict[str, list[str]]) -> list[str]:
+    paths = [[first]]
+    seen = set()
+    while paths:
+        path = paths.pop()
+        for below in edges.get(path[-1], []):
+            if below == first:
+                return [*path, first]
+            if below not in seen:
+                seen.add(below)
+                paths.append([*path, below])
+    return []
+
+
+def span_of(goal: g.Goal) -> tuple[int, int] | None:
+    """The place of a goal in the instruction: its own, or that of what is in it."""
+    if goal.span is not None:
+        return goal.span
+    inner = [span for span in map(span_of, children(goal)) if span is not None]
+    return (min(s for s, _ in inner), max(e for _, e in inner)) if inner else None
+
+
+def in_words(goal: g.Goal, world: World) -> str:
+    """A condition in English, as well as its atoms can say it."""
+    found = [PREDICATES[atom.kind].english(atom, world) for atom in atoms(goal)]
+    match goal:
+        case g.Not():
+            return f"it is not so that {' and '.join(found)}"
+        case g.Any():
+            return " or ".join(found)
+        case _:
+            return " and ".join(found)

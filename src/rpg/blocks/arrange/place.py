@@ -1,0 +1,240 @@
+"""Places pieces on the table by search: proposals around what is placed, judged by the atoms that they complete."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import islice
+from math import hypot
+from random import Random
+
+from rpg.blocks.arrange.alternatives import Literal
+from rpg.blocks.arrange.bounds import Bounds
+from rpg.blocks.arrange.ground import Ground
+from rpg.blocks.arrange.pieces import Assembly, Piece
+from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
+from rpg.blocks.predicate import Predicate
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3
+from rpg.ir import goal as g
+from rpg.ir import structures
+from rpg.ir.node import Node
+from rpg.ir.walk import names
+
+STRUCTURES = frozenset(
+    model.model_fields["kind"].default
+    for model in vars(structures).values()
+    if isinstance(model, type) and issubclass(model, Node) and "kind" in model.model_fields
+)
+OPEN = STRUCTURES | {"clear", "empty", "facing"}
+"""Atoms that other blocks can break: judged again whenever something is placed."""
+ABSOLUTE = frozenset({"in_region", "on_patch", "empty", "facing", "stayed", "moved", "swapped", "turned"})
+"""Atoms about places in the world, even where their blocks are of one piece."""
+
+WIDTH = 6
+"""Candidates that are followed at each piece."""
+PROPOSALS = 24
+FREE_TRIES = 20
+ANCHORED_TRIES = 8
+GOOD_MARGIN = 0.5
+"""More slack than this share of a tolerance is not worth anything."""
+GOOD_CLEARANCE = 0.04
+SCATTER_CLEARANCE = 0.10
+CENTRE = (sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2)
+Origin = tuple[float, float]
+
+
+class Exhausted(Exception):
+    """The budget of a search is used up."""
+
+
+class Budget:
+    """How many candidates may still be judged."""
+
+    def __init__(self, tries: int) -> None:
+        self.left = tries
+
+    def spend(self) -> None:
+        self.left -= 1
+        if self.left < 0:
+            raise Exhausted
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A literal with what the search needs to know of it."""
+
+    atom: g.Atom
+    holds: bool
+    predicate: Predicate[g.Atom]
+    blocks: tuple[str, ...]
+    per_place: bool
+    open_ended: bool
+
+    def slack(self, state: BlockState) -> float | None:
+        """How well the literal is met (not negative); None where it is not."""
+        verdict = self.predicate.evaluate(self.atom, state)
+        return abs(verdict.margin) if verdict.value == self.holds else None
+
+
+def rules_of(literals: Iterable[Literal], assembly: Assembly) -> list[Rule]:
+    """The literals as rules, with respect to the pieces at hand."""
+    found = []
+    for atom, holds in literals:
+        mentioned = names(atom)
+        blocks = tuple(n for n in mentioned if n in assembly.of)
+        split = len({id(assembly.of[n]) for n in blocks}) > 1
+        placed = atom.kind in ABSOLUTE or len(blocks) < len(mentioned)
+        found.append(Rule(atom, holds, PREDICATES[atom.kind], blocks, split or placed, atom.kind in OPEN))
+    return found
+
+
+class Search:
+    """One search for places of all pieces of an assembly."""
+
+    def __init__(
+        self,
+        assembly: Assembly,
+        bounds: Bounds,
+        rules: list[Rule],
+        rng: Random,
+        budget: Budget,
+        start: BlockState | None = None,
+        noise: float = 0.0,
+    ) -> None:
+        self.world, self.assembly, self.bounds, self.rules = assembly.world, assembly, bounds, rules
+        self.rng, self.budget, self.noise = rng, budget, noise
+        self.position: dict[str, Vec3] = {}
+        orientation: dict[str, Quat] = {n: assembly.of[n].orientation[n] or IDENTITY for n in assembly.of}
+        self.state = BlockState(self.world, self.position, orientation, start=start)
+        self.origins: dict[int, Origin] = {}
+        self.ground = Ground(assembly, self.state, [r.atom for r in rules if r.holds])
+        self.touching = {
+            id(piece): [r for r in rules if any(n in piece.position for n in r.blocks)] for piece in assembly.pieces()
+        }
+
+    def run(self) -> Iterator[BlockState]:
+        """Arrangements that meet all rules, as they are found."""
+        if not all(rule.blocks or rule.open_ended or rule.slack(self.state) is not None for rule in self.rules):
+            return
+        yield from self._descend(self.assembly.pieces())
+
+    def _descend(self, waiting: list[Piece]) -> Iterator[BlockState]:
+        if not waiting:
+            yield self._result()
+            return
+        piece = max(waiting, key=self._urgency)
+        rest = [other for other in waiting if other is not piece]
+        for origin in self._ranked(piece)[:WIDTH]:
+            self._put(piece, origin)
+            if self._undisturbed():
+                yield from self._descend(rest)
+            self._lift(piece)
+
+    def _urgency(self, piece: Piece) -> tuple[bool, int, int, int]:
+        """Fixed pieces come first, then those that complete most conditions, then the most bound and the largest."""
+        wanted = [r for r in self.touching[id(piece)] if r.holds and r.per_place]
+        anchored = sum(all(n in self.position or n in piece.position for n in r.blocks) for r in wanted)
+        return piece.fixed, anchored, len(wanted), len(piece.position)
+
+    def _put(self, piece: Piece, origin: Origin) -> None:
+        self.origins[id(piece)] = origin
+        self._write(piece, origin)
+        self.ground.occupy(piece, origin)
+
+    def _write(self, piece: Piece, origin: Origin) -> None:
+        ox, oy = origin
+        for name, (x, y, z) in piece.position.items():
+            self.position[name] = (x + ox, y + oy, z + TABLE_Z)
+
+    def _lift(self, piece: Piece) -> None:
+        del self.origins[id(piece)]
+        self.ground.leave(piece)
+        for name in piece.position:
+            del self.position[name]
+
+    def _undisturbed(self) -> bool:
+        """Do the conditions that any block can break hold, as far as they can be judged?"""
+        return all(
+            rule.slack(self.state) is not None
+            for rule in self.rules
+            if (rule.open_ended or not rule.per_place) and all(n in self.position for n in rule.blocks)
+        )
+
+    def _ranked(self, piece: Piece) -> list[Origin]:
+        """Origins that meet every condition which the piece completes, best first."""
+        due = [
+            r
+            for r in self.touching[id(piece)]
+            if r.per_place and all(n in self.position or n in piece.position for n in r.blocks)
+        ]
+        scored = []
+        for origin in self._candidates(piece, [r for r in due if r.holds]):
+            self.budget.spend()
+            score = self._score(piece, origin, due)
+            if score is not None:
+                scored.append((score, origin))
+        scored.sort(key=lambda pair: -pair[0])
+        return [origin for _, origin in scored]
+
+    def _score(self, piece: Piece, origin: Origin, due: list[Rule]) -> float | None:
+        clearance = self.ground.clearance(piece, origin)
+        if clearance is None:
+            return None
+        least = GOOD_MARGIN
+        self._write(piece, origin)
+        try:
+            for rule in due:
+                slack = rule.slack(self.state)
+                if slack is None:
+                    return None
+                least = min(least, slack)
+        finally:
+            for name in piece.position:
+                del self.position[name]
+        return self._merit(piece, origin, least, clearance)
+
+    def _merit(self, piece: Piece, origin: Origin, least: float, clearance: float) -> float:
+        bound = any(r.holds for r in self.touching[id(piece)])
+        room = GOOD_CLEARANCE if bound else SCATTER_CLEARANCE
+        x, y, _ = next(iter(piece.position.values()))
+        off = hypot(x + origin[0] - CENTRE[0], y + origin[1] - CENTRE[1])
+        merit = 2.0 * least / GOOD_MARGIN + min(clearance, room) / room - (0.8 * off if bound else 0.0)
+        merit -= self.ground.trespass(piece, origin)
+        return merit + self.noise * self.rng.random()
+
+    def _candidates(self, piece: Piece, wanted: list[Rule]) -> list[Origin]:
+        if piece.fixed:
+            return [(0.0, 0.0)]
+        (x0, x1), (y0, y1) = (self.bounds.interval(piece, axis, self.origins) for axis in (0, 1))
+        if x0 > x1 + 1e-9 or y0 > y1 + 1e-9:
+            return []
+        found = dict.fromkeys(
+            (round(min(max(x, x0), x1), 4), round(min(max(y, y0), y1), 4)) for x, y in self._proposed(piece, wanted)
+        )
+        if not found:
+            found[round((x0 + x1) / 2, 4), round((y0 + y1) / 2, 4)] = None
+        for _ in range(ANCHORED_TRIES if wanted else FREE_TRIES):
+            found[round(self.rng.uniform(x0, x1), 4), round(self.rng.uniform(y0, y1), 4)] = None
+        return list(found)
+
+    def _proposed(self, piece: Piece, wanted: list[Rule]) -> Iterator[Origin]:
+        for rule in wanted:
+            for block in rule.blocks:
+                if block in piece.position:
+                    px, py, _ = piece.position[block]
+                    for x, y in islice(rule.predicate.propose(rule.atom, block, self.state, self.rng), PROPOSALS):
+                        yield x - px, y - py
+
+    def _result(self) -> BlockState:
+        position: dict[str, Vec3] = {}
+        for name in self.world.blocks:
+            x, y, z = self.position[name]
+            position[name] = (round(x, 4), round(y, 4), round(z, 6))
+        orientation = {name: _rounded(self.state.orientation[name]) for name in self.world.blocks}
+        return BlockState(self.world, position, orientation, start=self.state.start)
+
+
+def _rounded(quat: Quat) -> Quat:
+    w, x, y, z = (round(c, 6) + 0.0 for c in quat)
+    return w, x, y, z

@@ -1,0 +1,134 @@
+"""The arrangement solver: goal states for a goal expression, or the conditions in it that clash."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice, product
+from random import Random
+
+from rpg.blocks.arrange.alternatives import Conjunction, alternatives
+from rpg.blocks.arrange.bounds import Bounds, Contradiction
+from rpg.blocks.arrange.fixed import Poses, fixed_poses
+from rpg.blocks.arrange.pieces import Assembly, Clash
+from rpg.blocks.arrange.place import Budget, Exhausted, Search, rules_of
+from rpg.blocks.arrange.turning import orientation_for
+from rpg.blocks.evaluate import evaluate, settled
+from rpg.blocks.geometry import is_level
+from rpg.blocks.predicate import Cluster
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.state import BlockState, World
+from rpg.ir import goal as g
+from rpg.ir.node import Highest, Lowest, members
+from rpg.ir.relations import Above, Facing, On, Turned
+
+MAX_ALTERNATIVES = 200
+MAX_BUILDS = 12
+MAX_LAYOUTS = 60
+LAYOUT_TRIES = 3000
+"""Candidates judged for one way to lay out the structures."""
+LEAVES = 12
+"""Arrangements of one layout that are checked against the whole goal."""
+
+
+class Solver:
+    """Goal states of one goal in one world. `tries`: candidate places that may be judged in all."""
+
+    def __init__(self, goal: g.Goal, world: World, start: BlockState | None, tries: int = 20000) -> None:
+        self.goal, self.world, self.start, self.tries = goal, world, start, tries
+        self.reasons: list[Contradiction] = []
+
+    def solve(self, rng: Random, vary: bool = False) -> BlockState | None:
+        """A goal state; None where none is found. `vary`: any one rather than the most natural one."""
+        left = self.tries
+        ways = list(islice(alternatives(self.goal), MAX_ALTERNATIVES))
+        if vary:
+            rng.shuffle(ways)
+        for literals in ways:
+            for assembly in islice(self._assemblies(literals, rng, vary), MAX_LAYOUTS):
+                budget = Budget(min(LAYOUT_TRIES, left))
+                state = self._placed(assembly, literals, rng, budget, vary)
+                left -= min(LAYOUT_TRIES, left) - max(budget.left, 0)
+                if state is not None or left <= 0:
+                    return state
+        return None
+
+    def _placed(
+        self, assembly: Assembly, literals: Conjunction, rng: Random, budget: Budget, vary: bool
+    ) -> BlockState | None:
+        try:
+            bounds = Bounds(assembly, [atom for atom, holds in literals if holds])
+        except Contradiction as reason:
+            self.reasons.append(reason)
+            return None
+        noise = 1.2 if vary else 0.1
+        search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, noise)
+        try:
+            for state in islice(search.run(), LEAVES):
+                if evaluate(self.goal, state) and settled(state):
+                    return state
+        except Exhausted:
+            pass
+        return None
+
+    def _assemblies(self, literals: Conjunction, rng: Random, vary: bool) -> Iterator[Assembly]:
+        """Every way to lay out the structures of a conjunction and what stands on what."""
+        wanted = [atom for atom, holds in literals if holds]
+        fixed = fixed_poses(wanted, self.world, self.start)
+        if fixed is None:
+            return
+        builds = [list(islice(PREDICATES[atom.kind].build(atom, self.world, rng), MAX_BUILDS)) for atom in wanted]
+        layouts = [clusters for clusters in builds if clusters]
+        if vary:
+            for clusters in layouts:
+                rng.shuffle(clusters)
+        for chosen in product(*layouts):
+            assembly = Assembly(self.world)
+            try:
+                self._assemble(assembly, literals, fixed, chosen)
+            except Clash:
+                continue
+            yield assembly
+
+    def _assemble(
+        self,
+        assembly: Assembly,
+        literals: Conjunction,
+        fixed: Poses,
+        chosen: tuple[list[Cluster], ...],
+    ) -> None:
+        assembly.fix(fixed)
+        for clusters in chosen:
+            for cluster in clusters:
+                assembly.add(cluster)
+        wanted = [atom for atom, holds in literals if holds]
+        stacked = [atom for atom in wanted if isinstance(atom, On)]
+        for on in sorted(stacked, key=lambda on: isinstance(on.b, Highest | Lowest)):
+            a, b = assembly.resolve(on.a), assembly.resolve(on.b)
+            if a == b:
+                raise Clash
+            assembly.put_on(a, b)
+        for above in (atom for atom in wanted if isinstance(atom, Above)):
+            for a in members(above.a):
+                for b in members(above.b):
+                    assembly.put_on(assembly.column_foot(a), assembly.column_top(b))
+        self._turn(assembly, literals)
+        assembly.check()
+
+    def _turn(self, assembly: Assembly, literals: Conjunction) -> None:
+        asked: dict[str, list[tuple[Facing | Turned, bool]]] = {}
+        for atom, holds in literals:
+            if isinstance(atom, Facing | Turned):
+                asked.setdefault(atom.block, []).append((atom, holds))
+        for name, wanted in asked.items():
+            quat = orientation_for(name, wanted, self.world, self.start, assembly.of[name].orientation[name])
+            if quat is None:
+                raise Clash
+            flat = BlockState(self.world, {name: (0.0, 0.0, 0.0)}, {name: quat})
+            if not is_level(flat, name):
+                raise Clash
+            assembly.turn(name, quat)
+
+
+def imagined_start(world: World, rng: Random) -> BlockState | None:
+    """Blocks scattered over the table: a start for conditions that speak of one where none is given."""
+    return Solver(g.All(goals=()), world, None).solve(rng, vary=True)

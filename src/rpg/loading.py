@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rpg.core.diagnostics import UsageError
+from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.env import BlockTask
 from rpg.ir.artifact import Program
 from rpg.ir.schema import TaskSchema
@@ -14,7 +14,7 @@ from rpg.passes.codegen import lower
 from rpg.passes.validate.bench import Bench
 from rpg.passes.validate.gates.text import TextGate
 from rpg.passes.validate.load import load as load_classes
-from rpg.store import Version, Workspace, resolve, verify_version
+from rpg.store import Family, Version, Workspace, resolve, verify_family, verify_version
 
 
 @dataclass(frozen=True)
@@ -53,3 +53,8 @@ def load_version(version: Version) -> Task:
         raise UsageError(f"{version} is not run: {report.failures[0].message}")
     classes = load_classes(program.code, program.goal_code)
     return Task(version, program.task, *classes)
+
+
+def verify(family: Family) -> tuple[Diagnostic, ...]:
+    """Everything that is wrong with a family on disk, its code compared with what task.yaml gives."""
+    return verify_family(family, lower)

@@ -27,8 +27,8 @@ def run(
     such states, the first of which is the start of the episode. The start of a single state is the reset of --seed.
     A state is taken to be at rest, with nothing held. Exit status 1 if any line is not a success.
     """
-    from rpg.cli.judge import judge_lines
     from rpg.cli.output import Output
+    from rpg.evaluate.recorded import judge_lines
     from rpg.loading import load_version
 
     loaded = load_version(find(task, tasks))

@@ -9,8 +9,7 @@ from rich.text import Text
 from rich.tree import Tree
 
 if TYPE_CHECKING:
-    from rpg.blocks.state import World
-    from rpg.ir.goal import Goal
+    from rpg.explain import Outline
     from rpg.store import Version
 
 
@@ -39,43 +38,8 @@ def _line(version: Version, current: bool) -> Text:
     return line
 
 
-def goal_tree(goal: Goal, world: World) -> Tree:
+def goal_tree(goal: Outline) -> Tree:
     """A goal as the tree that its connectives make of its conditions."""
-    from rpg.ir.walk import children
-
-    tree = Tree(Text(label(goal, world)))
-    tree.children.extend(goal_tree(part, world) for part in children(goal))
+    tree = Tree(Text(goal.text, "cyan" if goal.parts else ""))
+    tree.children.extend(goal_tree(part) for part in goal.parts)
     return tree
-
-
-def label(goal: Goal, world: World) -> str:
-    """One node of a goal in a few words, its parts left aside."""
-    from rpg.blocks.predicates import PREDICATES
-    from rpg.ir import goal as g
-
-    match goal:
-        case g.All():
-            return "all of"
-        case g.Any():
-            return "any of"
-        case g.Not():
-            return "not"
-        case g.Always():
-            return "at every step"
-        case g.Sequence():
-            return "one after the other"
-        case g.Count():
-            most = "" if goal.at_most is None else f"{goal.at_least} to {goal.at_most}"
-            exact = f"exactly {goal.at_least}" if goal.at_least == goal.at_most else most
-            return f"{exact or f'at least {goal.at_least}'} of {', '.join(goal.over)} ({goal.var})"
-    return PREDICATES[goal.kind].english(goal, world)
-
-
-def clause(goal: Goal, world: World) -> str:
-    """A goal in one line."""
-    from rpg.ir.walk import children
-
-    parts = children(goal)
-    if not parts:
-        return label(goal, world)
-    return f"{label(goal, world)} ({'; '.join(clause(part, world) for part in parts)})"

@@ -20,12 +20,11 @@ def run(task: Some = None, tasks: Tasks = WORKSPACE, as_json: Json = False, quie
     """Check every version of the families of TASKs: hashes of files, lineage, HEAD, and that the code is what
     task.yaml gives. Exit status 1 if anything differs."""
     from rpg.cli.output import Output
-    from rpg.passes.codegen import lower
-    from rpg.store import verify_family
+    from rpg.loading import verify
 
     out = Output(as_json, quiet)
     families = _families(task or [], tasks)
-    found = {family.name: verify_family(family, lower) for family in families}
+    found = {family.name: verify(family) for family in families}
     count = sum(len(family.directories()) for family in families)
     bad = [diagnostic for problems in found.values() for diagnostic in problems]
     out.document(

@@ -1,0 +1,1 @@
+"""How well policies and recorded states do at tasks."""

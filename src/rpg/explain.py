@@ -1,0 +1,113 @@
+"""A task as data that explains it: what `rpg show` says, and what trees of goals are drawn from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from rpg.blocks.english import describe
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.state import IDENTITY, BlockState, World
+from rpg.ir import goal as g
+from rpg.ir.assets import Asset, GoalPatch, SemanticCube
+from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import children
+from rpg.loading import Task
+from rpg.store.taskfile import plain
+
+
+@dataclass(frozen=True)
+class Outline:
+    """A goal as a tree of words: a connective with its parts, or a condition in English."""
+
+    text: str
+    parts: tuple[Outline, ...] = ()
+
+    def __str__(self) -> str:
+        return f"{self.text}: {'; '.join(map(str, self.parts))}" if self.parts else self.text
+
+
+def goal_outline(schema: TaskSchema) -> Outline:
+    """The goal of a task as a tree of words."""
+    return outline(schema.goal, World(schema.assets))
+
+
+def outline(goal: g.Goal, world: World) -> Outline:
+    """The tree that the connectives of `goal` make of its conditions."""
+    return Outline(_words(goal, world), tuple(outline(part, world) for part in children(goal)))
+
+
+def _words(goal: g.Goal, world: World) -> str:
+    match goal:
+        case g.All():
+            return "all of"
+        case g.Any():
+            return "any of"
+        case g.Not():
+            return "not"
+        case g.Always():
+            return "at every step"
+        case g.Sequence():
+            return "one after the other"
+        case g.Count():
+            return f"{_how_many(goal)} of {', '.join(goal.over)} ({goal.var})"
+    return PREDICATES[goal.kind].english(goal, world)
+
+
+def _how_many(goal: g.Count) -> str:
+    if goal.at_most is None:
+        return f"at least {goal.at_least}"
+    if goal.at_most == goal.at_least:
+        return f"exactly {goal.at_least}"
+    return f"{goal.at_least} to {goal.at_most}" if goal.at_least else f"at most {goal.at_most}"
+
+
+def explained(task: Task, seed: int) -> dict[str, Any]:
+    """The task as one JSON document, its assets where the reset of `seed` has them."""
+    schema = task.schema
+    state = task.task_class().reset(seed)
+    return {
+        "name": schema.name,
+        "instruction": schema.instruction,
+        "version": task.version.number,
+        "hash": task.version.hash,
+        "assets": [_asset(asset, state) for asset in schema.assets],
+        "init": plain(schema.init),
+        "goal": plain(schema.goal),
+        "goal_text": describe(schema),
+        "assumptions": list(schema.assumptions),
+        "stages": [str(outline(stage, state.world)) for stage in _stages(schema.goal)],
+    }
+
+
+def _asset(asset: Asset, state: BlockState) -> dict[str, Any]:
+    if isinstance(asset, GoalPatch):
+        return {
+            "name": asset.name,
+            "type": asset.type,
+            "color": asset.color,
+            "shape": asset.shape,
+            "size": list(asset.size),
+            "extent": [*asset.size, 0.0],
+            "fixed": True,
+            "position": list(state.where(asset.name)),
+            "orientation": list(IDENTITY),
+        }
+    found: dict[str, Any] = {"name": asset.name, "type": asset.type, "color": asset.color}
+    if isinstance(asset, SemanticCube):
+        found |= {"labels": asset.labels.model_dump()} if asset.labels else {"label": asset.label}
+    return found | {
+        "shape": "cube",
+        "size": asset.size,
+        "extent": [asset.size] * 3,
+        "fixed": False,
+        "position": list(state.position[asset.name]),
+        "orientation": list(state.orientation[asset.name]),
+    }
+
+
+def _stages(goal: g.Goal) -> list[g.Goal]:
+    """The goals of every sequence, in order."""
+    if isinstance(goal, g.Sequence):
+        return [stage.goal for stage in goal.stages]
+    return [stage for child in children(goal) for stage in _stages(child)]

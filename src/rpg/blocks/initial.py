@@ -11,8 +11,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from random import Random
 
+from rpg.blocks.arrange import arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.geometry import Polygon, body_gap, footprint, polygon_gap
+from rpg.blocks.geometry import Polygon, footprint, polygon_gap
+from rpg.blocks.heaps import Heap, above, dropped, in_one_piece, shaft
 from rpg.blocks.physics import settled_state
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
 from rpg.core.diagnostics import Diagnostic, Refusal
@@ -28,10 +30,10 @@ BORDER = 0.005
 """Scattered centres stay this far (m) inside the workspace."""
 PROPOSALS = 120
 LAYOUTS = 20
-HEAP_SPREAD = 0.6
-HEAP_TRIES = 12
-HEAP_CHAIN = 1.0
-"""In a heap every block is within this many edges of another one."""
+HEAP_MARGIN = 0.03
+"""A heap may spread this far (m) beyond its shaft."""
+STIRRED = 0.005
+"""Nothing but heaps may move farther (m) than this while a start settles."""
 
 
 @dataclass
@@ -43,6 +45,7 @@ class _Layout:
     orientation: dict[str, Quat] = field(default_factory=dict)
     circles: list[tuple[float, float, float]] = field(default_factory=list)
     outlines: list[Polygon] = field(default_factory=list)
+    heaps: list[Heap] = field(default_factory=list)
 
     def put(self, name: str, position: Vec3, orientation: Quat) -> None:
         self.position[name], self.orientation[name] = position, orientation
@@ -54,7 +57,9 @@ class _Layout:
         self.outlines.append(outline)
 
     def state(self) -> BlockState:
-        return BlockState(self.world, self.position, self.orientation)
+        """What is placed so far, in the order of the world."""
+        placed = [name for name in self.world.blocks if name in self.position]
+        return BlockState(self.world, {n: self.position[n] for n in placed}, {n: self.orientation[n] for n in placed})
 
     def free(self, x: float, y: float, radius: float, clearance: float) -> bool:
         """Is a disc around (x, y) clear of everything by `clearance`?"""
@@ -71,29 +76,30 @@ def sample_start(init: InitialState, world: World, seed: int, attempt: int = 0) 
     Raises Refusal (`start-no-room`, `start-unstable`) where there is none.
     """
     diagnostic = _no_room(world)
-    for layout in range(LAYOUTS):
-        draw = f"{seed}/{attempt}/{layout}"
-        found = _compose(init, world, draw)
-        if found is None:
+    for number in range(LAYOUTS):
+        draw = f"{seed}/{attempt}/{number}"
+        layout = _compose(init, world, draw)
+        if layout is None:
             continue
-        if not (init.arranged or init.heaps):
+        found, heaps = layout.state(), tuple(layout.heaps)
+        if not (init.arranged or heaps):
             return found
-        state = settled_state(found)
-        if state is not None and _acceptable(init, found, state):
+        state = dropped(found, heaps) if heaps else settled_state(found)
+        if state is not None and _acceptable(heaps, found, state):
             return state
         diagnostic = _unstable()
     raise Refusal([diagnostic])
 
 
-def _compose(init: InitialState, world: World, draw: str) -> BlockState | None:
+def _compose(init: InitialState, world: World, draw: str) -> _Layout | None:
     """One try at a layout; None where something found no place."""
     layout = _Layout(world)
     for patch in world.patches.values():
         if patch.position is not None:
             layout.keep_clear(footprint(layout.state(), patch.name))
+    if init.arranged and not _put_arranged(init, layout, draw):
+        return None
     _put_poses(init, layout, draw)
-    if init.arranged:
-        _put_arranged(init, layout, draw)
     for index, heap in enumerate(init.heaps):
         if not _put_heap(heap, layout, Random(f"{draw}/heap {index}")):
             return None
@@ -113,8 +119,7 @@ def _compose(init: InitialState, world: World, draw: str) -> BlockState | None:
                 return None
             x, y, yaw = place
             layout.put(name, (x, y, TABLE_Z + block.size / 2), yaw_quat(yaw))
-    order = list(world.blocks)
-    return BlockState(world, {n: layout.position[n] for n in order}, {n: layout.orientation[n] for n in order})
+    return layout
 
 
 def _place(layout: _Layout, size: float, rng: Random) -> tuple[float, float, float] | None:
@@ -145,72 +150,55 @@ def _put_poses(init: InitialState, layout: _Layout, draw: str) -> None:
         layout.put(block.name, (x, y, TABLE_Z + block.size / 2), yaw_quat(start.yaw))
 
 
-def _put_arranged(init: InitialState, layout: _Layout, draw: str) -> None:
-    """Blocks that a goal mentions, in a state where it holds."""
-    from rpg.blocks.arrange import arrange
-
+def _put_arranged(init: InitialState, layout: _Layout, draw: str) -> bool:
+    """Blocks that a goal mentions, in a state where it holds; off the patches that it does not mention."""
     goal = All(goals=init.arranged)
-    mentioned = set(names(goal)) | set(layout.position)
-    assets = [a for name, a in layout.world.assets.items() if name in mentioned or name in layout.world.patches]
-    before = layout.state() if layout.position else None
-    found = arrange(goal, World(assets), rng=Random(f"{draw}/arranged"), start=before)[0]
-    for name in layout.world.blocks:
-        if name in mentioned and name not in layout.position:
-            layout.put(name, found.position[name], found.orientation[name])
+    mentioned = set(names(goal))
+    assets = [asset for name, asset in layout.world.assets.items() if name in mentioned]
+    found = arrange(goal, World(assets), rng=Random(f"{draw}/arranged"), count=2)[-1]
+    for name in found.position:
+        outline = footprint(found, name)
+        if not all(polygon_gap(outline, footprint(layout.state(), p)) >= TIGHT for p in _others(layout, mentioned)):
+            return False
+    for name in found.position:
+        layout.put(name, found.position[name], found.orientation[name])
+    return True
 
 
-def _put_heap(heap: Iterable[str], layout: _Layout, rng: Random) -> bool:
-    """Blocks above a free place, turned anyhow, ready to fall into a heap."""
-    blocks = [layout.world.blocks[name] for name in heap]
-    size = max(block.size for block in blocks)
-    spread = HEAP_SPREAD * size * (1.0 if len(blocks) > 2 else 0.5)
-    radius = size * math.sqrt(len(blocks)) * 0.8 + size
+def _others(layout: _Layout, mentioned: set[str]) -> list[str]:
+    """Patches that are not in `mentioned`."""
+    return [name for name in layout.world.patches if name not in mentioned]
+
+
+def _put_heap(names: tuple[str, ...], layout: _Layout, rng: Random) -> bool:
+    """Blocks above a free place, ready to fall into a heap."""
+    side = shaft(layout.world, names)
+    radius = side / math.sqrt(2) + HEAP_MARGIN
     for _ in range(PROPOSALS):
-        x = rng.uniform(WORKSPACE_X[0] + size, WORKSPACE_X[1] - size)
-        y = rng.uniform(WORKSPACE_Y[0] + size, WORKSPACE_Y[1] - size)
+        x = rng.uniform(WORKSPACE_X[0] + side / 2, WORKSPACE_X[1] - side / 2)
+        y = rng.uniform(WORKSPACE_Y[0] + side / 2, WORKSPACE_Y[1] - side / 2)
         if layout.free(x, y, radius, CLEARANCE):
             break
     else:
         return False
-    for level, block in enumerate(blocks):
-        height = TABLE_Z + size + level * size * 1.1
-        place = (x + rng.uniform(-spread, spread), y + rng.uniform(-spread, spread), height)
-        layout.position[block.name], layout.orientation[block.name] = place, _turned_anyhow(rng)
+    heap = Heap(names, x, y, side)
+    layout.heaps.append(heap)
+    for name, (position, orientation) in above(layout.world, heap, rng).items():
+        layout.position[name], layout.orientation[name] = position, orientation
     layout.circles.append((x, y, radius))
     layout.outlines.append(_outline(x, y, 0.0, 2 * radius))
     return True
 
 
-def _turned_anyhow(rng: Random) -> Quat:
-    """A uniformly random orientation."""
-    parts = [rng.gauss(0.0, 1.0) for _ in range(4)]
-    length = math.sqrt(sum(part * part for part in parts))
-    w, x, y, z = (part / length for part in parts)
-    return (w, x, y, z)
-
-
-def _acceptable(init: InitialState, before: BlockState, state: BlockState) -> bool:
+def _acceptable(heaps: Iterable[Heap], before: BlockState, state: BlockState) -> bool:
     """Has a start settled within the workspace, heaps in one piece and all else where it was put?"""
-    heaped = {name for heap in init.heaps for name in heap}
+    heaped = {name for heap in heaps for name in heap.names}
     for name, (x, y, z) in state.position.items():
         if not (WORKSPACE_X[0] <= x <= WORKSPACE_X[1] and WORKSPACE_Y[0] <= y <= WORKSPACE_Y[1] and z > TABLE_Z):
             return False
-        if name not in heaped and math.dist((x, y, z), before.position[name]) > 0.005:
+        if name not in heaped and math.dist((x, y, z), before.position[name]) > STIRRED:
             return False
-    return all(_in_one_piece(tuple(heap), state) for heap in init.heaps) and not _on_patches(heaped, state)
-
-
-def _in_one_piece(heap: tuple[str, ...], state: BlockState) -> bool:
-    """Is every block of the heap within reach of another one, and something on top of something?"""
-    chain = HEAP_CHAIN * max(state.world.edge[name] for name in heap)
-    reached, frontier = {heap[0]}, [heap[0]]
-    while frontier:
-        name = frontier.pop()
-        near = [n for n in heap if n not in reached and body_gap(state, name, n) <= chain]
-        reached.update(near)
-        frontier += near
-    raised = any(state.bottom(name) > TABLE_Z + state.world.edge[name] / 4 for name in heap)
-    return len(reached) == len(heap) and (raised or len(heap) < 3)
+    return all(in_one_piece(heap, state) for heap in heaps) and not _on_patches(heaped, state)
 
 
 def _on_patches(blocks: Iterable[str], state: BlockState) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, PlainSerializer
+from pydantic import BaseModel, BeforeValidator, ConfigDict, PlainSerializer, WithJsonSchema
 
 
 class Record(BaseModel):
@@ -25,5 +25,6 @@ Names = Annotated[
     tuple[str, ...],
     BeforeValidator(_as_tuple),
     PlainSerializer(_as_scalar, return_type=Any),
+    WithJsonSchema({"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}),
 ]
 """One or more names of objects; a single name may be written without a list."""

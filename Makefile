@@ -1,0 +1,50 @@
+# Everything runs in a virtual environment, .venv unless VENV says otherwise. `make help` lists the targets.
+PYTHON ?= $(shell command -v python3.11 || command -v python3)
+VENV ?= .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.rpg-installed
+INSTRUCTION ?= Build a tower: white at the bottom, then blue, then red on top
+
+.DEFAULT_GOAL := help
+.PHONY: help setup demo test check format schemas docs bench corpus clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+setup: $(READY) ## make the virtual environment and install rpg with what its tests need
+
+$(READY): pyproject.toml
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	@touch $@
+
+demo: setup ## compile an instruction (INSTRUCTION="...") into a verified task under tasks/
+	$(BIN)/rpg compile "$(INSTRUCTION)"
+
+test: setup ## run all tests
+	$(BIN)/pytest --numprocesses auto --dist loadfile
+
+check: setup ## lint, formatting, types, architecture
+	$(BIN)/ruff check src tests benchmarks
+	$(BIN)/ruff format --check src tests benchmarks
+	$(BIN)/mypy
+	$(BIN)/pytest tests/project
+
+format: setup ## format the code and mend what the linter can
+	$(BIN)/ruff check --fix src tests benchmarks
+	$(BIN)/ruff format src tests benchmarks
+
+schemas: setup ## export the JSON Schemas to schemas/
+	$(BIN)/python -m rpg.ir.export schemas
+
+docs: setup ## write the generated pages of docs/
+	$(BIN)/python docs/generate.py
+
+bench: setup ## measure speed, each figure beside its floor
+	$(BIN)/python benchmarks/bench.py
+
+corpus: setup ## report how the corpus of instructions fares: right, refused, wrong
+	$(BIN)/python -m tests.corpus.run
+
+clean: ## remove what was built, but no tasks
+	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

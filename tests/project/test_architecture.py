@@ -1,0 +1,118 @@
+"""Which room may import which, what starting the command line loads, and how long files and functions are."""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGE = ROOT / "src" / "rpg"
+FILES = sorted(PACKAGE.rglob("*.py"))
+
+BASE = {"core", "ir", "blocks"}
+MAY_IMPORT: dict[str, set[str]] = {
+    "core": set(),
+    "ir": {"core"},
+    "blocks": {"core", "ir"},
+    "env": BASE,
+    "llm": {"core"},
+    "passes.schema": BASE | {"llm"},
+    "passes.codegen": BASE | {"llm"},
+    "passes.validate": BASE | {"env"},
+    "passes.repair": BASE | {"llm"},
+    "steer": BASE | {"llm"},
+    "store": {"core", "ir"},
+    "evaluate": BASE | {"env", "store"},
+    "cli": {"core", "ir", "store", "evaluate", "pipeline", "batch", "loading", "explain"},
+}
+"""Rooms, and the rooms besides itself that each may import. Modules directly below `rpg` may import everything."""
+OUTSIDE: dict[str, set[str]] = {
+    "core": {"pydantic"},
+    "ir": {"pydantic"},
+    "llm": {"pydantic", "litellm"},
+    "store": {"pydantic", "pydantic_core", "yaml", "networkx"},
+    "cli": {"typer", "rich", "mujoco"},
+}
+"""Packages that rooms may import, where that is limited."""
+MAX_FILE, MAX_FUNCTION = 400, 60
+
+
+def room(module: str) -> str:
+    """The room of a module `rpg.…`: its first part, or two for the passes."""
+    parts = module.split(".")[1:]
+    return ".".join(parts[:2]) if parts[:1] == ["passes"] else (parts or [""])[0]
+
+
+def module_of(path: Path) -> str:
+    parts = path.relative_to(PACKAGE.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def imports(path: Path) -> Iterator[str]:
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: write imports in full"
+            yield from (
+                (f"{node.module}.{alias.name}" for alias in node.names) if node.module == "rpg" else [str(node.module)]
+            )
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_imports_point_one_way(path: Path) -> None:
+    own = room(module_of(path))
+    if own not in MAY_IMPORT:
+        return
+    for imported in imports(path):
+        if imported.split(".")[0] == "rpg":
+            other = room(imported)
+            assert other in MAY_IMPORT[own] | {own}, f"{own} must not import {imported}"
+        elif own in OUTSIDE and imported.split(".")[0] not in sys.stdlib_module_names:
+            assert imported.split(".")[0] in OUTSIDE[own], f"{own} must not import {imported}"
+
+
+def test_every_room_has_its_rule() -> None:
+    rooms = {room(module_of(path)) for path in FILES if len(module_of(path).split(".")) > 2}
+    assert rooms - {"passes"} <= set(MAY_IMPORT)
+
+
+HEAVY = ("mujoco", "numpy", "pydantic", "litellm", "networkx", "gymnasium", "yaml", "rich")
+
+
+def loaded_after(code: str) -> set[str]:
+    script = f"import sys\n{code}\nprint(*sorted(m for m in sys.modules if '.' not in m))"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    return set(done.stdout.splitlines()[-1].split())
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import rpg",
+        "import rpg.cli.main",
+        "from rpg.cli.main import run\nassert run(['--help']) == 0",
+        "from rpg.cli.main import run\nassert run(['compile', '--help']) == 0",
+    ],
+)
+def test_starting_up_loads_nothing_heavy(code: str) -> None:
+    assert not loaded_after(code) & set(HEAVY)
+
+
+def test_work_without_a_model_does_not_load_one() -> None:
+    assert "litellm" not in loaded_after("import rpg.pipeline, rpg.loading, rpg.store")
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PACKAGE)))
+def test_files_and_functions_stay_short(path: Path) -> None:
+    text = path.read_text()
+    assert len(text.splitlines()) <= MAX_FILE
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            length = (node.end_lineno or 0) - node.lineno + 1
+            assert length <= MAX_FUNCTION, f"{node.name} has {length} lines"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable
 
-from rpg.blocks.english import describe
+from rpg.blocks.english import describe_goal
 from rpg.ir.assets import Asset, GoalPatch, SemanticCube
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen.layout import WIDTH
@@ -19,7 +19,7 @@ def docstring(schema: TaskSchema, conditions: tuple[str, ...]) -> list[str]:
     paragraphs = [
         f"{objects(schema.assets)}.",
         "",
-        f"Goal: {describe(schema).strip()}",
+        f"Goal: {describe_goal(schema)}",
         "Success: "
         + (f"{', '.join(conditions)}; " if criteria else "")
         + "every block released, supported and at rest.",

@@ -1,0 +1,79 @@
+"""Goals in words: clauses for atoms, joined by the connectives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rpg.blocks.english import relations, structures
+from rpg.blocks.english.speaker import Speaker
+from rpg.blocks.nouns import join, number
+from rpg.ir import goal as g
+
+CLAUSES: dict[str, Callable[[Any, Speaker], str]] = {**relations.TABLE, **structures.TABLE}
+"""A clause for each kind of atom."""
+ORDINALS = ("First", "Then", "After that", "Next")
+
+
+def spoken(goal: g.Goal, say: Speaker) -> str:
+    """A goal as one clause."""
+    match goal:
+        case g.All():
+            return join([spoken(part, say) for part in goal.goals])
+        case g.Any():
+            return "either " + join([spoken(part, say) for part in goal.goals], "or")
+        case g.Not():
+            return _negated(goal.goal, say)
+        case g.Count():
+            return _counted(goal, say)
+        case g.Sequence():
+            return ", then ".join(spoken(stage.goal, say) for stage in goal.stages)
+        case g.Always():
+            return f"{spoken(goal.goal, say)} at all times"
+    return CLAUSES[goal.kind](goal, say)
+
+
+def sentences(goal: g.Goal, say: Speaker) -> list[str]:
+    """A goal as sentences without their full stops."""
+    match goal:
+        case g.All():
+            return [sentence for part in goal.goals for sentence in sentences(part, say)]
+        case g.Sequence():
+            last = len(goal.stages) - 1
+            leads = [ORDINALS[min(i, 2)] if i < last else "Finally" if last > 1 else "Then" for i in range(last + 1)]
+            return [f"{lead}, {spoken(stage.goal, say)}" for lead, stage in zip(leads, goal.stages, strict=True)]
+    text = spoken(goal, say)
+    return [text[:1].upper() + text[1:]]
+
+
+def _negated(goal: g.Goal, say: Speaker) -> str:
+    """The opposite of a goal: of an atom by its verb, of a compound by what that means for its parts."""
+    match goal:
+        case g.Not():
+            return spoken(goal.goal, say)
+        case g.Any():
+            return join([_negated(part, say) for part in goal.goals])
+        case g.All():
+            return "either " + join([_negated(part, say) for part in goal.goals], "or")
+    say.negated = not say.negated
+    text = spoken(goal, say)
+    say.negated = not say.negated
+    return text
+
+
+def _counted(goal: g.Count, say: Speaker) -> str:
+    low, high, total = goal.at_least, goal.at_most, len(goal.over)
+    if high == 0:
+        many = "none"
+    elif high == low:
+        many = f"exactly {number(low)}"
+    elif high is None or high >= total:
+        many = f"at least {number(low)}"
+    elif low == 0:
+        many = f"at most {number(high)}"
+    else:
+        many = f"between {number(low)} and {number(high)}"
+    say.aliases[goal.var] = f"{many} of {say.the(goal.over)}"
+    text = spoken(goal.goal, say)
+    del say.aliases[goal.var]
+    return text

@@ -1,0 +1,165 @@
+"""Clauses for relations: where blocks are with respect to each other, to patches and to the table."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rpg.blocks.english.measures import cm, span
+from rpg.blocks.english.speaker import Speaker
+from rpg.ir import relations as r
+
+DIRECTIONS = {
+    "left_of": "to the left of",
+    "right_of": "to the right of",
+    "in_front_of": "in front of",
+    "behind": "behind",
+}
+
+REGIONS: dict[r.Region, str] = {
+    "left_half": "in the left half of the table",
+    "right_half": "in the right half of the table",
+    "near_half": "in the near half of the table",
+    "far_half": "in the far half of the table",
+    "middle": "in the middle of the table",
+    "corner": "in a corner of the table",
+    "edge": "at an edge of the table",
+    "near_left_corner": "in the near left corner of the table",
+    "near_right_corner": "in the near right corner of the table",
+    "far_left_corner": "in the far left corner of the table",
+    "far_right_corner": "in the far right corner of the table",
+    "left_edge": "at the left edge of the table",
+    "right_edge": "at the right edge of the table",
+    "near_edge": "at the near edge of the table",
+    "far_edge": "at the far edge of the table",
+}
+
+
+def on(node: r.On, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} on {say.the(node.b)}"
+
+
+def above(node: r.Above, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} somewhere above {say.the(node.b)}"
+
+
+def on_table(node: r.OnTable, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} on the table"
+
+
+def clear(node: r.Clear, say: Speaker) -> str:
+    if say.negated:
+        return f"something {'must be' if say.modal else 'is'} on {say.the(node.a)}"
+    return f"nothing {'must be' if say.modal else 'is'} on {say.the(node.a)}"
+
+
+def on_patch(node: r.OnPatch, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} on {say.the(node.patch)}"
+
+
+def empty(node: r.Empty, say: Speaker) -> str:
+    return f"{say.the(node.patch)} {say.be(node.patch)} empty"
+
+
+def directional(node: r.Directional, say: Speaker) -> str:
+    adverb = "immediately " if node.immediate else "directly " if node.directly else ""
+    adverb = "somewhere " if node.somewhere else adverb
+    return f"{say.the(node.a)} {say.be(node.a)} {adverb}{DIRECTIONS[node.kind]} {say.the(node.b)}"  # type: ignore[attr-defined]
+
+
+def beside(node: r.Beside, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} next to {say.the(node.b)}"
+
+
+def adjacent(node: r.Adjacent, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} adjacent to {say.the(node.b)}"
+
+
+def touching(node: r.Touching, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.do(node.a, 'touch', 'touches')} {say.the(node.b)}"
+
+
+def near(node: r.Near, say: Speaker) -> str:
+    if node.distance != 0.10:
+        return f"{say.the(node.a)} {say.be(node.a)} at most {cm(node.distance)} from {say.the(node.b)}"
+    return f"{say.the(node.a)} {say.be(node.a)} near {say.the(node.b)}"
+
+
+def apart(node: r.Apart, say: Speaker) -> str:
+    if node.distance != 0.10:
+        return f"{say.the(node.a)} {say.be(node.a)} at least {cm(node.distance)} from {say.the(node.b)}"
+    return f"{say.the(node.a)} {say.be(node.a)} apart from {say.the(node.b)}"
+
+
+def distance(node: r.Distance, say: Speaker) -> str:
+    length = span(node.minimum, node.maximum)
+    if node.measure == "faces":
+        ends = f"between {say.the(node.a)} and {say.the(node.b)}"
+        return f"there {say.be('gap')} a gap of {length} {ends}"
+    return f"{say.the(node.a)} {say.be(node.a)} {length} from {say.the(node.b)}"
+
+
+def between(node: r.Between, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} between {say.the(node.b)} and {say.the(node.c)}"
+
+
+def in_region(node: r.InRegion, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.be(node.a)} {REGIONS[node.region]}"
+
+
+def facing(node: r.Facing, say: Speaker) -> str:
+    block = say.the(node.block)
+    face = f"the {node.face} face of {block}" if node.face else f"the {node.label} of {block}" if node.label else block
+    way = {"viewer": "the viewer", "front": "the front", "back": "the back"}.get(node.toward, node.toward)
+    turns = {0.0: "upright", 180.0: "upside down", 90.0: "turned a quarter turn counterclockwise"}
+    if node.turn is None:
+        return f"{face} {say.do(node.block, 'face', 'faces')} {way}"
+    turn = turns.get(node.turn % 360, "turned a quarter turn clockwise" if node.turn % 360 == 270 else "")
+    turn = turn or f"turned by {node.turn:g} degrees"
+    if node.toward == "viewer" and not node.face:
+        return f"{block} {say.be(node.block)} {turn}"
+    return f"{face} {say.do(node.block, 'face', 'faces')} {way}, {turn}"
+
+
+def stayed(node: r.Stayed, say: Speaker) -> str:
+    where = "it is" if say.single(node.a) else "they are"
+    return f"{say.the(node.a)} {say.do(node.a, 'stay', 'stays')} where {where}"
+
+
+def moved(node: r.Moved, say: Speaker) -> str:
+    return f"{say.the(node.a)} {say.do(node.a, 'move', 'moves')} by at least {cm(node.at_least)}"
+
+
+def swapped(node: r.Swapped, say: Speaker) -> str:
+    return f"{say.the(node.a)} and {say.the(node.b)} {say.do((*node.a, *node.b), 'swap', 'swaps')} places"
+
+
+def turned(node: r.Turned, say: Speaker) -> str:
+    way = "" if node.either_way else " counterclockwise" if node.degrees > 0 else " clockwise"
+    return f"{say.the(node.block)} {say.be(node.block)} turned by {abs(node.degrees):g} degrees{way}"
+
+
+TABLE: dict[str, Any] = {
+    "on": on,
+    "above": above,
+    "on_table": on_table,
+    "clear": clear,
+    "on_patch": on_patch,
+    "empty": empty,
+    "left_of": directional,
+    "right_of": directional,
+    "in_front_of": directional,
+    "behind": directional,
+    "beside": beside,
+    "adjacent": adjacent,
+    "touching": touching,
+    "near": near,
+    "apart": apart,
+    "distance": distance,
+    "between": between,
+    "in_region": in_region,
+    "facing": facing,
+    "stayed": stayed,
+    "moved": moved,
+    "swapped": swapped,
+    "turned": turned,
+}

@@ -1,0 +1,130 @@
+"""Clauses for what blocks form together: stacks, towers, rows, figures, groups, words and equations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rpg.blocks.english.measures import cm
+from rpg.blocks.english.orders import ATTRIBUTES, ordered, patterned
+from rpg.blocks.english.speaker import Speaker
+from rpg.blocks.nouns import join, number
+from rpg.ir import structures as s
+
+WAY = {"left": "to the left", "right": "to the right", "front": "to the front", "back": "to the back"}
+
+
+def _form(node: Any, say: Speaker, what: str) -> str:
+    return f"{say.the(node.blocks)} {say.do(node.blocks, 'form', 'forms')} {what}"
+
+
+def stack(node: s.Stack, say: Speaker) -> str:
+    place = f" on {say.the(node.patch)}" if node.patch else ""
+    order = ordered(_upward(node), say)
+    if node.exact:
+        return _form(node, say, f"a tower of exactly {number(len(node.blocks))}{place}{order}")
+    return f"{say.the(node.blocks)} {say.be(node.blocks)} stacked{place}{order}"
+
+
+def _upward(node: s.Stack) -> Any:
+    """The order of a stack, with its direction said."""
+    if node.order.by in ("any", "alternating", "mirrored", "together") or node.order.first:
+        return node.order
+    return node.order.model_copy(update={"first": "bottom"})
+
+
+def towers(node: s.Towers, say: Speaker) -> str:
+    what = f"{number(node.count)} towers" if node.count else "towers"
+    if node.heights:
+        what = join([f"a tower of {number(height)}" for height in node.heights])
+    what += " of equal height" if node.equal else ""
+    if node.each:
+        own = "a different" if node.separate else "a single"
+        what += f", each of {own} {ATTRIBUTES[node.each]}"
+    what += ", each on a patch of its color" if node.matching else ""
+    return _form(node, say, what)
+
+
+def row(node: s.Row, say: Speaker) -> str:
+    kind = {"x": "in a column on the table", "y": "in a row", None: "in a line"}[node.axis]
+    order = ordered(node.order, say)
+    space = " without gaps" if node.touching else ""
+    space += f" with {cm(node.spacing)} between centers" if node.spacing is not None else ""
+    space += f" with gaps of {cm(node.gap)}" if node.gap is not None else ""
+    space += ", evenly spaced" if node.evenly else ""
+    return f"{say.the(node.blocks)} {say.be(node.blocks)} {kind}{order}{space}"
+
+
+def grid(node: s.Grid, say: Speaker) -> str:
+    if node.rows == 1 and node.layers > 1:
+        what = f"a wall {number(node.columns)} blocks wide and {number(node.layers)} blocks high"
+    elif node.layers > 1:
+        what = f"a {node.rows}x{node.columns}x{node.layers} cube"
+    else:
+        what = f"a grid of {number(node.rows)} rows and {number(node.columns)} columns"
+    return _form(node, say, what + patterned(node.pattern, say))
+
+
+def pyramid(node: s.Pyramid, say: Speaker) -> str:
+    long, deep = node.base
+    base = f"{long}x{deep} base" if deep > 1 else f"base of {number(long)} blocks"
+    return _form(node, say, f"a pyramid with a {base}{patterned(node.pattern, say)}")
+
+
+def staircase(node: s.Staircase, say: Speaker) -> str:
+    way = f" going up {WAY[node.up]}" if node.up else ""
+    return _form(node, say, f"a staircase of {number(node.steps)} steps{way}{patterned(node.pattern, say)}")
+
+
+def figure(node: s.Figure, say: Speaker) -> str:
+    name = {"plus": "plus sign"}.get(node.shape, node.shape)
+    sides = f"{node.sides[0]}x{node.sides[1]} " if node.sides and node.shape in ("square", "rectangle") else ""
+    if node.shape in ("square", "rectangle", "triangle", "circle"):
+        what = f"a filled {sides}{name}" if node.filled else f"the outline of a {sides}{name}"
+        what = f"a {name}" if node.shape == "circle" and not node.filled else what
+    else:
+        what = f"{'an' if name in 'LX' else 'a'} {name}" + (" shape" if len(name) == 1 else "")
+    way = f" pointing {WAY[node.pointing]}" if node.pointing else ""
+    return _form(node, say, what + way + patterned(node.pattern, say))
+
+
+def group_by(node: s.GroupBy, say: Speaker) -> str:
+    blocks = tuple(name for group in node.groups for name in group)
+    odd = (
+        f" with exactly {number(node.outliers)} outlier{'s' * (node.outliers > 1)} in each group"
+        if node.outliers
+        else ""
+    )
+    if node.by:
+        count = number(len(node.groups))
+        return f"{say.the(blocks)} {say.be(blocks)} sorted by {ATTRIBUTES[node.by]} into {count} groups{odd}"
+    if len(node.groups) == 1:
+        return f"{say.the(blocks)} {say.be(blocks)} in one group"
+    groups = [
+        f"{say.the(group)} in {'one group' if i == 0 else 'another group'}" for i, group in enumerate(node.groups)
+    ]
+    return f"{join(groups)}{odd}"
+
+
+def spells(node: s.Spells, say: Speaker) -> str:
+    way = " from top to bottom in a tower" if node.along == "stack" else ""
+    way = {"row": " backwards", "stack": " from bottom to top in a tower"}[node.along] if node.reverse else way
+    return f"{say.the(node.blocks)} {say.do(node.blocks, 'spell', 'spells')} the word {node.word}{way}"
+
+
+def equation(node: s.Equation, say: Speaker) -> str:
+    what = f"the equation {node.text}" if node.text else "a true equation"
+    return _form(node, say, what + (" from top to bottom in a tower" if node.along == "stack" else ""))
+
+
+TABLE: dict[str, Any] = {
+    "stack": stack,
+    "towers": towers,
+    "row": row,
+    "grid": grid,
+    "pyramid": pyramid,
+    "staircase": staircase,
+    "figure": figure,
+    "group_by": group_by,
+    "spells": spells,
+    "equation": equation,
+}

@@ -144,7 +144,7 @@ EDIT: TypeAdapter[Edit] = TypeAdapter(Edit)
 def apply(schema: TaskSchema, edits: Iterable[Edit]) -> TaskSchema:
     """`schema` with every edit applied in turn, checked. Raises EditError, TooSmall, or pydantic's ValidationError."""
     for edit in edits:
-        schema = _apply(schema, edit)
+        schema = step(schema, edit)
     return TaskSchema.model_validate(schema.model_dump())
 
 
@@ -178,7 +178,8 @@ def conjoin(goal: g.Goal, more: g.Goal) -> g.Goal:
     return g.All(goals=tuple(parts))
 
 
-def _apply(schema: TaskSchema, edit: Edit) -> TaskSchema:
+def step(schema: TaskSchema, edit: Edit) -> TaskSchema:
+    """`schema` with one edit applied, unchecked."""
     match edit:
         case AddAsset():
             return _copy(schema, assets=(*schema.assets, _fresh(schema, edit.asset)))

@@ -9,7 +9,9 @@ from rpg.passes.schema.grammar.amounts import count, length
 from rpg.passes.schema.grammar.core import Parser, Results, TooMuchWork, rule
 from rpg.passes.schema.grammar.labels import label_list, literal
 from rpg.passes.schema.grammar.nouns import noun_phrase, simple
+from rpg.passes.schema.grammar.orders import order
 from rpg.passes.schema.grammar.relations import bounds, loc
+from rpg.passes.schema.grammar.structures import dimensions
 from rpg.passes.schema.tokens import Token, tokenize
 
 __all__ = [
@@ -21,6 +23,7 @@ __all__ = [
     "bounds",
     "colors",
     "count",
+    "dimensions",
     "label_list",
     "length",
     "lexicon",
@@ -28,6 +31,7 @@ __all__ = [
     "loc",
     "m",
     "noun_phrase",
+    "order",
     "rule",
     "simple",
     "tokenize",

@@ -1,0 +1,295 @@
+"""Requests about numbers: how many blocks, how large a figure, how tight a tolerance, how wide a gap."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.steer import requests as r
+from rpg.steer.language import Parser, bounds, count, dimensions, length, m, simple
+
+_TALL = ("blocks tall", "blocks high", "block tall", "block high", "tall", "high", "levels", "layers", "levels high", "layers high", "steps", "steps high", "levels tall",
+         "cubes tall", "cubes high", "layers tall", "stories high", "stories")  # fmt: skip
+_LONG = ("blocks long", "blocks wide", "long", "wide", "cubes long", "cubes wide", "in length", "blocks in length")
+_BLOCKS = (
+    "blocks",
+    "cubes",
+    "block",
+    "cube",
+    "pieces",
+    "letters",
+    "bricks",
+    "of them",
+    "blocks in total",
+    "blocks total",
+)
+_MORE = {"taller": 1, "higher": 1, "longer": 1, "shorter": -1, "lower": -1, "wider": 1, "bigger": 1, "smaller": -1}
+
+
+def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "make it five blocks tall", "make the tower two blocks taller", "use four blocks", "make the base 4x4"."""
+    for theme, j in _subjects(p, i):
+        yield from _to(p, i, j, theme)
+        yield from _by(p, i, j, theme)
+    if j := p.any_of(
+        i, ("use", "with", "have", "only use", "use only", "just use", "make it with", "build it with", "do it with")
+    ):
+        j = p.opt(j, "only", "just")
+        for n, k in count(p, j):
+            if end := p.any_of(k, _BLOCKS):
+                end = _instead_of(p, end)
+                yield r.Recount(theme=None, amount=n, span=p.span(i, end)), end
+    for phrase, by in (("extend", 1), ("lengthen", 1), ("shorten", -1), ("grow", 1)):
+        j = p.seq(i, phrase)
+        for theme, k in simple(p, j) if j else ():
+            for n, end in _by_so_many(p, k):
+                yield r.Recount(theme=theme, by=by * n, span=p.span(i, end)), end
+
+
+def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
+    """Phrases such as "make the tower", "it should be", "change the number of blocks to"."""
+    if j := p.any_of(i, ("make", "have", "build", "let", "change", "extend", "turn")):
+        for theme, k in simple(p, j):
+            if isinstance(theme, m.Structure | m.Pronoun):
+                yield theme, p.any_of(k, ("to be", "to", "be", "into", "out of", "from", "with")) or k
+        for phrase in (
+            "the number of blocks",
+            "the number of cubes",
+            "the height",
+            "the length",
+            "the count",
+            "the size",
+        ):
+            if (k := p.seq(j, phrase)) and (end := p.any_of(k, ("to", "be"))):
+                yield None, end
+    for theme, k in simple(p, i):
+        if isinstance(theme, m.Structure | m.Pronoun) and (
+            end := p.any_of(k, ("should be", "must be", "should have", "needs to be", "has", "must have"))
+        ):
+            yield theme, end
+
+
+def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
+    for n, k in count(p, j):
+        for phrases, what in ((_TALL, "height"), (_LONG, "length"), (_BLOCKS, "blocks")):
+            if end := p.any_of(k, phrases):
+                end = _instead_of(p, p.any_of(end, ("tall", "high", "long", "wide")) or end)
+                yield r.Recount(theme=theme, amount=n, what=what, span=p.span(i, end)), end
+    start = p.any_of(j, ("a", "an")) or j
+    for dims, k in dimensions(p, start):
+        end = (
+            p.any_of(
+                k,
+                ("square", "grid", "base", "cube", "wall", "rectangle", "pyramid", "one", "at the base", "block base"),
+            )
+            or k
+        )
+        yield r.Recount(theme=theme, dims=dims, span=p.span(i, end)), end
+
+
+def _by(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
+    start = p.any_of(j, ("one block", "a block", "one level", "a level", "one layer", "a layer", "one step")) or j
+    amount = 1
+    if start == j:
+        for n, k in count(p, j):
+            start, amount = p.any_of(k, ("blocks", "levels", "layers", "cubes", "steps", "block")) or k, n
+    word = p.words[start] if start < p.end else ""
+    if word in _MORE and (start > j or word not in ("bigger", "smaller")):
+        for n, end in _by_so_many(p, start + 1):
+            yield r.Recount(theme=theme, by=_MORE[word] * (amount if start > j else n), span=p.span(i, end)), end
+
+
+def _by_so_many(p: Parser, i: int) -> Iterator[tuple[int, int]]:
+    if j := p.one(i, "by"):
+        for n, k in count(p, j):
+            yield n, p.any_of(k, ("blocks", "block", "levels", "cubes", "level", "layers", "layer", "more")) or k
+        return
+    yield 1, i
+
+
+def _instead_of(p: Parser, i: int) -> int:
+    """Phrases such as "instead of three"."""
+    if j := p.any_of(i, ("instead of", "rather than", "not")):
+        for _, k in count(p, j):
+            return p.any_of(k, _BLOCKS) or k
+    return i
+
+
+def loosening(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "tighten the tolerance to 5 mm", "space them further apart", "the gaps should be 2 cm"."""
+    yield from _tolerance(p, i)
+    yield from _spacing(p, i)
+
+
+_TIGHTEN = {
+    "tighten": 0.5, "loosen": 2.0, "relax": 2.0, "halve": 0.5, "double": 2.0, "reduce": 0.5, "increase": 2.0, "widen": 2.0, "narrow": 0.5,
+    "decrease": 0.5, "lower": 0.5, "raise": 2.0, "triple": 3.0, "set": 1.0, "change": 1.0, "make": 1.0, "shrink": 0.5, "use": 1.0,
+}  # fmt: skip
+_TOLERANCE = (
+    "the tolerance",
+    "the tolerances",
+    "tolerance",
+    "tolerances",
+    "the accuracy",
+    "the precision",
+    "the position tolerance",
+    "a tolerance",
+    "its tolerance",
+)
+_GAP = (
+    "the gaps",
+    "the gap",
+    "gaps",
+    "the space",
+    "the spaces",
+    "the distance",
+    "the distances",
+    "the gaps between them",
+    "the gap between them",
+)
+_SPACING = ("the spacing", "spacing", "a spacing")
+
+
+def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    for word, factor in _TIGHTEN.items():
+        j = p.one(i, word)
+        if not j:
+            continue
+        for nouns, what in ((_TOLERANCE, "tolerance"), (_GAP, "gap"), (_SPACING, "spacing")):
+            k = p.any_of(j, nouns)
+            if not k:
+                continue
+            k = (
+                p.any_of(
+                    k,
+                    (
+                        "between the blocks",
+                        "between them",
+                        "between blocks",
+                        "between neighbors",
+                        "between neighbours",
+                        "of the row",
+                    ),
+                )
+                or k
+            )
+            yield from _valued(p, i, k, what, factor)
+    if j := p.any_of(
+        i,
+        (
+            "be more precise",
+            "be stricter",
+            "make it stricter",
+            "make it more precise",
+            "be more exact",
+            "make it tighter",
+            "make it harder",
+        ),
+    ):
+        yield r.Loosen(what="tolerance", factor=0.5, span=p.span(i, j)), j
+    if j := p.any_of(
+        i,
+        (
+            "be less strict",
+            "be more lenient",
+            "make it looser",
+            "make it less strict",
+            "be less precise",
+            "make it more lenient",
+            "be more forgiving",
+            "make it easier",
+        ),
+    ):
+        yield r.Loosen(what="tolerance", factor=2.0, span=p.span(i, j)), j
+    if j := p.any_of(
+        i,
+        (
+            "to within",
+            "within",
+            "with a tolerance of",
+            "allow a tolerance of",
+            "with tolerance",
+            "allow an error of",
+            "allow",
+        ),
+    ):
+        for metres, k in length(p, j):
+            yield r.Loosen(what="tolerance", value=metres, span=p.span(i, k), cost=1), k
+
+
+def _valued(p: Parser, i: int, k: int, what: str, factor: float) -> Iterator[tuple[r.Request, int]]:
+    """A new value, or a factor where none is given."""
+    if n := p.any_of(k, ("to", "of", "be", "at", "a")):
+        for metres, end in length(p, n):
+            yield r.Loosen(what=what, value=metres, span=p.span(i, end)), end
+    for phrase, change in (("smaller", 0.5), ("tighter", 0.5), ("narrower", 0.5), ("larger", 2.0), ("bigger", 2.0), ("wider", 2.0), ("looser", 2.0), ("twice as wide", 2.0),
+                           ("twice as large", 2.0), ("half as wide", 0.5), ("shorter", 0.5), ("longer", 2.0), ("stricter", 0.5)):  # fmt: skip
+        if end := p.seq(k, phrase):
+            yield r.Loosen(what=what, factor=change, span=p.span(i, end)), end
+    if end := p.any_of(k, ("even", "equal", "the same")):
+        yield r.Loosen(what="even", span=p.span(i, end)), end
+    if factor != 1.0:
+        end = p.any_of(k, ("a bit", "a little", "slightly")) or k
+        yield r.Loosen(what=what, factor=factor, span=p.span(i, end)), end
+
+
+def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    starts = [i]
+    if j := p.any_of(
+        i,
+        ("space", "spread", "move", "put", "place", "make", "keep", "set", "bring", "push", "leave", "have", "arrange"),
+    ):
+        starts += [j, *(k for _, k in simple(p, j))]
+    if j := p.any_of(i, ("they should be", "the blocks should be", "they must be", "with", "leave", "they are")):
+        starts.append(j)
+    for start in starts:
+        start = p.opt(start, "out")
+        for phrase, factor in (("further apart", 2.0), ("farther apart", 2.0), ("closer together", 0.5), ("more widely", 2.0), ("wider apart", 2.0), ("more tightly", 0.5),
+                               ("nearer together", 0.5), ("closer", 0.5), ("twice as far apart", 2.0)):  # fmt: skip
+            if k := p.seq(start, phrase):
+                yield r.Loosen(what="spacing", factor=factor, span=p.span(i, k)), k
+        if k := p.any_of(
+            start,
+            (
+                "evenly",
+                "equally",
+                "evenly spaced",
+                "equally spaced",
+                "at equal distances",
+                "with equal gaps",
+                "evenly apart",
+                "evenly spaced out",
+            ),
+        ):
+            yield r.Loosen(what="even", span=p.span(i, k)), k
+        if k := p.any_of(
+            start,
+            (
+                "touching",
+                "touching each other",
+                "without gaps",
+                "with no gaps",
+                "with no gaps between them",
+                "so that they touch",
+                "touch each other",
+            ),
+        ):
+            yield r.Loosen(what="touching", span=p.span(i, k)), k
+        for low, high, what, k in _apart(p, start):
+            yield r.Loosen(what=what, value=high, low=low, span=p.span(i, k)), k
+
+
+def _apart(p: Parser, i: int) -> Iterator[tuple[float | None, float | None, str, int]]:
+    """Phrases such as "6 cm apart", "with gaps of 2 cm"."""
+    for (low, high), j in bounds(p, i):
+        if k := p.any_of(
+            j, ("apart", "apart from each other", "from each other", "between centers", "between centres")
+        ):
+            yield low, high, "spacing", k
+        if k := p.any_of(
+            j,
+            ("gaps", "gap", "between them", "between the blocks", "of space between them", "of space", "between each"),
+        ):
+            yield low, high, "gap", k
+    if j := p.any_of(i, ("with gaps of", "with a gap of", "gaps of", "a gap of", "leaving a gap of")):
+        for (low, high), k in bounds(p, j):
+            yield low, high, "gap", p.any_of(k, ("between them", "between the blocks", "between each")) or k

@@ -1,0 +1,106 @@
+"""A request in words -> the version it refers to and the changes it asks for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rpg.core.diagnostics import Span
+from rpg.steer import requests as r
+from rpg.steer.backrefs import Reference, references
+from rpg.steer.grammar import request, skip, tail
+from rpg.steer.language import Parser, TooMuchWork, m, tokenize
+
+MAX_REQUESTS = 8
+_STOPS = frozenset({".", ";", "!", "?", "…"})
+
+
+@dataclass(frozen=True)
+class Parsed:
+    """What was understood. `rest`: the part of the text, from that character on, that no edit grammar covers."""
+
+    reference: Reference | None = None
+    requests: tuple[r.Request, ...] = ()
+    rest: Span | None = None
+    whole: bool = True
+    cost: int = field(default=0, compare=False)
+
+
+def parse(text: str) -> tuple[Parsed, ...]:
+    """Every reading of `text`, the best first: those that cover it all, then those that leave words over."""
+    tokens, _ = tokenize(text)
+    while tokens and tokens[-1].word in _STOPS:
+        tokens = tokens[:-1]
+    p = Parser(tokens)
+    found: list[Parsed] = []
+    try:
+        for reference, start in _openings(p):
+            found += _chains(p, start, reference)
+    except TooMuchWork:
+        return ()
+    found.sort(key=lambda each: (not each.whole, _left(each, text), each.cost))
+    return tuple(found)
+
+
+def _left(parsed: Parsed, text: str) -> int:
+    return 0 if parsed.rest is None else len(text) - parsed.rest[0]
+
+
+def _openings(p: Parser) -> list[tuple[Reference | None, int]]:
+    """Where the changes begin: after a reference to a version, or at once."""
+    found: list[tuple[Reference | None, int]] = []
+    start = skip(p, 0)
+    for reference, j in references(p, start):
+        k = p.any_of(j, (", but", "but", ", and", "and", ", then", "then", ",", ":", ".", ";")) or j
+        found.append((reference, skip(p, k)))
+    found.append((None, 0))
+    return found
+
+
+def _chains(p: Parser, start: int, reference: Reference | None) -> list[Parsed]:
+    """Requests one after the other; for every chain that stops early, what it leaves over."""
+    done: list[Parsed] = []
+    if start >= p.end:
+        return [Parsed(reference=reference)] if reference else []
+
+    def go(i: int, so_far: tuple[r.Request, ...], cost: int) -> None:
+        if len(so_far) >= MAX_REQUESTS or len(done) > 200:
+            return
+        extended = False
+        for found, j in request(p, i):
+            j = tail(p, j)
+            total = cost + found.cost + m_cost(found) + 1
+            if j >= p.end:
+                done.append(Parsed(reference, (*so_far, found), None, True, total))
+                extended = True
+            elif k := _join(p, j):
+                go(k, (*so_far, found), total)
+                extended = True
+        if not extended and i < p.end:
+            place = (p.tokens[i].span[0], p.tokens[-1].span[1])
+            done.append(Parsed(reference, so_far, place, False, cost))
+
+    go(start, (), 0)
+    return done
+
+
+def _join(p: Parser, i: int) -> int:
+    """The position after what joins two requests."""
+    j = i
+    while j < p.end and (p.words[j] in _STOPS or p.words[j] == ","):
+        j += 1
+    k = p.any_of(j, ("and then", "and also", "and", "then", "but also", "but", "also", "while", "plus", "afterwards", "after that")) or j
+    return k if k > i else 0
+
+
+def m_cost(found: r.Request) -> int:
+    """The cost of the phrases inside a request."""
+    from rpg.passes.schema.meaning import cost_of
+
+    total = 0
+    for name in type(found).__dataclass_fields__:
+        value = getattr(found, name)
+        if isinstance(value, m.Meaning):
+            total += cost_of(value)
+        elif isinstance(value, tuple):
+            total += sum(cost_of(each) for each in value if isinstance(each, m.Meaning))
+    return total

@@ -1,0 +1,73 @@
+"""Where an edit puts things: spots in a line, and the relations of the instruction language."""
+
+from __future__ import annotations
+
+from rpg.steer.language import Parser, Results, loc, m, rule, simple
+from rpg.steer.requests import Place, Spot
+
+_ENDS = {
+    "on top": "top", "on the top": "top", "at the top": "top", "to the top": "top", "on the very top": "top",
+    "at the very top": "top", "to the very top": "top", "as the top": "top", "up top": "top", "above": "top",
+    "at the bottom": "bottom", "on the bottom": "bottom", "to the bottom": "bottom", "underneath": "bottom",
+    "below": "bottom", "beneath": "bottom", "under": "bottom", "as the base": "bottom", "at the base": "bottom",
+    "to the base": "bottom", "at the very bottom": "bottom", "as a base": "bottom", "as the bottom": "bottom",
+    "at the end": "end", "to the end": "end", "on the end": "end", "at the very end": "end", "last": "end",
+    "at the beginning": "begin", "to the beginning": "begin", "at the start": "begin", "to the start": "begin",
+    "first": "begin",
+    "at the left end": "left", "on the left end": "left", "to the left end": "left", "at the far left": "left",
+    "on the far left": "left", "to the far left": "left", "at the left": "left", "on the left": "left", "to the left": "left",
+    "at the right end": "right", "on the right end": "right", "to the right end": "right", "at the far right": "right",
+    "on the far right": "right", "to the far right": "right", "at the right": "right", "on the right": "right",
+    "to the right": "right", "leftmost": "left", "rightmost": "right",
+    "in front": "front", "at the front": "front", "to the front": "front", "at the back": "back", "to the back": "back",
+    "behind": "back", "at the front end": "front", "at the back end": "back",
+    "in the middle": "middle", "to the middle": "middle", "in the center": "middle", "in the centre": "middle",
+    "in between": "middle", "in between them": "middle", "between them": "middle", "between the two": "middle",
+    "next to it": "beside", "beside it": "beside", "next to them": "beside", "beside them": "beside", "alongside": "beside",
+    "alongside it": "beside", "next to that": "beside",
+}  # fmt: skip
+_SIDES_OF = {
+    "on the top of": "top", "at the top of": "top", "to the top of": "top", "on top of": "top",
+    "at the bottom of": "bottom", "on the bottom of": "bottom", "to the bottom of": "bottom", "at the base of": "bottom",
+    "at the end of": "end", "to the end of": "end", "at the left end of": "left", "to the left end of": "left",
+    "on the left end of": "left", "at the right end of": "right", "to the right end of": "right",
+    "on the right end of": "right", "in the middle of": "middle", "in the center of": "middle",
+    "at the beginning of": "begin", "at the start of": "begin", "at the front of": "front", "at the back of": "back",
+}  # fmt: skip
+_INTO = ("to", "into", "in", "onto", "for")
+
+
+@rule
+def places(p: Parser, i: int) -> Results[tuple[Place, ...]]:
+    """Nothing, one place, or two ("on top of the red block, to the left of the patch"); the longest first."""
+    for first, j in place(p, i):
+        k = p.opt(j, ",", "and")
+        for second, end in place(p, k):
+            if not isinstance(second, Spot):
+                yield (first, second), end
+        yield (first,), j
+    yield (), i
+
+
+@rule
+def place(p: Parser, i: int) -> Results[Place]:
+    """One place."""
+    start = (
+        p.any_of(i, ("that is", "which is", "that goes", "sitting", "placed", "standing", "directly", "right", "also"))
+        or i
+    )
+    for at in {i: None, start: None}:
+        for phrase, side in _SIDES_OF.items():
+            if j := p.seq(at, phrase):
+                for whole, k in simple(p, j):
+                    if isinstance(whole, m.Structure | m.Pronoun):
+                        yield Spot(side=side, whole=whole), k
+        for phrase, side in _ENDS.items():
+            if j := p.seq(at, phrase):
+                yield Spot(side=side), j
+        if j := p.any_of(at, _INTO):
+            for whole, k in simple(p, j):
+                if isinstance(whole, m.Structure) and whole.det in ("the", "its", "all", "each"):
+                    yield Spot(side="any", whole=whole), k
+        for found, j in loc(p, at):
+            yield found, j

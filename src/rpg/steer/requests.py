@@ -1,0 +1,138 @@
+"""What an edit asks for, before anybody looks at the task: small frozen records with their places in the request."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rpg.core.diagnostics import Span
+from rpg.steer.language import m
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Request:
+    """The root of every record. `cost` ranks readings: natural ones are free."""
+
+    span: Span
+    cost: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spot:
+    """A place in a line: an end of it, its middle, or next to a member (`side` of `landmark`)."""
+
+    side: str
+    whole: m.Meaning | None = None
+
+
+Place = Spot | m.Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Add(Request):
+    """New objects and where they go. `extra`: distractors. `more`: "another", "more": like those mentioned last."""
+
+    theme: m.Meaning
+    places: tuple[Place, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Remove(Request):
+    """Objects that leave the task."""
+
+    theme: m.Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Replace(Request):
+    """`new` takes the place of `old` (None: of every block of the structure, or of the task)."""
+
+    old: m.Meaning | None
+    new: m.Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Restyle(Request):
+    """Objects get another colour, symbol or size. `scale`: bigger (> 1) or smaller."""
+
+    theme: m.Meaning | None
+    traits: m.Traits = m.Traits()
+    scale: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recount(Request):
+    """A structure gets another number of blocks, or other dimensions. `by`: so many more (or fewer)."""
+
+    theme: m.Meaning | None
+    amount: int | None = None
+    dims: tuple[int, ...] = ()
+    by: int | None = None
+    what: str = "blocks"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reorder(Request):
+    """A line or a figure is ordered anew. `how`: "reverse", "mirror", "label", "number", "color", "size", "given",
+    "alternating", "mirrored", "together", "any". `keep`: blocks that stay where they are."""
+
+    how: str
+    theme: m.Meaning | None = None
+    items: m.Meaning | None = None
+    descending: bool = False
+    first: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Keep(Request):
+    """Objects that the other requests of the sentence leave where they are."""
+
+    theme: m.Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Trade(Request):
+    """Two objects (or groups) change places in the goal."""
+
+    a: m.Meaning
+    b: m.Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Move(Request):
+    """Objects of the task go elsewhere."""
+
+    theme: m.Meaning
+    place: Place
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reshape(Request):
+    """The same blocks form something else."""
+
+    structure: m.Meaning
+    theme: m.Meaning | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Loosen(Request):
+    """Tolerances or gaps change: by a factor, or to a value in metres. `what`: "tolerance", "gap", "spacing", "even"."""
+
+    what: str
+    factor: float | None = None
+    value: float | None = None
+    low: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outliers(Request):
+    """Groups trade members, so that each has so many strangers."""
+
+    count: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sentence(Request):
+    """A clause of the instruction language, to be read in the task's context. `also`: in addition to the goal."""
+
+    text: str
+    also: bool = False

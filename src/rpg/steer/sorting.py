@@ -1,0 +1,182 @@
+"""Requests for another order: reverse, mirror, sort, list."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.steer import requests as r
+from rpg.steer.language import Parser, m, noun_phrase, order, simple
+
+REVERSE = (
+    "reverse",
+    "flip",
+    "invert",
+    "turn around",
+    "turn over",
+    "flip around",
+    "turn upside down",
+    "flip over",
+    "turn",
+)
+SORT = (
+    "sort",
+    "order",
+    "reorder",
+    "arrange",
+    "rearrange",
+    "organize",
+    "organise",
+    "line up",
+    "put",
+    "rank",
+    "keep",
+    "stack",
+    "have",
+    "make",
+    "group",
+)
+_THEIR = ("the color order of", "the order of", "the colour order of", "the sequence of", "the arrangement of", "the colors of", "the colours of", "the stacking order of",
+          "the letters of", "the direction of")  # fmt: skip
+_PLAIN = ("the color order", "the colour order", "the order", "the sequence", "the arrangement", "the direction", "the stacking order", "the colors", "its order",
+          "their order", "the block order")  # fmt: skip
+BY = {
+    "label": "label", "number": "number", "rainbow": "rainbow", "size": "size", "alternating": "alternating", "mirrored": "mirrored",
+    "any": "any", "size_down": "size_down", "size_up": "size_up", "ascending": "ascending", "even_first": "even_first",
+    "odd_first": "odd_first", "vowel_first": "vowel_first", "consonant_first": "consonant_first",
+}  # fmt: skip
+_ATTRIBUTES = {"color": "color", "label": "label", "size": "size", "kind": "kind", "parity": "parity", "vowel": "vowel"}
+_COLORS = ("by different colors", "by different colours", "by their colors", "by colors", "by colours", "by their colours", "by color", "by colour", "by their color",
+           "into different colors", "by the colors", "according to color", "according to their colors")  # fmt: skip
+
+
+def reorder(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Every way to ask for another order."""
+    yield from _reverse(p, i)
+    yield from _mirror(p, i)
+    yield from _sort(p, i)
+    yield from _no_matter(p, i)
+
+
+def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    for phrase in REVERSE:
+        j = p.seq(i, phrase)
+        if not j:
+            continue
+        for of in _THEIR:
+            if k := p.seq(j, of):
+                yield from _upside(p, i, k, "reverse", noun_phrase(p, k))
+        for plain in _PLAIN:
+            if k := p.seq(j, plain):
+                k = p.any_of(k, ("around", "upside down")) or k
+                yield r.Reorder(how="reverse", span=p.span(i, k)), k
+        yield from _upside(p, i, j, "reverse", noun_phrase(p, j), wanted=phrase == "turn")
+        if phrase != "turn" and (k := p.any_of(j, ("everything", "things", "all"))):
+            yield r.Reorder(how="reverse", span=p.span(i, k)), k
+    if j := p.any_of(i, ("do it in reverse order", "in reverse order", "the other way around", "the other way round", "make it the other way around", "do it the other way around",
+                         "make it the other way round", "upside down", "in reverse", "turn it upside down", "in the opposite order", "put them in reverse order",
+                         "the opposite order", "use the opposite order", "use the reverse order", "backwards")):  # fmt: skip
+        yield r.Reorder(how="reverse", span=p.span(i, j)), j
+
+
+def _upside(
+    p: Parser, i: int, _at: int, how: str, themes: list[tuple[m.Meaning, int]], wanted: bool = False
+) -> Iterator[tuple[r.Request, int]]:
+    for theme, k in themes:
+        if isinstance(theme, m.Noun) and not theme.plural:
+            continue
+        end = p.any_of(k, ("upside down", "around", "over", "the other way around")) or (k if not wanted else 0)
+        if end:
+            yield r.Reorder(how=how, theme=theme, span=p.span(i, end)), end
+
+
+def _mirror(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    for phrase in (
+        "mirror",
+        "mirror image",
+        "flip horizontally",
+        "make a mirror image of",
+        "swap left and right in",
+        "reflect",
+    ):
+        if j := p.seq(i, phrase):
+            for theme, k in simple(p, j):
+                end = p.any_of(k, ("left to right", "horizontally", "left and right", "sideways")) or k
+                yield r.Reorder(how="mirror", theme=theme, span=p.span(i, end)), end
+            if k := p.any_of(
+                j, ("everything", "the whole thing", "the arrangement", "the scene", "the goal", "the task")
+            ):
+                yield r.Reorder(how="mirror", span=p.span(i, k)), k
+    if j := p.any_of(i, ("swap left and right", "exchange left and right", "switch left and right", "make it mirrored left to right", "flip left and right",
+                         "flip it horizontally", "flip it left to right", "mirror left and right")):  # fmt: skip
+        yield r.Reorder(how="mirror", span=p.span(i, j)), j
+
+
+def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "sort them alphabetically", "order the row by size, from right to left", "put them in the order red, blue, green"."""
+    starts: list[tuple[m.Meaning | None, int]] = []
+    for phrase in SORT:
+        if j := p.seq(i, phrase):
+            starts.append((None, j))
+            starts += [(theme, k) for theme, k in noun_phrase(p, j) if not isinstance(theme, m.Coord)]
+            if k := p.any_of(j, ("the letters", "the numbers", "the colors", "the order")):
+                starts.append((None, k))
+    for phrase in (
+        "change the order to",
+        "change the order",
+        "the order should be",
+        "use the order",
+        "with the order",
+        "set the order to",
+    ):
+        if j := p.seq(i, phrase):
+            starts.append((None, j))
+    if not starts and (p.words[i : i + 1] in (["alphabetically"], ["numerically"]) or p.words[i : i + 1] == ["in"]):
+        starts.append((None, i))
+    for theme, j in starts:
+        j = p.opt(j, "now", "so", "to")
+        j = p.any_of(j, ("be sorted", "be ordered", "be arranged", "sorted", "ordered", "be")) or j
+        yield from _orders(p, i, j, theme)
+
+
+def _orders(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
+    for phrase in _COLORS:
+        if k := p.seq(j, phrase):
+            yield r.Reorder(how="color", theme=theme, span=p.span(i, k)), k
+    for found, k in order(p, j):
+        if not isinstance(found, m.OrderBy):
+            continue
+        how = _how(found)
+        if how is None:
+            continue
+        items = m.Coord(op="and", items=found.items, span=found.span) if found.items else None
+        for first, end in _first(p, k):
+            yield (
+                r.Reorder(
+                    how=how, theme=theme, items=items, descending=found.descending, first=first, span=p.span(i, end)
+                ),
+                end,
+            )
+
+
+def _how(found: m.OrderBy) -> str | None:
+    if found.by == "attribute":
+        return _ATTRIBUTES.get(found.attribute)
+    if found.by == "given":
+        return "given" if found.items else None
+    return "reverse" if found.by == "reverse" else BY.get(found.by)
+
+
+def _first(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
+    """The side where the order begins: "from right to left"."""
+    for found, k in order(p, p.opt(i, ",")):
+        if isinstance(found, m.Toward) and found.first:
+            yield found.first, k
+    yield None, i
+
+
+def _no_matter(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    j = p.any_of(i, ("the order does not matter", "the order does not matter any more", "in any order", "ignore the order", "drop the order", "forget the order",
+                     "remove the order", "any order is fine", "the order no longer matters", "order does not matter", "let the order be free", "any order will do",
+                     "in no particular order"))  # fmt: skip
+    if j:
+        yield r.Reorder(how="any", span=p.span(i, j)), p.any_of(j, ("any more", "anymore")) or j

@@ -259,6 +259,21 @@ def riders(state: BlockState, name: str) -> list[str]:
     return [other for other in state.position if other != name and rests_on(state, other, name)]
 
 
+def carried(state: BlockState, name: str) -> list[str]:
+    """The block with everything that rests on it, directly or not."""
+    found = [name]
+    for block in found:
+        found += [rider for rider in riders(state, block) if rider not in found]
+    return found
+
+
+def reach(state: BlockState, name: str) -> tuple[float, float]:
+    """Half of the extent along x and y of a block's or a patch's footprint."""
+    outline = footprint(state, name)
+    x, y, _ = state.where(name)
+    return max(abs(u - x) for u, _ in outline), max(abs(v - y) for _, v in outline)
+
+
 def grounded(state: BlockState, name: str) -> bool:
     """Does the block rest on the table, or on blocks that do?"""
     frontier, seen = [name], {name}

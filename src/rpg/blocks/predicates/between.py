@@ -7,8 +7,10 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
+from rpg.blocks.geometry import carried
 from rpg.blocks.nouns import phrase, verb
-from rpg.blocks.predicate import Predicate
+from rpg.blocks.predicate import NearMiss, Predicate
+from rpg.blocks.predicates.common import PAST, set_aside, shift, swap
 from rpg.blocks.predicates.direction import edge_between
 from rpg.blocks.predicates.vertical import above
 from rpg.blocks.state import BlockState, World
@@ -57,10 +59,34 @@ class BetweenPredicate(Predicate[Between]):
             for share in (0.5, 0.4, 0.6, 0.3, 0.7):
                 yield bx + share * (cx - bx), by + share * (cy - by)
             return
+        spread = 3.4 * state.world.edge.get(block, 0.04)
+        for other in placed if not any(n in state.position for n in members(node.a)) else ():
+            (ox, oy, _) = state.where(other)
+            yield from ((ox + dx, oy + dy) for dx, dy in ((0.0, spread), (0.0, -spread), (spread, 0.0), (-spread, 0.0)))
         anchors = [n for n in members(node.a) if n in state.position]
         for anchor, other in ((a, o) for a in anchors for o in placed if block not in (a, o)):
             (ax, ay, _), (ox, oy, _) = state.where(anchor), state.where(other)
             yield 2 * ax - ox, 2 * ay - oy
+
+    def near_misses(self, node: Between, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a, b, c = state.resolve(node.a)[0], state.resolve(node.b)[0], state.resolve(node.c)[0]
+        if a not in state.position or len(state.resolve(node.b)) * len(state.resolve(node.c)) > 1:
+            return
+        if {b, c} <= state.position.keys() and (above(b, c, state) or above(c, b, state)):
+            yield NearMiss(f"{a} set down on the table", set_aside(state, a))
+            yield NearMiss(f"{a} and {b} exchanged", swap(state, a, b))
+            return
+        (ax, ay, _), (bx, by, _), (cx, cy, _) = state.where(a), state.where(b), state.where(c)
+        length = math.hypot(cx - bx, cy - by)
+        ux, uy = (cx - bx) / length, (cy - by) / length
+        edge = max(edge_between(state, a, b), edge_between(state, a, c))
+        off = node.within_edges * edge + PAST
+        load = carried(state, a)
+        mx, my = (bx + cx) / 2 - ax, (by + cy) / 2 - ay
+        yield NearMiss(f"{a} off the line from {b} to {c}", shift(state, load, mx - off * uy, my + off * ux))
+        for end, (ex, ey), sign in ((b, (bx, by), -1.0), (c, (cx, cy), 1.0)):
+            beyond = shift(state, load, ex + sign * edge * ux - ax, ey + sign * edge * uy - ay)
+            yield NearMiss(f"{a} beyond {end}", beyond)
 
     def english(self, node: Between, world: World) -> str:
         ends = f"{phrase(node.b, world)} and {phrase(node.c, world)}"

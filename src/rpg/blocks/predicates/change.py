@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import permutations
 from random import Random
 from typing import Any
 
+from rpg.blocks.geometry import carried
 from rpg.blocks.nouns import phrase, verb
-from rpg.blocks.predicate import Predicate
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.predicate import NearMiss, Predicate
+from rpg.blocks.predicates.common import PAST, product, put, shift
+from rpg.blocks.state import IDENTITY, BlockState, World, yaw_quat
 from rpg.blocks.verdict import Verdict, at_least, at_most, every, some
 from rpg.ir.relations import Moved, Stayed, Swapped, Turned
 
@@ -34,6 +36,10 @@ class StayedPredicate(Predicate[Stayed]):
     def evaluate(self, node: Stayed, state: BlockState) -> Verdict:
         return every([at_most(travelled(a, state), node.tolerance) for a in state.resolve(node.a)])
 
+    def near_misses(self, node: Stayed, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a = state.resolve(node.a)[0]
+        yield from _from_start(a, f"{a} pushed away from where it was", node.tolerance + PAST, state)
+
     def english(self, node: Stayed, world: World) -> str:
         return f"{phrase(node.a, world)} {verb(node.a, 'stays', 'stay')} where {verb(node.a, 'it is', 'they are')}"
 
@@ -43,6 +49,11 @@ class MovedPredicate(Predicate[Moved]):
 
     def evaluate(self, node: Moved, state: BlockState) -> Verdict:
         return every([at_least(travelled(a, state), node.at_least) for a in state.resolve(node.a)])
+
+    def near_misses(self, node: Moved, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a = state.resolve(node.a)[0]
+        yield from _from_start(a, f"{a} hardly moved", node.at_least - PAST, state)
+        yield from _from_start(a, f"{a} where it was", 0.0, state)
 
     def english(self, node: Moved, world: World) -> str:
         words = f"{phrase(node.a, world)} {verb(node.a)} moved by at least"
@@ -75,6 +86,18 @@ class SwappedPredicate(Predicate[Swapped]):
         start = start_of(state)
         yield from (start.position[n][:2] for n in theirs if n in start.position)
 
+    def near_misses(self, node: Swapped, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a, b = node.a[0], node.b[0]
+        start = start_of(state)
+        yield NearMiss(f"{a} and {b} back where they were", put_back(state, (*node.a, *node.b)))
+        place = min(node.b, key=lambda n: math.dist(start.position[n], state.position[a]))
+        (px, py, _), (x, y, _) = start.position[place], state.position[a]
+        dy = node.tolerance + PAST
+        if len(node.a) == 1:
+            load = carried(state, a)
+            yield NearMiss(f"{a} not quite in the place of {b}", shift(state, load, px - x, py + dy - y))
+            yield NearMiss(f"only {a} in its new place", put_back(state, (b,)))
+
     def english(self, node: Swapped, world: World) -> str:
         return f"{phrase(node.a, world)} and {phrase(node.b, world)} have swapped places"
 
@@ -84,13 +107,44 @@ class TurnedPredicate(Predicate[Turned]):
 
     def evaluate(self, node: Turned, state: BlockState) -> Verdict:
         yaw, upright = yaw_since_start(node.block, state)
-        wanted = (node.degrees, -node.degrees) if node.either_way else (node.degrees,)
-        off = min(abs((yaw - w + 180.0) % 360.0 - 180.0) for w in wanted)
+        off = min(abs((yaw - w + 180.0) % 360.0 - 180.0) for w in wanted_turns(node))
         return at_most(max(off, upright), node.tolerance)
+
+    def near_misses(self, node: Turned, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        begun = start_of(state).orientation.get(node.block, IDENTITY)
+        past = node.tolerance + 3.0
+        for degrees, what in (
+            (node.degrees + past, "too far"),
+            (node.degrees - past, "too little"),
+            (0.0, "not at all"),
+        ):
+            gaps = (abs((degrees - w + 180.0) % 360.0 - 180.0) for w in wanted_turns(node))
+            if min(gaps) > node.tolerance:
+                quat = product(yaw_quat(math.radians(degrees)), begun)
+                turned = put(state, node.block, state.position[node.block], quat)
+                yield NearMiss(f"{node.block} turned {what}", turned)
 
     def english(self, node: Turned, world: World) -> str:
         way = "" if node.either_way else (" counter-clockwise" if node.degrees > 0 else " clockwise")
         return f"{phrase(node.block, world)} is turned by {abs(node.degrees):g} degrees{way}"
+
+
+def wanted_turns(node: Turned) -> tuple[float, ...]:
+    """The turns in degrees that `node` accepts."""
+    return (node.degrees, -node.degrees) if node.either_way else (node.degrees,)
+
+
+def put_back(state: BlockState, blocks: Iterable[str]) -> BlockState:
+    """`state` with some blocks where they started."""
+    start = start_of(state)
+    return state.moved({n: (start.position[n], start.orientation.get(n, IDENTITY)) for n in blocks})
+
+
+def _from_start(name: str, what: str, distance: float, state: BlockState) -> Iterator[NearMiss]:
+    """The block at a distance along y from where it started, on the level of its start."""
+    x, y, z = start_of(state).position[name]
+    sign = 1.0 if y < 0.0 else -1.0
+    yield NearMiss(what, put(state, name, (x, y + sign * distance, z), state.orientation.get(name, IDENTITY)))
 
 
 def yaw_since_start(name: str, state: BlockState) -> tuple[float, float]:

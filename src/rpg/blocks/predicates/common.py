@@ -15,6 +15,8 @@ TILT = 15.0
 """A block of a structure is not tilted more than this (degrees)."""
 BUILD_GAP = 0.01
 """Face gap in metres that is left between blocks that need not touch, so that a gripper can place them."""
+PAST = 0.004
+"""How far past a tolerance near-misses lie, in metres."""
 TOUCH = 0.002
 """Faces at most this far apart (m) touch."""
 SPANS = {"x": WORKSPACE_X[1] - WORKSPACE_X[0], "y": WORKSPACE_Y[1] - WORKSPACE_Y[0]}
@@ -79,6 +81,15 @@ def spin(
             x, y = about[0] + c * dx - s * dy, about[1] + s * dx + c * dy
         poses[name] = ((x, y, z), product(yaw_quat(angle), state.orientation.get(name, IDENTITY)))
     return state.moved(poses)
+
+
+def tilted(state: BlockState, name: str, degrees: float) -> BlockState:
+    """`state` with one block tipped about its own x axis, its lowest point where it was."""
+    half = math.radians(degrees) / 2
+    tip: Quat = (math.cos(half), math.sin(half), 0.0, 0.0)
+    x, y, z = state.position[name]
+    tipped = put(state, name, (x, y, z), product(tip, state.orientation.get(name, IDENTITY)))
+    return put(tipped, name, (x, y, z + state.bottom(name) - tipped.bottom(name)), tipped.orientation[name])
 
 
 def product(p: Quat, q: Quat) -> Quat:

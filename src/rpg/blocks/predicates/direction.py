@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
-from rpg.blocks.geometry import footprint_gap
+from rpg.blocks.geometry import carried, footprint_gap, reach
 from rpg.blocks.nouns import phrase, verb
-from rpg.blocks.predicate import Predicate
+from rpg.blocks.predicate import NearMiss, Predicate
+from rpg.blocks.predicates.common import PAST, shift
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict, at_most, every, holds
 from rpg.ir.node import members
@@ -82,6 +83,36 @@ class DirectionalPredicate(Predicate[Directional]):
             x, y, _ = state.where(other)
             for along, across in self._steps(node, block, other, state):
                 yield x + sign * along * ux + across * uy, y + sign * along * uy + across * ux
+
+    def near_misses(self, node: Directional, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        left, right = state.resolve(node.a), state.resolve(node.b)
+        pairs = [(a, b) for a in left for b in right]
+        a, b = min(pairs, key=lambda pair: offsets(self.kind, *pair, state)[0])
+        edge = edge_between(state, a, b)
+        least = least_offset(node, a, b, state)
+        yield self._placed(f"{a} on the other side of {b}", a, b, -least - edge, 0.0, state)
+        yield self._placed(f"{a} not far enough {WORDS[self.kind]} {b}", a, b, least - PAST, 0.0, state)
+        if not node.somewhere and len(pairs) == 1:
+            along = least + 0.25 * edge
+            yield self._placed(f"{a} more beside {b} than {WORDS[self.kind]} it", a, b, along, along + PAST, state)
+        if node.directly:
+            across = node.across_edges * edge + PAST
+            yield self._placed(f"{a} not straight {WORDS[self.kind]} {b}", a, b, least + across, across, state)
+        if node.immediate and len(pairs) == 1:
+            k = 0 if DIRECTIONS[self.kind][0] else 1
+            along = reach(state, a)[k] + reach(state, b)[k] + node.gap_edges * edge + PAST
+            yield self._placed(f"{a} too far {WORDS[self.kind]} {b}", a, b, max(along, least), 0.0, state)
+
+    def _placed(self, what: str, a: str, b: str, along: float, across: float, state: BlockState) -> NearMiss:
+        """`a` (or, where it is a patch, `b`) moved so that their offset is as given."""
+        ux, uy = DIRECTIONS[self.kind]
+        dx, dy = along * ux + across * uy, along * uy + across * ux
+        (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
+        if a in state.position:
+            return NearMiss(what, shift(state, carried(state, a), bx + dx - ax, by + dy - ay))
+        if b in state.position:
+            return NearMiss(what, shift(state, carried(state, b), ax - dx - bx, ay - dy - by))
+        return NearMiss(what, state)
 
     def _steps(self, node: Directional, a: str, b: str, state: BlockState) -> Iterator[tuple[float, float]]:
         edge = edge_between(state, a, b)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+from random import Random
 from typing import Any
 
 from rpg.blocks.nouns import phrase
-from rpg.blocks.predicate import Predicate
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.predicate import NearMiss, Predicate
+from rpg.blocks.predicates.common import product, put, tilted
+from rpg.blocks.state import IDENTITY, BlockState, Quat, World, yaw_quat
 from rpg.blocks.verdict import FALSE, TRUE, Verdict, some
 from rpg.blocks.visibility import TOWARD, Toward, readable, turned, visible
 from rpg.ir.assets import FACES, Face, SemanticCube
@@ -14,6 +18,10 @@ from rpg.ir.relations import Facing
 
 SEEN: dict[str, tuple[Toward, ...]] = {"viewer": ("up", "front"), "up": ("up",), "front": ("front",)}
 """The directions in which the viewer can see a face at all."""
+
+HALF = math.sqrt(0.5)
+PAST_DEGREES = 24.0
+"""A turn just past what counts as facing somewhere, or as upright (14 and 20 degrees)."""
 
 
 def shown_faces(node: Facing, world: World) -> tuple[Face, ...]:
@@ -47,6 +55,25 @@ class FacingPredicate(Predicate[Facing]):
         up = None if node.turn is None else turned(normal, upright, node.turn)
         verdict = readable(state, node.block, face, normal, up, node.normal_cos, node.upright_cos)
         return verdict & seen(node.block, face, toward, state) if verdict else verdict
+
+    def near_misses(self, node: Facing, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        name = node.block
+        own = state.orientation.get(name, IDENTITY)
+        turns: dict[str, Quat] = {
+            "turned by a quarter": yaw_quat(math.pi / 2),
+            "turned by half": yaw_quat(math.pi),
+            "turned a little": yaw_quat(math.radians(PAST_DEGREES)),
+            "tipped onto its side": (HALF, HALF, 0.0, 0.0),
+            "tipped forward": (HALF, 0.0, HALF, 0.0),
+            "upside down": (0.0, 1.0, 0.0, 0.0),
+        }
+        for what, turn in turns.items():
+            mutant = put(state, name, state.position[name], product(turn, own))
+            if not self.evaluate(node, mutant):
+                yield NearMiss(f"{name} {what}", mutant)
+        tipped = tilted(state, name, PAST_DEGREES)
+        if not self.evaluate(node, tipped):
+            yield NearMiss(f"{name} tilted", tipped)
 
     def english(self, node: Facing, world: World) -> str:
         name = phrase(node.block, world)

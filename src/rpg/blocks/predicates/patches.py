@@ -7,9 +7,11 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
-from rpg.blocks.geometry import footprint_gap, grounded
+from rpg.blocks.constants import SUPPORT_GAP
+from rpg.blocks.geometry import carried, footprint_gap, grounded, patch_outline, polygon_gap, reach
 from rpg.blocks.nouns import phrase, verb
-from rpg.blocks.predicate import Predicate
+from rpg.blocks.predicate import NearMiss, Predicate
+from rpg.blocks.predicates.common import PAST, shift
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict, every, holds
 from rpg.ir.assets import GoalPatch
@@ -43,8 +45,27 @@ class OnPatchPredicate(Predicate[OnPatch]):
         if block in members(node.a):
             yield from lattice(state.world.patches[node.patch], state.world.edge[block], rng)
 
+    def near_misses(self, node: OnPatch, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a = state.resolve(node.a)[0]
+        patch = state.world.patches[node.patch]
+        px, py, _ = state.where(node.patch)
+        x, y, _ = state.position[a]
+        load = carried(state, a)
+        for k, side in ((0, "near"), (1, "right")):
+            out = [px - x, py - y]
+            out[k] -= patch.size[k] / 2 + PAST
+            yield NearMiss(f"{a} just past the {side} edge of {node.patch}", shift(state, load, *out))
+        yield NearMiss(f"{a} over {node.patch}", shift(state, load, 0.0, 0.0, SUPPORT_GAP + PAST))
+        for other in (p for p in state.world.patches.values() if p.name != node.patch and not _overlap(p, patch)):
+            ox, oy, _ = state.where(other.name)
+            yield NearMiss(f"{a} on {other.name} instead", shift(state, load, ox - x, oy - y))
+
     def english(self, node: OnPatch, world: World) -> str:
         return f"{phrase(node.a, world)} {verb(node.a)} on {phrase(node.patch, world)}"
+
+
+def _overlap(a: GoalPatch, b: GoalPatch) -> bool:
+    return polygon_gap(patch_outline(a), patch_outline(b)) < 0.0
 
 
 def lattice(patch: GoalPatch, edge: float, rng: Random) -> Iterator[tuple[float, float]]:
@@ -71,6 +92,16 @@ class EmptyPredicate(Predicate[Empty]):
     def evaluate(self, node: Empty, state: BlockState) -> Verdict:
         edge = state.world.edge
         return every([holds(footprint_gap(state, name, node.patch) / edge[name]) for name in state.position])
+
+    def near_misses(self, node: Empty, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        px, py, _ = state.where(node.patch)
+        patch = state.world.patches[node.patch]
+        for a in list(state.position)[:2]:
+            x, y, _ = state.position[a]
+            load = carried(state, a)
+            yield NearMiss(f"{a} on {node.patch}", shift(state, load, px - x, py - y))
+            edge = patch.size[1] / 2 + reach(state, a)[1] - PAST
+            yield NearMiss(f"{a} over the edge of {node.patch}", shift(state, load, px - x, py + edge - y))
 
     def english(self, node: Empty, world: World) -> str:
         return f"{phrase(node.patch, world)} is empty"

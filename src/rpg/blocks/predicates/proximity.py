@@ -7,9 +7,10 @@ from collections.abc import Callable, Iterator
 from random import Random
 from typing import Any
 
-from rpg.blocks.geometry import body_gap, footprint_gap, plane_distance
+from rpg.blocks.geometry import body_gap, carried, footprint_gap, plane_distance, reach, rests_on, riders
 from rpg.blocks.nouns import phrase, verb
-from rpg.blocks.predicate import Predicate
+from rpg.blocks.predicate import NearMiss, Predicate
+from rpg.blocks.predicates.common import PAST, set_aside, shift, stand_on
 from rpg.blocks.predicates.direction import edge_between
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict, at_least, at_most, every, holds, some
@@ -43,8 +44,52 @@ def beside(a: str, b: str, state: BlockState, gap_edges: float) -> Verdict:
     return level(a, b, state) & holds(gap / edge) & at_most(gap, gap_edges * edge)
 
 
+def apart_by(what: str, a: str, b: str, gap: float, state: BlockState) -> NearMiss:
+    """`a` moved along the axis on which it is farthest from `b` until their footprints are `gap` apart."""
+    (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
+    sizes = tuple(p + q for p, q in zip(reach(state, a), reach(state, b), strict=True))
+    if abs(ax - bx) > abs(ay - by):
+        dx, dy = math.copysign(sizes[0] + gap, ax - bx), 0.0
+    else:
+        dx, dy = 0.0, math.copysign(sizes[1] + gap, ay - by)
+    return _displaced(what, a, b, dx, dy, state)
+
+
+def centres_apart_by(what: str, a: str, b: str, distance: float, state: BlockState) -> NearMiss:
+    """`a` moved on the ray from `b` until their centres are `distance` apart."""
+    (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
+    now = math.hypot(ax - bx, ay - by)
+    ux, uy = ((ax - bx) / now, (ay - by) / now) if now > 1e-6 else (0.0, 1.0)
+    return _displaced(what, a, b, distance * ux, distance * uy, state)
+
+
+def _displaced(what: str, a: str, b: str, dx: float, dy: float, state: BlockState) -> NearMiss:
+    (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
+    if a in state.position:
+        return NearMiss(what, shift(state, carried(state, a), bx + dx - ax, by + dy - ay))
+    return NearMiss(what, shift(state, carried(state, b), ax - dx - bx, ay - dy - by))
+
+
+def single_pair(node: Any, state: BlockState) -> tuple[str, str] | None:
+    """The two objects of a relation between one and one, at least one of them a block."""
+    found = pairs(node, state)
+    return found[0] if len(found) == 1 and not state.position.keys().isdisjoint(found[0]) else None
+
+
 class BesidePredicate(Predicate[Any]):
     """Some member of `a` is beside one of `b`."""
+
+    def near_misses(self, node: Beside | Adjacent, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        pair = single_pair(node, state)
+        if pair is None:
+            return
+        a, b = pair
+        gap = node.gap_edges * edge_between(state, a, b)
+        yield apart_by(f"{a} too far from {b}", a, b, gap + PAST, state)
+        if a in state.position and b in state.position:
+            yield NearMiss(f"{a} higher than {b}", shift(state, carried(state, a), 0.0, 0.0, LEVEL_GAP + PAST))
+            if not riders(state, b):
+                yield NearMiss(f"{a} on {b}", stand_on(state, a, b))
 
     def evaluate(self, node: Beside | Adjacent, state: BlockState) -> Verdict:
         return some([beside(a, b, state, node.gap_edges) for a, b in pairs(node, state)])
@@ -65,8 +110,21 @@ class TouchingPredicate(Predicate[Touching]):
 
     def propose(self, node: Touching, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         for x, y, other in _others(node, block, state):
-            reach = (state.world.edge[block] + state.world.edge[other]) / 2
-            yield from ((x + dx * reach, y + dy * reach) for dx, dy in _shuffled(SIDES, rng))
+            far = (state.world.edge[block] + state.world.edge[other]) / 2
+            yield from ((x + dx * far, y + dy * far) for dx, dy in _shuffled(SIDES, rng))
+
+    def near_misses(self, node: Touching, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        pair = single_pair(node, state)
+        if pair is None:
+            return
+        a, b = pair
+        upper, lower = (a, b) if state.position[a][2] >= state.position[b][2] else (b, a)
+        if rests_on(state, upper, lower):
+            lifted = shift(state, carried(state, upper), 0.0, 0.0, node.gap + PAST)
+            yield NearMiss(f"{upper} not quite down on {lower}", lifted)
+            yield NearMiss(f"{upper} set down on the table", set_aside(state, upper))
+        else:
+            yield apart_by(f"a gap between {a} and {b}", a, b, node.gap + PAST, state)
 
     def english(self, node: Touching, world: World) -> str:
         return f"{phrase(node.a, world)} {verb(node.a, 'touches', 'touch')} {phrase(node.b, world)}"
@@ -82,6 +140,11 @@ class NearPredicate(Predicate[Near]):
         for x, y, _ in _others(node, block, state):
             yield from ring(x, y, 0.7 * node.distance, rng)
 
+    def near_misses(self, node: Near, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        pair = single_pair(node, state)
+        if pair is not None:
+            yield centres_apart_by(f"{pair[0]} too far from {pair[1]}", *pair, node.distance + PAST, state)
+
     def english(self, node: Near, world: World) -> str:
         limit = "" if node.distance == 0.10 else f" (within {_cm(node.distance)})"
         return f"{phrase(node.a, world)} {verb(node.a)} near {phrase(node.b, world)}{limit}"
@@ -92,6 +155,11 @@ class ApartPredicate(Predicate[Apart]):
 
     def evaluate(self, node: Apart, state: BlockState) -> Verdict:
         return every([at_least(plane_distance(state, a, b), node.distance) for a, b in pairs(node, state)])
+
+    def near_misses(self, node: Apart, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a, b = min(pairs(node, state), key=lambda pair: plane_distance(state, *pair))
+        if a in state.position or b in state.position:
+            yield centres_apart_by(f"{a} too near {b}", a, b, node.distance - PAST, state)
 
     def english(self, node: Apart, world: World) -> str:
         return f"{phrase(node.a, world)} {verb(node.a)} at least {_cm(node.distance)} from {phrase(node.b, world)}"
@@ -119,8 +187,18 @@ class DistancePredicate(Predicate[Distance]):
                 yield from ring(x, y, middle, rng)
             else:
                 edge = state.world.edge
-                reach = middle + (edge.get(other, 0.1) + edge.get(block, 0.1)) / 2
-                yield from ((x + dx * reach, y + dy * reach) for dx, dy in _shuffled(SIDES, rng))
+                far = middle + (edge.get(other, 0.1) + edge.get(block, 0.1)) / 2
+                yield from ((x + dx * far, y + dy * far) for dx, dy in _shuffled(SIDES, rng))
+
+    def near_misses(self, node: Distance, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        pair = single_pair(node, state)
+        if pair is None:
+            return
+        place = centres_apart_by if node.measure == "centres" else apart_by
+        if node.minimum is not None and node.minimum > PAST:
+            yield place(f"{pair[0]} too near {pair[1]}", *pair, node.minimum - PAST, state)
+        if node.maximum is not None:
+            yield place(f"{pair[0]} too far from {pair[1]}", *pair, node.maximum + PAST, state)
 
     def english(self, node: Distance, world: World) -> str:
         ends = f"{phrase(node.a, world)} and {phrase(node.b, world)}"
@@ -140,8 +218,8 @@ def side_places(
         sizes = state.world.patches[other].size if other in state.world.patches else (edge[other], edge[other])
         gap = gap_edges * max(edge.get(block, 0.0), edge.get(other, 0.0)) / 2
         for dx, dy in _shuffled(SIDES, rng):
-            reach = (sizes[0] if dx else sizes[1]) / 2 + edge.get(block, 0.1) / 2 + gap
-            yield x + dx * reach, y + dy * reach
+            far = (sizes[0] if dx else sizes[1]) / 2 + edge.get(block, 0.1) / 2 + gap
+            yield x + dx * far, y + dy * far
 
 
 def ring(x: float, y: float, radius: float, rng: Random) -> Iterator[tuple[float, float]]:

@@ -8,8 +8,10 @@ from random import Random
 from typing import Any
 
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
+from rpg.blocks.geometry import carried
 from rpg.blocks.nouns import phrase, verb
-from rpg.blocks.predicate import Predicate
+from rpg.blocks.predicate import NearMiss, Predicate
+from rpg.blocks.predicates.common import shift
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict, every, holds
 from rpg.ir.node import members
@@ -73,16 +75,37 @@ class InRegionPredicate(Predicate[InRegion]):
         rng.shuffle(places)
         yield from places[:24]
 
+    def near_misses(self, node: InRegion, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a = next((n for n in state.resolve(node.a) if n in state.position), None)
+        if a is None:
+            return
+        x, y, _ = state.position[a]
+        edge = state.world.edge[a]
+        far = min(_grid(), key=lambda p: region_margin(node.region, p[0], p[1], edge))
+        for place, what in ((_way_out(node.region, x, y, edge), "just outside of"), (far, "far from")):
+            yield NearMiss(f"{a} {what} the region", shift(state, carried(state, a), place[0] - x, place[1] - y))
+
     def english(self, node: InRegion, world: World) -> str:
         return f"{phrase(node.a, world)} {verb(node.a)} {REGION_WORDS[node.region]}"
 
 
 def _grid() -> list[tuple[float, float]]:
-    """Places all over the workspace, 2 cm or so apart."""
+    """Places all over the workspace, 2.5 cm apart."""
     (x0, x1), (y0, y1) = WORKSPACE_X, WORKSPACE_Y
     xs = [x0 + INSET + k * (x1 - x0 - 2 * INSET) / 10 for k in range(11)]
     ys = [y0 + INSET + k * (y1 - y0 - 2 * INSET) / 18 for k in range(19)]
     return [(x, y) for x in xs for y in ys]
+
+
+def _way_out(region: Region, x: float, y: float, edge: float) -> tuple[float, float]:
+    """The nearest place outside of a region along one of the axes."""
+    for step in range(1, 100):
+        for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+            place = (x + 0.005 * step * dx, y + 0.005 * step * dy)
+            outside = min(border_distances(*place).values()) < 0.0
+            if not outside and region_margin(region, *place, edge) < -0.02:
+                return place
+    return (x, y)
 
 
 REGION_WORDS: dict[Region, str] = {

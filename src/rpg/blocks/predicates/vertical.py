@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from random import Random
 from typing import Any
 
-from rpg.blocks.geometry import footprint_gap, riders, table_gap
+from rpg.blocks.geometry import carried, footprint_gap, riders, supporters, table_gap
 from rpg.blocks.nouns import phrase, verb
-from rpg.blocks.predicate import Predicate
+from rpg.blocks.predicate import NearMiss, Predicate
+from rpg.blocks.predicates.common import PAST, set_aside, shift, stand_on, swap, tilted
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import FALSE, Verdict, at_most, every, holds, some
 from rpg.ir.node import Lowest, members
@@ -63,6 +65,20 @@ class OnPredicate(Predicate[On]):
         below = state.resolve(node.b)
         return every(some(directly_on(a, b, state, node) for b in below) for a in state.resolve(node.a))
 
+    def near_misses(self, node: On, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a = state.resolve(node.a)[0]
+        below = state.resolve(node.b)
+        b = next(b for b in below if directly_on(a, b, state, node))
+        load = carried(state, a)
+        (ax, ay, _), (bx, by, _) = state.position[a], state.position[b]
+        past = node.offset_edges * max(state.world.edge[a], state.world.edge[b]) + node.slack + PAST
+        if len(below) == 1:
+            yield NearMiss(f"{a} past the edge of {b}", shift(state, load, bx - ax, by + past - ay))
+            yield NearMiss(f"{b} on {a}", swap(state, a, b))
+        yield NearMiss(f"{a} floating over {b}", shift(state, load, 0.0, 0.0, node.gap + PAST))
+        yield NearMiss(f"{a} tilted on {b}", tilted(state, a, node.tilt + 5.0))
+        yield NearMiss(f"{a} set down on the table", set_aside(state, a))
+
     def supports(self, node: On, world: World) -> Iterable[tuple[str, str]]:
         if len(members(node.a)) == 1 and len(members(node.b)) == 1:
             yield members(node.a)[0], members(node.b)[0]
@@ -78,6 +94,18 @@ class AbovePredicate(Predicate[Above]):
         below = state.resolve(node.b)
         return every(above(a, b, state) for a in state.resolve(node.a) for b in below)
 
+    def near_misses(self, node: Above, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a, b = state.resolve(node.a)[0], state.resolve(node.b)[0]
+        yield NearMiss(f"{a} set down on the table", set_aside(state, a))
+        yield NearMiss(f"{b} above {a}", swap(state, a, b))
+        aside = 0.5 * max(state.world.edge[a], state.world.edge[b]) + DIRECTLY.slack + PAST
+        below = supporters(state, a)
+        if len(below) == 1:
+            (ax, ay, _), (bx, by, _) = state.position[a], state.position[below[0]]
+            yield NearMiss(
+                f"{a} past the edge of {below[0]}", shift(state, carried(state, a), bx - ax, by + aside - ay)
+            )
+
     def english(self, node: Above, world: World) -> str:
         return f"{phrase(node.a, world)} {verb(node.a)} above {phrase(node.b, world)}"
 
@@ -87,6 +115,13 @@ class OnTablePredicate(Predicate[OnTable]):
 
     def evaluate(self, node: OnTable, state: BlockState) -> Verdict:
         return every(at_most(abs(table_gap(state, a)), node.gap) for a in state.resolve(node.a))
+
+    def near_misses(self, node: OnTable, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a = state.resolve(node.a)[0]
+        yield NearMiss(f"{a} over the table", shift(state, carried(state, a), 0.0, 0.0, node.gap + PAST))
+        tops = [n for n in state.position if n not in carried(state, a) and not riders(state, n)]
+        if tops and not isinstance(node.a, Lowest):
+            yield NearMiss(f"{a} on {tops[0]}", stand_on(state, a, tops[0]))
 
     def supports(self, node: OnTable, world: World) -> Iterable[tuple[str, str]]:
         if not isinstance(node.a, Lowest):
@@ -108,6 +143,16 @@ class ClearPredicate(Predicate[Clear]):
             return Verdict(True, 1.0)
         edge = state.world.edge[name]
         return Verdict(False, min(footprint_gap(state, load, name) for load in loads) / edge)
+
+    def near_misses(self, node: Clear, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        a = state.resolve(node.a)[0]
+        other = next(
+            (n for n in state.position if n != a and not riders(state, n) and n not in supporters(state, a)), None
+        )
+        if other is not None:
+            yield NearMiss(f"{other} on {a}", stand_on(state, other, a))
+            edge = max(state.world.edge[a], state.world.edge[other])
+            yield NearMiss(f"{other} half on {a}", shift(stand_on(state, other, a), [other], 0.0, 0.4 * edge))
 
     def english(self, node: Clear, world: World) -> str:
         return f"nothing is on {phrase(node.a, world)}"

@@ -1,9 +1,11 @@
-"""Lowering of a goal path to the class that starts in the goal configuration."""
+"""Lowering of a goal path to the class that starts in the goal configuration, and back."""
 
 from __future__ import annotations
 
+import ast
 import math
 from collections.abc import Sequence
+from typing import Any
 
 from rpg.ir.artifact import Placement, Scene
 from rpg.ir.schema import TaskSchema
@@ -56,3 +58,40 @@ def _turn(placement: Placement) -> tuple[Expr, ...]:
         yaw = round(2 * math.atan2(z, w), 6)
         return (Labelled("yaw=", repr(yaw)),) if yaw else ()
     return (Labelled("quat=", Group("", tuple(repr(value) for value in placement.orientation))),)
+
+
+def read_goal(code: str) -> tuple[Scene, ...] | None:
+    """The scenes that a goal-state file places, as `lower_goal` wrote them; None where it is written otherwise."""
+    try:
+        classes = [node for node in ast.parse(code).body if isinstance(node, ast.ClassDef)]
+        method = next(node for node in classes[-1].body if isinstance(node, ast.FunctionDef))
+        scenes: list[dict[str, Placement]] = [{}]
+        for statement in method.body:
+            name, arguments, keywords = _self_call(statement)
+            if name == "waypoint":
+                scenes.append(dict(scenes[-1]))
+            elif name == "place":
+                placement = _placement(*arguments, **keywords)
+                scenes[-1][placement.block] = placement
+            else:
+                return None
+    except (SyntaxError, ValueError, TypeError, IndexError, StopIteration, RecursionError):
+        return None
+    return tuple(tuple(scene.values()) for scene in scenes)
+
+
+def _self_call(node: ast.stmt) -> tuple[str, list[Any], dict[str, Any]]:
+    match node:
+        case ast.Expr(
+            value=ast.Call(func=ast.Attribute(value=ast.Name(id="self"), attr=name), args=args, keywords=keys)
+        ):
+            keywords = {str(key.arg): ast.literal_eval(key.value) for key in keys}
+            return name, [ast.literal_eval(argument) for argument in args], keywords
+    raise ValueError("not a call of the task's own method")
+
+
+def _placement(
+    block: str, position: tuple[float, float, float], *, yaw: float = 0.0, quat: tuple[float, ...] | None = None
+) -> Placement:
+    orientation = quat or (math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
+    return Placement.model_validate({"block": block, "position": position, "orientation": orientation})

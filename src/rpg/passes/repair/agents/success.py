@@ -1,0 +1,42 @@
+"""SuccessCheckFixAgent: goals that hold too soon, too often, or not where they should."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from random import Random
+
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.ir.artifact import FailureClass
+from rpg.passes.repair.record import Case, Proposal, Tools, relowered
+from rpg.passes.repair.sources import CODE, regenerated, with_method, with_source
+
+SEEDS = 3
+
+
+@dataclass(frozen=True)
+class SuccessCheckFixAgent:
+    """Writes the success check anew from the conditions of the schema; arranges another goal state.
+
+    It never changes what the conditions are.
+    """
+
+    name: str = "SuccessCheckFixAgent"
+    handles: FailureClass = "goal"
+
+    def propose(self, case: Case, failures: tuple[Diagnostic, ...], tools: Tools) -> Iterator[Proposal]:
+        """The check first, then the goal state, then everything."""
+        program = case.program
+        fresh = tools.lower(program.task)
+        text = program.code
+        for hook in ("_success", "_fail"):
+            text = with_method(text, fresh, hook) or text
+        if text != program.code:
+            yield Proposal("write the success check anew", with_source(program, CODE, text))
+        yield from regenerated(program, tools)
+        for seed in range(1, SEEDS + 1):
+            try:
+                path = tools.arrange(program.task, Random(f"repair {seed}"))
+            except Refusal:
+                return
+            yield Proposal(f"arrange another goal state ({seed})", relowered(program, tools, path=path))

@@ -10,6 +10,7 @@ from typing import Any
 from rpg.blocks.predicate import Predicate
 from rpg.blocks.predicates import (
     between,
+    cells,
     change,
     direction,
     facing,
@@ -23,6 +24,6 @@ from rpg.blocks.predicates import (
     words,
 )
 
-FAMILIES = (vertical, direction, proximity, between, patches, region, facing, change, stack, towers, row, words)
+FAMILIES = (vertical, direction, proximity, between, patches, region, facing, change, stack, towers, row, words, cells)
 
 PREDICATES: dict[str, Predicate[Any]] = {kind: p for family in FAMILIES for kind, p in family.TABLE.items()}

@@ -87,7 +87,7 @@ class DirectionalPredicate(Predicate[Directional]):
     def near_misses(self, node: Directional, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         left, right = state.resolve(node.a), state.resolve(node.b)
         pairs = [(a, b) for a in left for b in right]
-        a, b = min(pairs, key=lambda pair: offsets(self.kind, *pair, state)[0])
+        a, b = min(pairs, key=lambda pair: offsets(self.kind, pair[0], pair[1], state)[0])
         edge = edge_between(state, a, b)
         least = least_offset(node, a, b, state)
         yield self._placed(f"{a} on the other side of {b}", a, b, -least - edge, 0.0, state)

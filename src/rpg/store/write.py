@@ -97,7 +97,7 @@ def write_version(family: Family, content: Content) -> Written:
         versions = family.versions()
         number = max((version.number for version in versions), default=-1) + 1
         snapshot = content.sealed(number)
-        twin = next((version for version in versions if version.hash == snapshot.hash), None)
+        twin = next((v for v in versions if snapshot.hash.startswith(v.short_hash) and v.hash == snapshot.hash), None)
         if twin is None:
             _fill(draft, content, snapshot)
             target = family.directory / version_name(number, snapshot.hash)
@@ -148,7 +148,7 @@ def _find_base(workspace: Workspace, name: str, snapshot: Snapshot, explicit: bo
     suffix = 2
     while _occupied(family):
         bases = [version for version in family.versions() if version.number == 0]
-        if any(version.hash == snapshot.hash for version in bases):
+        if any(snapshot.hash.startswith(base.short_hash) and base.hash == snapshot.hash for base in bases):
             return family
         if explicit:
             raise UsageError(

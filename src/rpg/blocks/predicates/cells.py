@@ -1,0 +1,254 @@
+"""grid, pyramid, staircase, figure: blocks that fill the cells of an ideal figure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from random import Random
+from typing import Any, NamedTuple
+
+from rpg.blocks.constants import SUPPORT_GAP
+from rpg.blocks.figures import Ideal, ideals, upright
+from rpg.blocks.predicate import Cluster, NearMiss, Predicate
+from rpg.blocks.predicates.cells_build import layouts, resting
+from rpg.blocks.predicates.common import (
+    Poses,
+    centroid,
+    flatness,
+    largest_edge,
+    set_aside,
+    shift,
+    spin,
+    swap,
+)
+from rpg.blocks.predicates.fit import Fit, best_fit
+from rpg.blocks.predicates.order import fixed_edges
+from rpg.blocks.predicates.pattern import fillings, follows
+from rpg.blocks.predicates.stack import legible, unreadable
+from rpg.blocks.predicates.vertical import GROUND
+from rpg.blocks.state import IDENTITY, BlockState, World
+from rpg.blocks.traits import AWAY, TO_VIEWER, UP, Traits, symbols_shown
+from rpg.blocks.verdict import FALSE, TRUE, Verdict, every, holds
+from rpg.blocks.visibility import reads
+from rpg.ir.structures import Cells
+
+MAX_FILLINGS = 4
+"""How many ways to fill a figure's cells are offered for each of its forms."""
+
+
+class Found(NamedTuple):
+    """A figure found in a state: its form, its fit, the block in each cell, and the verdict."""
+
+    ideal: Ideal
+    fit: Fit
+    blocks: list[str]
+    verdict: Verdict
+
+
+def heights(state: BlockState, names: Sequence[str], edge: float) -> tuple[list[int], float]:
+    """The level of each block over the lowest one, in edges, and the margin of their heights."""
+    bottoms = [state.bottom(name) for name in names]
+    base = min(bottoms)
+    levels = [round((bottom - base) / edge) for bottom in bottoms]
+    error = max(abs(bottom - base - level * edge) for bottom, level in zip(bottoms, levels, strict=True))
+    return levels, 1.0 - error / SUPPORT_GAP
+
+
+class CellsPredicate(Predicate[Cells]):
+    """The best fit of any form of the figure, each block near its cell, the pattern and the reading on top."""
+
+    def evaluate(self, node: Cells, state: BlockState) -> Verdict:
+        found = self.find(node, state)
+        return found.verdict if found is not None else FALSE
+
+    def find(self, node: Cells, state: BlockState) -> Found | None:
+        """The form of the figure that holds, or else comes nearest to it; None where none has the blocks' levels."""
+        names = node.blocks
+        forms = ideals(node, len(names))
+        if not forms:
+            return None
+        edge = largest_edge(state, names)
+        levels, margin = heights(state, names, edge)
+        margin = min(margin, flatness(state, names))
+        places = [(*state.position[name][:2], level) for name, level in zip(names, levels, strict=True)]
+        tolerance = node.fit_edges * edge
+        best: Found | None = None
+        for ideal in forms:
+            low, high = node.pitch_edges
+            pitches = low * edge, max(high * edge, ideal.room or 0.0)
+            fit = best_fit(ideal, places, pitches, tolerance)
+            if fit is None:
+                continue
+            found = self._judge(node, ideal, fit, min(margin, 1.0 - fit.deviation / tolerance), state)
+            if best is None or found.verdict.margin > best.verdict.margin:
+                best = found
+            if best.verdict.margin > 0.5:
+                break
+        return best
+
+    def _judge(self, node: Cells, ideal: Ideal, fit: Fit, margin: float, state: BlockState) -> Found:
+        blocks = [node.blocks[k] for k in fit.blocks]
+        if ideal.limit is not None:
+            margin = min(margin, 1.0 - abs(math.degrees(fit.turn)) / ideal.limit)
+        parts = [holds(margin)]
+        if node.pattern is not None:
+            shown = symbols_shown(state, node.blocks, TO_VIEWER if upright(node) else UP)
+            parts.append(TRUE if follows(node.pattern, ideal, blocks, Traits(state.world, shown)) else FALSE)
+        if node.readable:
+            parts.append(self._legible(node, ideal, blocks, state))
+        return Found(ideal, fit, blocks, every(parts))
+
+    def _legible(self, node: Cells, ideal: Ideal, blocks: Sequence[str], state: BlockState) -> Verdict:
+        if upright(node):
+            return legible(state, blocks, TO_VIEWER, UP, node.excused)
+        if max(cell.level for cell in ideal.cells) == 0:
+            return legible(state, blocks, UP, AWAY, node.excused)
+        exterior = [name for name, hidden in zip(blocks, hidden_cells(ideal), strict=True) if not hidden]
+        margins = [1.0]
+        for name in exterior:
+            views = [
+                reads(state, name, normal, None if name in node.excused else up)
+                for normal, up in ((UP, AWAY), (TO_VIEWER, UP))
+            ]
+            if any(symbol for symbol, _ in views):
+                margins.append(max(margin for symbol, margin in views if symbol))
+        return holds(min(margins))
+
+    def build(self, node: Cells, world: World, rng: Random) -> Iterator[list[Cluster]]:
+        traits = Traits(world)
+        for ideal in ideals(node, len(node.blocks)):
+            for k, filled in enumerate(fillings(node.pattern, ideal, node.blocks, traits, rng)):
+                if k == MAX_FILLINGS:
+                    break
+                for cluster in layouts(node, ideal, filled, world):
+                    yield [cluster]
+
+    def supports(self, node: Cells, world: World) -> Iterable[tuple[str, str]]:
+        """What rests on what, where the pattern leaves no choice of blocks for the cells."""
+        pattern = node.pattern
+        if pattern is None or pattern.kind != "reading":
+            return
+        traits = Traits(world)
+        forms = ideals(node, len(node.blocks))
+        if len(forms) != 1 or fixed_edges(pattern.order, node.blocks, traits) is None:
+            return
+        filled = next(fillings(pattern, forms[0], node.blocks, traits, Random(0)), None)
+        if filled is not None:
+            for upper, lower in resting(forms[0].cells):
+                yield filled[upper], GROUND if lower is None else filled[lower]
+
+    def near_misses(self, node: Cells, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+        found = self.find(node, state)
+        if found is None or len(node.blocks) < 2:
+            return
+        edge = largest_edge(state, node.blocks)
+        yield from self._displaced(node, found, edge, state)
+        reach = max(math.hypot(cell.x, cell.y) for cell in found.ideal.cells)
+        if reach > 0.0:
+            widest = max(node.pitch_edges[1] * edge, found.ideal.room or 0.0)
+            pitch = widest * self._reach_of_forms(node) + 1.3 * node.fit_edges * edge / reach
+            yield NearMiss("the figure too wide", stretched(state, node.blocks, pitch / found.fit.pitch))
+        if found.ideal.limit is not None:
+            yield from self._turned(node, found, state)
+        if node.pattern is not None:
+            yield from self._exchanged(node, found, state)
+        if node.readable:
+            normal, up = (TO_VIEWER, UP) if upright(node) else (UP, AWAY)
+            if upright(node) or max(cell.level for cell in found.ideal.cells) == 0:
+                yield from unreadable(state, found.blocks, normal, up, node.excused)
+
+    def _reach_of_forms(self, node: Cells) -> float:
+        """How much wider than the others a form of the figure may be: triangles with a right angle are."""
+        return math.sqrt(2.0) if len(ideals(node, len(node.blocks))) > 1 else 1.0
+
+    def _displaced(self, node: Cells, found: Found, edge: float, state: BlockState) -> Iterator[NearMiss]:
+        """A block away from the figure, one out of its cell, the top layer missing."""
+        cells = found.ideal.cells
+        height = max(cell.level for cell in cells)
+        top = [name for name, cell in zip(found.blocks, cells, strict=True) if cell.level == height]
+        cx, cy = centroid(state, node.blocks)
+        far = max(top, key=lambda name: math.dist(state.position[name][:2], (cx, cy)))
+        yield NearMiss(f"{far} away from the figure", set_aside(state, far, clearance=0.2))
+        dx, dy = state.position[far][0] - cx, state.position[far][1] - cy
+        length = math.hypot(dx, dy)
+        ux, uy = (dx / length, dy / length) if length > 1e-6 else (0.0, 1.0)
+        if len(node.blocks) > 3:
+            yield NearMiss(f"{far} out of its cell", shift(state, [far], 3.0 * edge * ux, 3.0 * edge * uy))
+        if height and len(top) > 1:
+            gone = state
+            for name in top:
+                gone = set_aside(gone, name)
+            yield NearMiss("the top layer missing", gone)
+        if height == 0 and len(node.blocks) > 2:
+            yield NearMiss(f"{far} a level higher", shift(state, [far], 0.0, 0.0, edge))
+
+    def _turned(self, node: Cells, found: Found, state: BlockState) -> Iterator[NearMiss]:
+        """The figure turned away from the direction that it must have."""
+        limit = found.ideal.limit
+        assert limit is not None
+        directed = limit < 20.0 and len(node.blocks) > 1
+        square = found.ideal.limit == 45.0
+        if directed or square:
+            turn = limit + 20.0 if directed else 90.0
+            turned = spin(state, node.blocks, turn, centroid(state, node.blocks))
+            if directed or not self._same_when_turned(node, found):
+                yield NearMiss("the figure turned", turned)
+
+    def _same_when_turned(self, node: Cells, found: Found) -> bool:
+        """Would a quarter turn leave rows and columns as they must be?"""
+        kind = node.pattern.kind if node.pattern is not None else ""
+        rows = len({cell.row for cell in found.ideal.cells})
+        columns = len({cell.column for cell in found.ideal.cells})
+        return rows == columns and (kind not in ("row", "column") or rows < 2)
+
+    def _exchanged(self, node: Cells, found: Found, state: BlockState) -> Iterator[NearMiss]:
+        """Two blocks whose exchange breaks the pattern."""
+        pattern = node.pattern
+        assert pattern is not None
+        traits = Traits(state.world)
+        blocks = found.blocks
+        made = 0
+        for i in range(len(blocks)):
+            for j in range(i + 1, len(blocks)):
+                if traits.world.look[blocks[i]] == traits.world.look[blocks[j]]:
+                    continue
+                changed = list(blocks)
+                changed[i], changed[j] = changed[j], changed[i]
+                if not follows(pattern, found.ideal, changed, traits):
+                    yield NearMiss(f"{blocks[i]} and {blocks[j]} exchanged", swap(state, blocks[i], blocks[j]))
+                    made += 1
+                    break
+            if made == 3:
+                return
+
+
+def hidden_cells(ideal: Ideal) -> list[bool]:
+    """Which cells have neighbours on all sides and a layer above, so that nothing of them can be read."""
+    cells = ideal.cells
+    height = max(cell.level for cell in cells)
+    ends = {
+        level: (
+            max(cell.row for cell in cells if cell.level == level),
+            max(cell.column for cell in cells if cell.level == level),
+        )
+        for level in range(height + 1)
+    }
+    return [
+        cell.level < height and 0 < cell.row < ends[cell.level][0] and 0 < cell.column < ends[cell.level][1]
+        for cell in cells
+    ]
+
+
+def stretched(state: BlockState, names: Sequence[str], factor: float) -> BlockState:
+    """`state` with blocks moved apart in the plane by `factor`, about their middle."""
+    cx, cy = centroid(state, names)
+    poses: Poses = {}
+    for name in names:
+        x, y, z = state.position[name]
+        place = (cx + factor * (x - cx), cy + factor * (y - cy), z)
+        poses[name] = (place, state.orientation.get(name, IDENTITY))
+    return state.moved(poses)
+
+
+CELLS = CellsPredicate()
+TABLE: dict[str, Predicate[Any]] = dict.fromkeys(("grid", "pyramid", "staircase", "figure"), CELLS)

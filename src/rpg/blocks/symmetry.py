@@ -30,7 +30,7 @@ SYMMETRIC = frozenset({"beside", "adjacent", "touching", "near", "apart", "dista
 
 def interchangeable(goal: g.Goal, world: World) -> Cells:
     """The cells of every class of look-alikes that `goal` tells apart; empty when it is symmetric already."""
-    canonical = _Canonical(world)
+    canonical = Canonical(world)
     original = canonical(goal, {})
     mentioned = set(names(goal))
     found = []
@@ -135,7 +135,7 @@ def _too_many(cells: Cells, total: int) -> Diagnostic:
     )
 
 
-class _Canonical:
+class Canonical:
     """A goal as nested tuples that are equal exactly when two goals say the same of the same names."""
 
     def __init__(self, world: World) -> None:

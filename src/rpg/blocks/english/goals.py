@@ -74,6 +74,9 @@ def _counted(goal: g.Count, say: Speaker) -> str:
     else:
         many = f"between {number(low)} and {number(high)}"
     say.aliases[goal.var] = f"{many} of {say.the(goal.over)}"
+    if many != "exactly one":
+        say.plural.add(goal.var)
     text = spoken(goal.goal, say)
+    say.plural.discard(goal.var)
     del say.aliases[goal.var]
     return text

@@ -47,9 +47,12 @@ def on_table(node: r.OnTable, say: Speaker) -> str:
 
 
 def clear(node: r.Clear, say: Speaker) -> str:
-    if say.negated:
-        return f"something {'must be' if say.modal else 'is'} on {say.the(node.a)}"
-    return f"nothing {'must be' if say.modal else 'is'} on {say.the(node.a)}"
+    if not say.negated:
+        return f"nothing {say.be('nothing')} on {say.the(node.a)}"
+    say.negated = False
+    text = f"something {say.be('something')} on {say.the(node.a)}"
+    say.negated = True
+    return text
 
 
 def on_patch(node: r.OnPatch, say: Speaker) -> str:

@@ -13,11 +13,8 @@ from rpg.ir.schema import TaskSchema
 
 def objects(schema: TaskSchema, say: Speaker) -> str:
     """ "There are two red blocks and a long green patch"."""
-    patches = [_patch(p) for p in schema.patches]
-    blocks = say.some(b.name for b in schema.blocks)
-    everything = join([*([blocks] if blocks else []), *patches]) if patches else blocks
-    plural = len(schema.assets) > 1
-    return f"There {'are' if plural else 'is'} {everything}"
+    listed = [*say.some(b.name for b in schema.blocks), *(_patch(p) for p in schema.patches)]
+    return f"There {'are' if len(schema.assets) > 1 else 'is'} {join(listed)}"
 
 
 def _patch(patch: GoalPatch) -> str:

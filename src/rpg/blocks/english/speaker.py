@@ -19,14 +19,15 @@ class Inexpressible(Exception):
 class Speaker:
     """Speaks of one task. `modal` "must" makes goals of statements ("must be"), "" leaves them ("is").
 
-    `aliases` are phrases for names that stand for something else (the counted block of a `Count`). `known` are the
-    sets of look-alikes that were spoken of already, which "the other one" and "another" lean on.
+    `aliases` are phrases for names that stand for something else (the counted block of a `Count`), some of them
+    `plural`. `known` are the sets of look-alikes spoken of already, which "the other one" and "another" lean on.
     """
 
     world: World
     modal: str = ""
     negated: bool = False
     aliases: dict[str, str] = field(default_factory=dict)
+    plural: set[str] = field(default_factory=set)
     known: list[frozenset[str]] = field(default_factory=list)
 
     def be(self, operand: Operand | str) -> str:
@@ -46,7 +47,9 @@ class Speaker:
 
     def single(self, operand: Operand | str) -> bool:
         """Whether the phrase for `operand` is singular."""
-        return isinstance(operand, Lowest | Highest) or len(members(operand)) == 1
+        if isinstance(operand, Lowest | Highest):
+            return True
+        return len(members(operand)) == 1 and self.plural.isdisjoint(members(operand))
 
     @contextmanager
     def speaking(self, modal: str) -> Iterator[None]:
@@ -65,13 +68,13 @@ class Speaker:
         """The objects one by one as a list without articles: "red, green, red" or "A, B, C"."""
         return ", ".join(self._short(name) for name in names)
 
-    def some(self, names: Iterable[str]) -> str:
-        """The objects as if never heard of: "a red block and two blue blocks"."""
+    def some(self, names: Iterable[str]) -> list[str]:
+        """The objects as if never heard of: "a red block", "two blue blocks"."""
         counts: dict[str, int] = {}
         for name in names:
             noun = self.noun(name)
             counts[noun] = counts.get(noun, 0) + 1
-        return join([f"{_article(n)} {n}" if k == 1 else f"{number(k)} {_plural(n)}" for n, k in counts.items()])
+        return [f"{_article(n)} {n}" if k == 1 else f"{number(k)} {_plural(n)}" for n, k in counts.items()]
 
     def noun(self, name: str) -> str:
         """What a block or patch is called without an article."""

@@ -1,0 +1,87 @@
+"""Whether two tasks ask for the same, whatever their blocks are called and wherever their words stand."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+from rpg.blocks.state import World, look_of
+from rpg.blocks.symmetry import Canonical, interchangeable, namings
+from rpg.ir import goal as g
+from rpg.ir.assets import Asset, GoalPatch
+from rpg.ir.node import Highest, Lowest
+from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import rename, transform
+
+EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved"})
+"""Atoms that say the same of each of their blocks."""
+
+
+def equivalent(a: TaskSchema, b: TaskSchema) -> bool:
+    """The same objects by look, starting alike, under the same goal, up to a renaming of the objects."""
+    names = _counterparts(b, a)
+    if names is None or _heaps(a) != _heaps(b):
+        return False
+    world = World(a.assets)
+    canonical = Canonical(world)
+    wanted, other = _whole(a), rename(_whole(b), names)
+    target = canonical(wanted, {})
+    return any(canonical(other, naming) == target for naming in namings(interchangeable(other, world)))
+
+
+def normal(goal: g.Goal) -> g.Goal:
+    """`goal` without nesting that says nothing, atoms about several blocks split where they speak of each alone."""
+    return transform(goal, _normal)
+
+
+def _whole(schema: TaskSchema) -> g.Goal:
+    """Start and goal as one expression, so that look-alikes keep their identity over both."""
+    start = g.Stage(goal=normal(g.All(goals=schema.init.arranged)))
+    return g.Sequence(stages=(start, g.Stage(goal=normal(schema.goal))))
+
+
+def _normal(node: g.Goal) -> g.Goal:
+    match node:
+        case g.All() | g.Any():
+            return _flat(node)
+        case g.Not(goal=g.Not(goal=inner)):
+            return inner
+    if node.kind in EACH_FOR_ITSELF:
+        operand: Any = node.a  # type: ignore[union-attr]
+        if not isinstance(operand, Lowest | Highest) and len(operand) > 1:
+            return g.All(goals=tuple(node.model_copy(update={"a": (name,)}) for name in operand))
+    return node
+
+
+def _flat(node: g.All | g.Any) -> g.Goal:
+    parts: list[g.Goal] = []
+    for part in node.goals:
+        parts += part.goals if isinstance(part, type(node)) else (part,)
+    unique = list({part.model_copy(update={"span": None}).model_dump_json(): part for part in parts}.values())
+    return unique[0] if len(unique) == 1 else node.model_copy(update={"goals": tuple(unique)})
+
+
+def _counterparts(source: TaskSchema, target: TaskSchema) -> dict[str, str] | None:
+    """Names of `source` to names of `target` with equal looks; None where the looks differ."""
+    free: dict[tuple[str, ...], list[str]] = {}
+    for asset in target.assets:
+        free.setdefault(_look(asset), []).append(asset.name)
+    found: dict[str, str] = {}
+    for asset in source.assets:
+        names = free.get(_look(asset))
+        if not names:
+            return None
+        found[asset.name] = names.pop(0)
+    return found if len(found) == len(target.assets) else None
+
+
+def _look(asset: Asset) -> tuple[str, ...]:
+    if isinstance(asset, GoalPatch):
+        long = max(asset.size) >= 2 * min(asset.size)
+        return ("patch", asset.color, asset.shape, str(long))
+    return look_of(asset)
+
+
+def _heaps(schema: TaskSchema) -> Counter[tuple[tuple[str, ...], ...]]:
+    looks = {asset.name: _look(asset) for asset in schema.assets}
+    return Counter(tuple(sorted(looks[name] for name in heap)) for heap in schema.init.heaps)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from rpg.blocks.state import Vec3
+from rpg.blocks.state import Quat, Vec3
 
 NAME = "viewer"
 POSITION: Vec3 = (-0.18, 0.0, 1.64)
@@ -17,9 +17,15 @@ FOVY = 33.0
 WIDTH, HEIGHT = 640, 480
 
 
-def axes() -> tuple[Vec3, Vec3, Vec3]:
-    """Right, up and forward of the camera in the world, unit length."""
-    dx, dz = TARGET[0] - POSITION[0], TARGET[2] - POSITION[2]
-    length = math.hypot(dx, dz)
-    forward = (dx / length, 0.0, dz / length)
-    return (0.0, -1.0, 0.0), (-forward[2], 0.0, forward[0]), forward
+ELEVATION = math.degrees(math.atan2(TARGET[2] - POSITION[2], TARGET[0] - POSITION[0]))
+"""Angle in degrees over the horizon in which the camera looks; negative is down."""
+
+
+def orientation(elevation: float = ELEVATION) -> Quat:
+    """The camera's quaternion when it looks along +x at an angle of `elevation` degrees over the horizon.
+
+    A camera looks along its own -z with its +y up: turned upright and towards +x, then raised.
+    """
+    half = math.radians(elevation) / 2
+    c, s = math.cos(half) / 2, math.sin(half) / 2
+    return (c - s, c + s, -c - s, s - c)

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from functools import lru_cache
 
 import mujoco
-import numpy as np
 
 from rpg.blocks import camera
 from rpg.blocks.constants import PATCH_THICKNESS, TABLE_SIZE, TABLE_X, TABLE_Z, TIMESTEP
@@ -20,6 +19,10 @@ SOLREF = (0.01, 1.0)
 SOLIMP = (0.99, 0.999, 0.001, 0.5, 2.0)
 MARGIN = 2e-5
 """Contacts act from this distance on, so that blocks placed to touch exactly rest as they are."""
+
+AMBIENT, HEADLIGHT, LAMP = 0.46, 0.26, 0.48
+"""Shares of light from everywhere, from the camera, and from the lamp that throws shadows."""
+LAMP_DIRECTION = (0.42, -0.45, -1.0)
 
 
 def build_spec(assets: Iterable[Asset], *, textures: bool = False) -> mujoco.MjSpec:
@@ -51,8 +54,8 @@ def _physics(spec: mujoco.MjSpec) -> None:
     spec.visual.global_.offwidth = 1280
     spec.visual.global_.offheight = 960
     spec.visual.quality.shadowsize = 2048
-    spec.visual.headlight.ambient = [0.42, 0.42, 0.42]
-    spec.visual.headlight.diffuse = [0.22, 0.22, 0.22]
+    spec.visual.headlight.ambient = [AMBIENT] * 3
+    spec.visual.headlight.diffuse = [HEADLIGHT] * 3
     spec.visual.headlight.specular = [0.0, 0.0, 0.0]
 
 
@@ -84,18 +87,15 @@ def _surroundings(spec: mujoco.MjSpec, textures: bool) -> None:
         name="lamp",
         type=mujoco.mjtLightType.mjLIGHT_DIRECTIONAL,
         pos=[-0.2, 0.9, 2.6],
-        dir=[0.42, -0.45, -1.0],
-        diffuse=[0.55, 0.55, 0.55],
+        dir=list(LAMP_DIRECTION),
+        diffuse=[LAMP] * 3,
         specular=[0.08, 0.08, 0.08],
         castshadow=True,
     )
-    quat = np.zeros(4)
-    right, up, forward = camera.axes()
-    mujoco.mju_mat2Quat(quat, np.array([right, up, [-c for c in forward]]).T.ravel())
     world.add_camera(
         name=camera.NAME,
         pos=list(camera.POSITION),
-        quat=quat,
+        quat=list(camera.orientation()),
         fovy=camera.FOVY,
     )
 

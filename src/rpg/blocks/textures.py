@@ -90,7 +90,9 @@ def _draw_symbol(draw: ImageDraw.ImageDraw, symbol: str, side: int, ink: tuple[i
             left, top, right, bottom = draw.textbbox((0, 0), symbol, font=font, stroke_width=side // 60)
             place = (middle - (left + right) / 2, middle - (top + bottom) / 2)
             draw.text(place, symbol, font=font, fill=ink, stroke_width=side // 60)
-            if symbol in ("6", "9"):
+            if symbol == "0":
+                draw.ellipse((middle - half, middle - half, middle + half, middle + half), fill=ink)
+            elif symbol in ("6", "9"):
                 bar(middle, middle + arm * 1.55, arm * 0.8, 0)
 
 

@@ -12,6 +12,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from rpg.blocks import camera
 from rpg.blocks.state import Quat
 from rpg.env.embodiment import Action
 
@@ -46,9 +47,9 @@ class FloatingGripper:
         _box(hand, "palm", [0.022, OPENING / 2 + 0.02, 0.018], [0.0, 0.0, palm + 0.018], LIGHT, mass=0.6)
         _box(hand, "wrist", [0.024, 0.024, 0.04], [0.0, 0.0, palm + 0.076], DARK, mass=0.4)
         hand.add_site(name="grasp", size=[0.003] * 3, rgba=[0.0, 0.0, 0.0, 0.0])
-        quat = np.zeros(4)
-        mujoco.mju_euler2Quat(quat, [0.0, 0.25, -math.pi / 2], "xyz")
-        hand.add_camera(name="wrist", pos=[-0.07, 0.0, palm + 0.06], quat=quat, fovy=70.0)
+        behind, height = 0.08, palm + 0.01
+        down = math.degrees(math.atan2(-height, behind))
+        hand.add_camera(name="wrist", pos=[-behind, 0.0, height], quat=list(camera.orientation(down)), fovy=70.0)
         for name, side in (("left_finger", 1.0), ("right_finger", -1.0)):
             finger = hand.add_body(name=name, gravcomp=1.0)
             finger.add_joint(

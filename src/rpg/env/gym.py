@@ -6,12 +6,11 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import gymnasium
-import mujoco
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from rpg.blocks import camera
+from rpg.blocks import camera, opengl, raycast
 from rpg.env.embodiment import Embodiment
 from rpg.env.gripper import STEP_LIMIT, TURN_LIMIT, FloatingGripper
 from rpg.env.task import BlockTask
@@ -61,7 +60,7 @@ class BlockEnv(gymnasium.Env[Observation, NDArray[np.float32]]):  # type: ignore
         self.task = task(embodiment or FloatingGripper(), textures=pictures)
         self.instruction = instruction or self.task.instruction
         self.block_names = tuple(self.task.world.blocks)
-        self._renderer: mujoco.Renderer | None = None
+        self._canvas: opengl.Canvas | None = None
         self._ever = False
         limit = np.array([STEP_LIMIT] * 3 + [TURN_LIMIT] * 3 + [1.0], dtype=np.float32)
         self.action_space = spaces.Box(-limit, limit, dtype=np.float32)
@@ -103,10 +102,10 @@ class BlockEnv(gymnasium.Env[Observation, NDArray[np.float32]]):  # type: ignore
         return self._image(camera.NAME) if self.render_mode == "rgb_array" else None
 
     def close(self) -> None:
-        """Free the renderer."""
-        if self._renderer is not None:
-            self._renderer.close()
-            self._renderer = None
+        """Free the graphics memory."""
+        if self._canvas is not None:
+            self._canvas.close()
+            self._canvas = None
 
     def _observe(self) -> Observation:
         task = self.task
@@ -131,9 +130,9 @@ class BlockEnv(gymnasium.Env[Observation, NDArray[np.float32]]):  # type: ignore
         }
 
     def _image(self, name: str) -> NDArray[np.uint8]:
-        if self._renderer is None:
-            width, height = self.image_size
-            self._renderer = mujoco.Renderer(self.task.model, height, width)
-        self._renderer.update_scene(self.task.data, camera=name)
-        pixels: NDArray[np.uint8] = self._renderer.render()
-        return pixels
+        width, height = self.image_size
+        if opengl.backend() is None:
+            return raycast.draw(self.task.model, self.task.data, self.task.world, name, width, height)
+        if self._canvas is None:
+            self._canvas = opengl.Canvas(self.task.model, width, height)
+        return self._canvas.draw(self.task.data, name)

@@ -1,0 +1,71 @@
+"""Pictures of states as the viewer sees them: with OpenGL where it works, else with rays that MuJoCo casts."""
+
+from __future__ import annotations
+
+import io
+import math
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from rpg.blocks import camera, opengl, raycast
+from rpg.blocks.geometry import corners
+from rpg.blocks.physics import Physics
+from rpg.blocks.scene import build_spec
+from rpg.blocks.state import BlockState, Vec3
+
+SUPERSAMPLING = 2
+"""Pictures are drawn this many times larger, and scaled down."""
+MARGIN = 1.5
+"""Degrees kept free between what must be seen and the picture's upper and lower edge."""
+
+
+def method() -> str:
+    """How pictures are drawn here: "egl", "osmesa", another OpenGL back end, or "rays"."""
+    return opengl.backend() or "rays"
+
+
+def draw(state: BlockState, *, size: tuple[int, int] = (camera.WIDTH, camera.HEIGHT)) -> bytes:
+    """A PNG of `state` as the viewer sees it; the view widens where a block would be outside of it."""
+    buffer = io.BytesIO()
+    Image.fromarray(pixels(state, size=size)).save(buffer, "PNG", optimize=True)
+    return buffer.getvalue()
+
+
+def pixels(state: BlockState, *, size: tuple[int, int], how: str | None = None) -> NDArray[np.uint8]:
+    """RGB pixels of `state`, top row first; `how` is what `method` gives unless it is told."""
+    rays = (how or method()) == "rays"
+    spec = build_spec(state.world.assets.values(), textures=not rays)
+    spec.visual.quality.offsamples = 0
+    _aim(spec, state)
+    model = spec.compile()
+    physics = Physics(state.world, model)
+    physics.write(state)
+    width, height = size[0] * SUPERSAMPLING, size[1] * SUPERSAMPLING
+    if rays:
+        large = raycast.draw(model, physics.data, state.world, camera.NAME, width, height)
+    else:
+        canvas = opengl.Canvas(model, width, height)
+        try:
+            large = canvas.draw(physics.data, camera.NAME)
+        finally:
+            canvas.close()
+    return np.asarray(Image.fromarray(large).resize(size, Image.Resampling.BOX))
+
+
+def _aim(spec: mujoco.MjSpec, state: BlockState) -> None:
+    """Tilt and widen the viewer's camera where the scene is taller or wider than its usual view."""
+    blocks = [_elevation(point) for name in state.position for point in corners(state, name)]
+    low, high = camera.ELEVATION - camera.FOVY / 2, camera.ELEVATION + camera.FOVY / 2
+    if max(blocks) + MARGIN > high or min(blocks) - MARGIN < low:
+        low, high = min(blocks) - 4 * MARGIN, max(blocks) + MARGIN
+    spec.camera(camera.NAME).fovy = high - low
+    spec.camera(camera.NAME).quat = camera.orientation((low + high) / 2)
+
+
+def _elevation(point: Vec3) -> float:
+    """Angle (degrees) over the horizon at which the camera sees a point, projected on its middle plane."""
+    dx, dz = point[0] - camera.POSITION[0], point[2] - camera.POSITION[2]
+    return math.degrees(math.atan2(dz, dx))

@@ -8,8 +8,8 @@ _TEXT = (
     Code(
         "code-syntax",
         "a file does not parse",
-        "code.py or goal_state_code.py is no Python; the line and column are given. Compile from task.yaml to have both "
-        "files written again.",
+        "code.py or goal_state_code.py is no Python; the line and column are given. Compile from task.yaml to have "
+        "both files written again.",
     ),
     Code("code-too-long", "a file is too long", "A file of code has more characters than any task needs."),
     Code(
@@ -27,7 +27,7 @@ _TEXT = (
     Code(
         "code-import",
         "an import from elsewhere",
-        "Generated code imports from rpg.env alone, and goal_state_code.py the task's class from its neighbour code.py.",
+        "Generated code imports from rpg.env alone, and goal_state_code.py the task's class from code.py beside it.",
     ),
     Code("code-unknown-name", "a name that does not exist", "Neither the file nor rpg.env defines this name."),
     Code(
@@ -62,8 +62,8 @@ _RUN = (
     Code(
         "code-not-confined",
         "code that cannot be confined here",
-        "Code that is not the lowering of its task.yaml only runs where the kernel can shut it in, with seccomp or with "
-        "Landlock; `rpg doctor` says what holds on this machine.",
+        "Code that is not the lowering of its task.yaml only runs where the kernel can shut it in, with seccomp or "
+        "with Landlock; `rpg doctor` says what holds on this machine.",
     ),
     Code("task-crashes", "a task that breaks down", "An exception leaves a hook of the task; its traceback is given."),
     Code(

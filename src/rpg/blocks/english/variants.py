@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from itertools import product
 
 from rpg.blocks.english.goals import spoken
 from rpg.blocks.english.scene import objects, starts
@@ -35,7 +36,8 @@ COMMANDS: tuple[tuple[str, str, str, str], ...] = (
     ("be", r"turned (?P<more>.*)", "turn {subject} {more}", "rotate {subject} {more}"),
     ("be", r"(?P<more>upright|upside down)", "turn {subject} {more}", "rotate {subject} {more}"),
     ("be", r"empty", "leave {subject} empty", "keep {subject} empty"),
-    ("be", r"(?P<more>.*)", "put {subject} {more}", "move {subject} {more}"),
+    ("be", r"on (?P<more>.*)", "put {subject} on {more}", "move {subject} onto {more}"),
+    ("be", r"(?P<more>.*)", "put {subject} {more}", "place {subject} {more}"),
     ("form", r"(?P<more>.*)", "arrange {subject} into {more}", "build {more} from {subject}"),
     ("spell", r"(?P<more>.*)", "spell {more} with {subject}", "arrange {subject} so that they spell {more}"),
     ("touch", r"(?P<more>.*)", "make {subject} touch {more}", "put {subject} so that it touches {more}"),
@@ -70,7 +72,7 @@ STYLES: tuple[tuple[Mood, str, dict[str, str]], ...] = (
     (_command(0), "could you {}?", {"block": "brick", "patch": "mat"}),
     (_wish, "{}", {}),
     (_command(0), "your task is to {}", {"block": "box"}),
-    (_with("has to"), "in the end, {}", {"block": "cube"}),
+    (_with("must"), "in the end, {}", {"block": "cube"}),
     (_command(1), "{}, thanks", {}),
     (_with("should"), "make sure that {}", {"patch": "goal patch"}),
 )
@@ -79,12 +81,11 @@ STYLES: tuple[tuple[Mood, str, dict[str, str]], ...] = (
 
 def variants(schema: TaskSchema) -> Iterator[str]:
     """Texts that should mean what `schema` says, the more natural ones first; not all of them need to compile."""
-    for brief in (True, False):
+    for brief, turn in product((True, False), (0, 1)):
         for style, (mood, frame, nouns) in enumerate(STYLES):
-            for turned in (style % 2 == 1, style % 2 == 0):
-                text = _text(schema, mood, frame, turned, brief)
-                if text is not None:
-                    yield _renamed(text, nouns)
+            text = _text(schema, mood, frame, style % 2 != turn, brief)
+            if text is not None:
+                yield _renamed(text, nouns)
 
 
 def _text(schema: TaskSchema, mood: Mood, frame: str, turned: bool, brief: bool) -> str | None:

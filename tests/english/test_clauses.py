@@ -43,7 +43,7 @@ def test_every_predicate_has_a_clause() -> None:
         ),
         (
             g.LeftOf(a="blue_block", b=Lowest(lowest=("green_block", "A_block"))),
-            "the blue block is to the left of the tower of the big green block and the A block",
+            "the blue block is to the left of the tower of the 5 cm green block and the A block",
         ),
         (
             g.Count(over=RED, at_least=2, at_most=2, goal=g.OnPatch(a="each", patch="green_patch")),
@@ -79,7 +79,7 @@ def test_a_task_is_described_from_its_data_alone() -> None:
         goal=g.Stack(blocks=("A_block", "blue_block"), order=Order(by="given", ranks=(("A_block",), ("blue_block",)))),
     )
     assert describe(schema) == (
-        "There are three red blocks, a blue block, a big green block, an A block and a green patch. "
+        "There are three red blocks, a blue block, a 5 cm green block, an A block and a green patch. "
         "At the start, the blue block is on the A block. At the start, the three red blocks lie in a heap. "
         "The A block and the blue block must be stacked from bottom to top in the order A, blue."
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from rpg.blocks.state import World
 from rpg.ir.assets import EDGE, Block, GoalPatch, SemanticCube
 from rpg.ir.node import Highest, Lowest, Operand, members
@@ -25,7 +27,7 @@ def bare(name: str, world: World) -> str:
     asset = world.assets[name]
     if isinstance(asset, GoalPatch):
         return f"{asset.color} patch"
-    return f"{_size(asset, world)}{_described(asset)} block"
+    return f"{_size(asset)}{_described(asset)} block"
 
 
 def _described(block: Block) -> str:
@@ -36,11 +38,8 @@ def _described(block: Block) -> str:
     return color + SIGNS.get(symbol, symbol)
 
 
-def _size(block: Block, world: World) -> str:
-    twins = {b.size for b in world.blocks.values() if _described(b) == _described(block)}
-    if len(twins) == 1:
-        return "" if block.size == EDGE else ("big " if block.size > EDGE else "small ")
-    return "big " if block.size == max(twins) else "small "
+def _size(block: Block) -> str:
+    return "" if math.isclose(block.size, EDGE) else f"{round(block.size * 100, 2):g} cm "
 
 
 def phrase(operand: Operand | str, world: World) -> str:

@@ -34,3 +34,8 @@ def workspace(tasks: Path) -> Workspace:
     from rpg.store import Workspace
 
     return Workspace(tasks)
+
+
+def clean(argument: str) -> str:
+    """An argument as text that can be written anywhere: bytes that were no UTF-8 become replacement characters."""
+    return argument.encode("utf-8", "surrogateescape").decode("utf-8", "replace")

@@ -33,6 +33,13 @@ class Output:
 
         return Console(stderr=True, quiet=self.quiet, highlight=False)
 
+    @cached_property
+    def errors(self) -> Console:
+        """The console, on stderr, for what stands in the way; never silent."""
+        from rich.console import Console
+
+        return Console(stderr=True, highlight=False)
+
     def document(self, data: Any) -> None:
         """Write the JSON document, where JSON was asked for."""
         if self.as_json:

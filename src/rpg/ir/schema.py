@@ -12,6 +12,8 @@ from rpg.ir.goal import Goal
 from rpg.ir.walk import names
 
 FORMAT: Literal[1] = 1
+NAME = r"^[a-z0-9]+(-[a-z0-9]+)*$"
+"""What the name of a task looks like: lower-case words and numbers joined by hyphens."""
 MAX_BLOCKS = 30
 MAX_LETTERS = 26
 MAX_DIGITS = 10
@@ -55,7 +57,7 @@ class TaskSchema(Record):
     """A task: assets A, initial-state distribution rho_0, success predicate G, instruction l and paraphrases V."""
 
     format: Literal[1] = FORMAT
-    name: str = Field(pattern=r"^[a-z0-9]+(-[a-z0-9]+)*$", max_length=60)
+    name: str = Field(pattern=NAME, max_length=60)
     instruction: str
     author: str | None = None
     seed: int = 0

@@ -38,7 +38,22 @@ _BACK = ("go back to", "return to", "revert to", "revert back to", "go to", "get
 _OPEN = frozenset({"go back to", "return to", "revert to", "revert back to", "get back to", "back to", "switch back to", "restore", "roll back to", "jump back to",
                    "undo to", "undo back to", "bring back", "take me back to", "let us go back to", "going back to", "change back to", "turn back to"})  # fmt: skip
 _VERSION = frozenset({"version", "v", "variant", "revision", "step", "snapshot", "task", "number"})
-_NOUN = frozenset({"version", "one", "variant", "task", "state", "revision", "arrangement", "setup", "step", "design", "configuration", "goal"})
+_NOUN = frozenset(
+    {
+        "version",
+        "one",
+        "variant",
+        "task",
+        "state",
+        "revision",
+        "arrangement",
+        "setup",
+        "step",
+        "design",
+        "configuration",
+        "goal",
+    }
+)
 _BASE = ("the original", "the base", "the beginning", "the start", "the first", "the very first", "the very beginning", "the initial", "the original base", "square one",
          "the starting", "the root")  # fmt: skip
 _LAST = ("the previous", "the last", "the one before", "the earlier", "before", "the prior", "the preceding", "what we had before", "what it was before", "how it was before",
@@ -68,7 +83,9 @@ def _times(p: Parser, i: int) -> Iterator[tuple[int, int]]:
         yield 2, j
     if j := p.any_of(i, ("the last", "my last", "the previous")) or i:
         for n, k in count(p, j):
-            if end := p.any_of(k, ("times", "steps", "changes", "edits", "versions", "step", "change", "edit", "version", "turns")):
+            if end := p.any_of(
+                k, ("times", "steps", "changes", "edits", "versions", "step", "change", "edit", "version", "turns")
+            ):
                 yield n, p.any_of(end, ("back", "ago")) or end
     yield 1, i
 
@@ -96,7 +113,19 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
             if not (phrase == "before" and p.one(k, "i")):
                 yield Reference(span=p.span(i, end), steps=1), end
     for n, k in count(p, j):
-        if end := p.any_of(k, ("versions ago", "steps back", "versions back", "steps ago", "edits ago", "changes ago", "version ago", "step back")):
+        if end := p.any_of(
+            k,
+            (
+                "versions ago",
+                "steps back",
+                "versions back",
+                "steps ago",
+                "edits ago",
+                "changes ago",
+                "version ago",
+                "step back",
+            ),
+        ):
             yield Reference(span=p.span(i, end), steps=n), end
     yield from _before(p, i, j)
     yield from _described(p, i, j, plainly)
@@ -120,10 +149,31 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
         if k := p.seq(j, phrase):
             n = p.any_of(k, ("just", "only", "simply", "still just", "still only")) or k
             for (listed, _), end in colors(p, n):
-                yield Reference(span=p.span(i, end), marks=(m.Traits(colors=listed),), only=n > k), p.any_of(end, ("blocks", "block")) or end
+                yield (
+                    Reference(span=p.span(i, end), marks=(m.Traits(colors=listed),), only=n > k),
+                    p.any_of(end, ("blocks", "block")) or end,
+                )
             for found, end in noun_phrase(p, n):
                 yield Reference(span=p.span(i, end), description=(found,), only=n > k), end
-    start = p.any_of(j, ("the earlier", "the previous", "the old", "the last", "the first", "an earlier", "that", "our", "the original", "my earlier")) or p.one(j, "the") or 0
+    start = (
+        p.any_of(
+            j,
+            (
+                "the earlier",
+                "the previous",
+                "the old",
+                "the last",
+                "the first",
+                "an earlier",
+                "that",
+                "our",
+                "the original",
+                "my earlier",
+            ),
+        )
+        or p.one(j, "the")
+        or 0
+    )
     if start:
         for marks, k in adjectives(p, start):
             if marks and (end := p.one(k, _NOUN - {"one"})):
@@ -131,10 +181,31 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
         for found, k in noun_phrase(p, start):
             if end := p.one(k, _NOUN - {"one"}):
                 yield Reference(span=p.span(i, end), description=(found,)), end
-        if (k := p.one(start, _NOUN)) and (n := p.any_of(k, ("with", "that had", "that has", "which had", "where it was", "where there was", "of", "using", "that used"))):
+        if (k := p.one(start, _NOUN)) and (
+            n := p.any_of(
+                k,
+                (
+                    "with",
+                    "that had",
+                    "that has",
+                    "which had",
+                    "where it was",
+                    "where there was",
+                    "of",
+                    "using",
+                    "that used",
+                ),
+            )
+        ):
             n = p.any_of(n, ("just", "only")) or n
             for found, end in noun_phrase(p, n):
                 yield Reference(span=p.span(i, end), description=(found,), only=p.words[n - 1] in ("just", "only")), end
     if plainly:
         for found, end in noun_phrase(p, j):
-            yield Reference(span=p.span(i, end), description=(found,), ), end
+            yield (
+                Reference(
+                    span=p.span(i, end),
+                    description=(found,),
+                ),
+                end,
+            )

@@ -88,7 +88,25 @@ def _join(p: Parser, i: int) -> int:
     j = i
     while j < p.end and (p.words[j] in _STOPS or p.words[j] == ","):
         j += 1
-    k = p.any_of(j, ("and then", "and also", "and", "then", "but also", "but", "also", "while", "plus", "afterwards", "after that")) or j
+    k = (
+        p.any_of(
+            j,
+            (
+                "and then",
+                "and also",
+                "and",
+                "then",
+                "but also",
+                "but",
+                "also",
+                "while",
+                "plus",
+                "afterwards",
+                "after that",
+            ),
+        )
+        or j
+    )
     return k if k > i else 0
 
 

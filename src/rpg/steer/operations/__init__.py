@@ -1,0 +1,1 @@
+"""What each request does to a draft, one family a file."""

@@ -1,0 +1,108 @@
+"""Lines of blocks rebuilt: members inserted, taken out, put in another order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.blocks.predicates.order import SORTED
+from rpg.blocks.traits import Traits
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir.edits import AddCondition, ChangeCondition, Path
+from rpg.ir.order import Order
+from rpg.ir.relations import Behind, InFrontOf, LeftOf, On, RightOf
+from rpg.ir.structures import Equation, Row, Spells, Stack
+from rpg.steer.draft import Draft
+from rpg.steer.view import BEGINS, ENDS, STEPS, Line
+
+
+def insert(draft: Draft, line: Line, index: int, name: str, span: Span | None = None) -> None:
+    """Put the new block `name` at `index` of `line`."""
+    if line.node is None:
+        _insert_in_chain(draft, line, index, name)
+        return
+    members = (*line.members[:index], name, *line.members[index:])
+    if not line.ordered:
+        if index not in (0, len(line.members)):
+            raise draft.refusal(
+                "edit-unclear",
+                "the order of these blocks is free, so that there is no such place among them",
+                span,
+                "put it at an end",
+            )
+        groups = (line.members, (name,)) if index else ((name,), line.members)
+        draft.do(ChangeCondition(at=line.path, to=_with_ranks(line, members, groups)), span)
+        return
+    draft.do(ChangeCondition(at=line.path, to=arranged(draft, line, members)), span)
+
+
+def arranged(draft: Draft, line: Line, members: Sequence[str]) -> g.Goal:
+    """The structure of `line` with `members` in this order."""
+    node = line.node
+    if isinstance(node, Spells):
+        traits = Traits(draft.view.world)
+        letters = [traits.symbol(name) for name in members]
+        backwards = node.reverse != (node.along == "stack")
+        word = "".join(reversed(letters) if backwards else letters)
+        return node.model_copy(update={"blocks": tuple(members), "word": word})
+    if isinstance(node, Equation):
+        return node.model_copy(update={"blocks": tuple(members), "text": None})
+    assert isinstance(node, Stack | Row)
+    same = node.model_copy(update={"blocks": tuple(members)})
+    kept = draft.view.sequence(same.blocks, node.order, line.kind)
+    if node.order.by in (*SORTED, "any") and kept is not None and _looks(draft, kept) == _looks(draft, members):
+        return same
+    return _with_ranks(line, members, tuple((name,) for name in members))
+
+
+def _looks(draft: Draft, members: Sequence[str]) -> list[tuple[str, ...]]:
+    return [draft.view.world.look[name] for name in members]
+
+
+def _with_ranks(line: Line, members: Sequence[str], ranks: Sequence[tuple[str, ...]]) -> g.Goal:
+    """The structure with its members ranked from where the line begins."""
+    assert isinstance(line.node, Stack | Row)
+    begin = BEGINS[line.kind]
+    first = line.node.order.first
+    turned = first == ENDS[begin]
+    order = Order(
+        by="given",
+        ranks=tuple(reversed(ranks) if turned else ranks),
+        first=first or (None if line.kind == "tower" else begin),
+    )
+    return line.node.model_copy(update={"blocks": tuple(members), "order": order})
+
+
+def _insert_in_chain(draft: Draft, line: Line, index: int, name: str) -> None:
+    """A chain of relations: the new block is related to its neighbours, which are not to each other any more."""
+    before = line.members[index - 1] if index else None
+    after = line.members[index] if index < len(line.members) else None
+    if before is not None and after is not None:
+        path = link(draft, before, after)
+        new = g.All(goals=(step(line, before, name), step(line, name, after)))
+        if path is not None:
+            draft.do(ChangeCondition(at=path, to=new))
+            return
+    if before is not None:
+        draft.do(AddCondition(goal=step(line, before, name)))
+    if after is not None:
+        draft.do(AddCondition(goal=step(line, name, after)))
+
+
+def step(line: Line, before: str, after: str) -> g.Goal:
+    """The relation between two neighbours of a chain."""
+    if line.kind == "tower":
+        return On(a=(after,), b=(before,))
+    return LeftOf(a=(before,), b=(after,)) if line.kind == "row" else InFrontOf(a=(before,), b=(after,))
+
+
+def link(draft: Draft, before: str, after: str) -> Path | None:
+    """Where the goal relates two neighbours of a chain directly."""
+    for path, atom in draft.view.atoms:
+        if isinstance(atom, On) and atom.a == (after,) and atom.b == (before,):
+            return path
+        if isinstance(atom, LeftOf | RightOf | InFrontOf | Behind):
+            first, second = (atom.a, atom.b) if STEPS[atom.kind][1] else (atom.b, atom.a)
+            if first == (before,) and second == (after,):
+                return path
+    return None

@@ -1,0 +1,62 @@
+"""Relation words of the language as goal atoms."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as rel
+from rpg.ir.node import Operand, members
+from rpg.steer.draft import Draft
+from rpg.steer.language import m
+
+DIRECTIONS: dict[str, type[rel.Directional]] = {
+    "left": rel.LeftOf,
+    "right": rel.RightOf,
+    "front": rel.InFrontOf,
+    "behind": rel.Behind,
+}
+PLAIN: dict[str, Any] = {
+    "on": rel.On,
+    "above": rel.Above,
+    "beside": rel.Beside,
+    "side_by_side": rel.Beside,
+    "adjacent": rel.Adjacent,
+    "touching": rel.Touching,
+    "near": rel.Near,
+    "together": rel.Near,
+    "apart": rel.Apart,
+}
+
+
+def relation(
+    draft: Draft,
+    word: str,
+    a: tuple[str, ...],
+    b: Operand,
+    mods: tuple[str, ...],
+    span: Span,
+    place: m.Loc | None = None,
+) -> g.Goal:
+    """The atom that says `a` is `word` of `b`."""
+    if word in DIRECTIONS:
+        flags = {name: True for name in ("directly", "immediate", "somewhere") if name in mods}
+        atom: g.Goal = DIRECTIONS[word].model_validate({"a": a, "b": b, **flags})  # type: ignore[assignment]
+    elif word == "under":
+        atom = rel.On(a=b, b=a)
+    elif word in ("between", "sandwiched") and len(members(b)) == 2:
+        atom = rel.Between(a=a, b=members(b)[:1], c=members(b)[1:])
+    elif word == "distance" and place is not None:
+        measure = "faces" if place.measure == "faces" else "centres"
+        atom = rel.Distance(a=a, b=b, minimum=place.low, maximum=place.high, measure=measure)  # type: ignore[arg-type]
+    elif word in PLAIN:
+        atom = PLAIN[word](a=a, b=b)
+    else:
+        raise draft.refusal(
+            "edit-unclear",
+            f"{word!r} is no place beside a block",
+            span,
+            "say on top of, beside, to the left of, between ...",
+        )
+    return g.Not(goal=atom) if place is not None and place.negated else atom

@@ -1,0 +1,233 @@
+"""Other looks for the same blocks: colour, symbol, size; and other blocks in the same places."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from rpg.blocks.traits import Traits, symbol_of
+from rpg.core.diagnostics import Span
+from rpg.ir.assets import EDGE, Asset, Block, ColoredCube, GoalPatch, SemanticCube
+from rpg.ir.edits import Exchange, ReplaceAssets, SetField
+from rpg.ir.structures import Equation, Spells
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+from rpg.steer.language import lexicon, m
+from rpg.steer.operations.kinds import convert, listed, mix
+from rpg.steer.operations.lines import insert
+from rpg.steer.operations.make import describe, free_name, new_assets, unused_colors
+from rpg.steer.refer import resolve
+
+
+def restyle(draft: Draft, request: r.Restyle) -> None:
+    """ "make the red block green", "change the base to purple", "make them bigger", "change the A to a B"."""
+    names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
+    names = tuple(name for name in names if name not in draft.kept)
+    traits = request.traits
+    if traits.kind in ("letter", "digit", "plain", "symbol") and not traits.labels and not traits.colors:
+        convert(draft, names, traits.kind, request.span)
+        return
+    if traits.scheme == "some":
+        convert(draft, names, "plain", request.span)
+        return
+    draft.aim("TWEAK")
+    new: dict[str, Asset] = {}
+    colors = _colors(draft, listed(draft, names), traits, request.span)
+    labels = _labels(draft, names, traits, request.span)
+    for index, name in enumerate(listed(draft, names)):
+        asset = draft.view.world.assets[name]
+        if isinstance(asset, GoalPatch):
+            new[name] = _patch(asset, traits, request.scale, colors[index] if colors else None)
+        else:
+            new[name] = _block(asset, traits, request.scale, colors[index] if colors else None, labels[index] if labels else None)
+    if any(type(new[name]) is not type(draft.view.world.assets[name]) for name in new):
+        draft.aim("MODIFY")
+    exchange(draft, new, request.span)
+    draft.note("restyle", {name: _said(request) for name in names})
+
+
+def _said(request: r.Restyle) -> dict[str, object]:
+    said: dict[str, object] = {"color": list(request.traits.colors), "label": list(request.traits.labels), "edge_m": request.traits.edge}
+    return {key: value for key, value in {**said, "scale": request.scale, "size": request.traits.size}.items() if value}
+
+
+def _colors(draft: Draft, names: Sequence[str], traits: m.Traits, span: Span) -> list[str] | None:
+    """A colour for each of `names`; None where colours stay."""
+    if traits.colors:
+        if len(traits.colors) not in (1, len(names)) and not traits.either:
+            raise draft.refusal("edit-unclear", f"{len(traits.colors)} colours do not say which of {len(names)} blocks gets which", span, "give one colour, or one for each")
+        return [traits.colors[index % len(traits.colors)] for index in range(len(names))]
+    if traits.scheme in ("different", "mixed"):
+        return unused_colors(draft, len(names))
+    if traits.scheme == "same":
+        return [draft.view.world.assets[names[0]].color] * len(names)
+    return None
+
+
+def _labels(draft: Draft, names: Sequence[str], traits: m.Traits, span: Span) -> list[str] | None:
+    if not traits.labels:
+        return None
+    if len(traits.labels) not in (1, len(names)):
+        raise draft.refusal("edit-unclear", f"{len(traits.labels)} symbols do not say which of {len(names)} blocks gets which", span, "give one symbol for each")
+    return [traits.labels[index % len(traits.labels)] for index in range(len(names))]
+
+
+def _block(block: Block, traits: m.Traits, scale: float | None, color: str | None, label: str | None) -> Block:
+    size = block.size
+    if traits.edge is not None:
+        size = traits.edge
+    elif traits.size:
+        size = {"big": lexicon.BIG_EDGE, "small": lexicon.SMALL_EDGE}.get(traits.size, EDGE)
+    elif scale is not None:
+        size = round(block.size * scale, 4)
+    if label is not None:
+        return SemanticCube.model_validate({"name": block.name, "label": label, "color": color or (block.color if isinstance(block, SemanticCube) else "ivory"), "size": size})
+    return type(block).model_validate({**block.model_dump(), "color": color or block.color, "size": size})
+
+
+def _patch(patch: GoalPatch, traits: m.Traits, scale: float | None, color: str | None) -> GoalPatch:
+    width, depth = patch.size
+    shape = traits.shape or patch.shape
+    if traits.edge is not None:
+        width = depth = traits.edge
+    elif traits.long:
+        width, depth, shape = max(2 * depth, width), depth, "rectangle"
+    elif traits.size or scale is not None:
+        factor = scale or {"big": 1.5, "small": 0.75}.get(traits.size or "", 1.0)
+        width, depth = round(width * factor, 4), round(depth * factor, 4)
+    return GoalPatch.model_validate({**patch.model_dump(), "size": (width, depth), "shape": shape, "color": color or patch.color})
+
+
+def exchange(draft: Draft, new: Mapping[str, Asset], span: Span | None) -> dict[str, str]:
+    """Give objects their new looks, and the names that fit them; words on cubes follow. Old name -> new name."""
+    taken = {asset.name for asset in draft.schema.assets} - set(new)
+    exchanges: list[Exchange] = []
+    names: dict[str, str] = {}
+    for name, asset in new.items():
+        called = name if _same_words(draft, name, asset) else _called(asset, taken)
+        taken.add(called)
+        names[name] = called
+        exchanges.append(Exchange(name=name, asset=asset.model_copy(update={"name": called})))
+    draft.do(ReplaceAssets(exchanges=tuple(exchanges)), span)
+    draft.look_at(tuple(dict.fromkeys([*(names.get(n, n) for n in draft.focus if n not in names), *names.values()])))
+    _respell(draft)
+    return names
+
+
+def _same_words(draft: Draft, name: str, asset: Asset) -> bool:
+    """Whether the old name still fits: the colour, symbol and size class are as they were."""
+    old = draft.view.world.assets[name]
+    return type(old) is type(asset) and _words(old) == _words(asset)
+
+
+def _words(asset: Asset) -> tuple[object, ...]:
+    if isinstance(asset, GoalPatch):
+        return (asset.color,)
+    size = (asset.size > EDGE) - (asset.size < EDGE)
+    return (asset.label, asset.labels, size) if isinstance(asset, SemanticCube) else (asset.color, size)
+
+
+def _called(asset: Asset, taken: set[str]) -> str:
+    if not isinstance(asset, GoalPatch):
+        return free_name(asset, taken)
+    name, number = f"{asset.color}_patch", 2
+    while name in taken:
+        name, number = f"{asset.color}_patch_{number}", number + 1
+    return name
+
+
+def _respell(draft: Draft) -> None:
+    """Words and equations read what their cubes show now."""
+    traits = Traits(draft.view.world)
+    for line in draft.view.lines:
+        if isinstance(line.node, Equation) and line.node.text is not None:
+            draft.do(SetField(at=line.path, field="text", value=None))
+    for path, atom in draft.view.atoms:
+        if isinstance(atom, Spells) and sorted(atom.word) != sorted(traits.symbol(n) for n in atom.blocks):
+            word = "".join(traits.symbol(name) for name in atom.blocks)
+            draft.do(SetField(at=path, field="word", value=word))
+
+
+def replace(draft: Draft, request: r.Replace) -> None:
+    """ "replace the green cube with a yellow one", "letters instead of colours"."""
+    old = tuple(n for n in _old(draft, request) if n not in draft.kept)
+    kinds = _kinds(request.new)
+    if len(kinds) > 1:
+        mix(draft, old, kinds, request.span)
+        return
+    if kinds and kinds[0] is not None and _generic(request.new):
+        convert(draft, old, kinds[0], request.span)
+        return
+    draft.aim("MODIFY")
+    traits = request.new.traits if isinstance(request.new, m.Noun) else m.Traits()
+    if isinstance(request.new, m.Noun) and request.new.head == "patch":
+        _replace_patches(draft, old, request)
+        return
+    single = isinstance(request.new, m.Noun) and (request.new.amount is None or request.new.amount.low in (1, len(old)))
+    if single and len(old) >= 1 and not (len(old) > 1 and not request.new.plural and len(set(draft.view.world.look[n] for n in old)) > 1 and False):  # type: ignore[attr-defined]
+        sizes = traits.edge or traits.size
+        blocks = describe(draft, traits, len(old), like=request.new.head == "any")  # type: ignore[attr-defined]
+        fitted = [b if sizes else b.model_copy(update={"size": draft.view.world.edge[n]}) for n, b in zip(listed(draft, old), blocks, strict=True)]
+        names = exchange(draft, dict(zip(listed(draft, old), fitted, strict=True)), request.span)
+        draft.note("replace", names)
+        return
+    _replace_by_several(draft, old, request)
+
+
+def _old(draft: Draft, request: r.Replace) -> tuple[str, ...]:
+    if request.old is not None:
+        return resolve(draft.view, request.old).names
+    line, figure = draft.view.main_line(), draft.view.main_figure()
+    return line.members if line else figure.members if figure else draft.view.busy
+
+
+def _kinds(new: m.Meaning) -> list[str | None]:
+    """The kinds of block that a phrase lists: "letters, numbers, colours"."""
+    items = new.items if isinstance(new, m.Coord) else (new,)
+    found: list[str | None] = []
+    for item in items:
+        traits = item.traits if isinstance(item, m.Noun) else None
+        found.append(None if traits is None else "plain" if traits.scheme in ("some",) and not traits.colors else traits.kind)
+    return found if all(found) or len(found) == 1 else [None]
+
+
+def _generic(new: m.Meaning) -> bool:
+    """Whether a phrase names a kind of block and no certain colours or symbols."""
+    if not isinstance(new, m.Noun):
+        return False
+    one = new.amount is not None and new.amount.low == 1 and new.det != "bare"
+    return not new.traits.labels and not new.traits.colors and not one
+
+
+def _replace_patches(draft: Draft, old: Sequence[str], request: r.Replace) -> None:
+    assert isinstance(request.new, m.Noun)
+    new: dict[str, Asset] = {}
+    for name in old:
+        patch = draft.view.world.patches.get(name)
+        if patch is None:
+            raise draft.refusal("edit-unclear", "a block cannot be replaced by a patch", request.span, "remove the block, then add a patch")
+        color = request.new.traits.colors[0] if request.new.traits.colors else None
+        new[name] = _patch(patch, request.new.traits, None, color)
+    exchange(draft, new, request.span)
+
+
+def _replace_by_several(draft: Draft, old: Sequence[str], request: r.Replace) -> None:
+    """One block gives way to several in the same place of its line."""
+    line = draft.view.line_of(old)
+    assets = [a for a in new_assets(draft, request.new) if isinstance(a, ColoredCube | SemanticCube)]
+    if line is None or len(old) != 1 or not assets:
+        raise draft.refusal("edit-unclear", f"{len(old)} blocks cannot give way to {len(assets)} here", request.span, "replace as many blocks as you take away")
+    index = line.members.index(old[0])
+    names = exchange(draft, {old[0]: assets[0]}, request.span)
+    first = names[old[0]]
+    more = draft.add([a.model_copy(update={"name": free_name(a, {x.name for x in draft.schema.assets})}) for a in assets[1:]], request.span)
+    for offset, name in enumerate(more):
+        now = draft.view.line_of((first,))
+        assert now is not None
+        insert(draft, now, index + 1 + offset, name, request.span)
+    draft.note("replace", {old[0]: [first, *more]})
+    draft.look_at((first, *more))
+
+
+def shown(draft: Draft, names: Sequence[str]) -> list[str]:
+    """The symbols on blocks."""
+    return [symbol_of(draft.view.world, name) for name in names]

@@ -12,6 +12,7 @@ from random import Random
 from typing import Literal, Protocol
 
 from rpg.blocks.english import describe
+from rpg.blocks.patches import place_patches
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import link
 from rpg.blocks.waypoints import waypoints
@@ -116,8 +117,6 @@ def prepared(schema: TaskSchema) -> TaskSchema:
 
     Raises Refusal where the patches find no place.
     """
-    from rpg.blocks.patches import place_patches
-
     placed = place_patches(schema)
     goal = link(placed.goal, World(placed.assets))
     return placed if goal is placed.goal else placed.model_copy(update={"goal": goal})

@@ -9,11 +9,11 @@ from functools import lru_cache
 import mujoco
 import numpy as np
 
+from rpg.blocks.english import clause
 from rpg.blocks.evaluate import settled
 from rpg.blocks.initial import sample_start
 from rpg.blocks.judgement import Judgement
 from rpg.blocks.physics import Physics
-from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.scene import build_spec
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import Cells, namings, rename_state
@@ -269,8 +269,7 @@ class BlockTask(Relations, Structures, Setup):
         """The condition in words."""
         name = self._names_of_conditions.get(id(node))
         if name is None:
-            kind: str = node.kind  # type: ignore[attr-defined]
-            name = self._names_of_conditions[id(node)] = PREDICATES[kind].english(node, self.world)
+            name = self._names_of_conditions[id(node)] = clause(node, self.world)  # type: ignore[arg-type]
         return name
 
 

@@ -9,11 +9,12 @@ from random import Random
 from rpg.blocks.arrange.alternatives import alternatives
 from rpg.blocks.arrange.bounds import Contradiction
 from rpg.blocks.arrange.solve import Solver
+from rpg.blocks.english import clause
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.core.diagnostics import Diagnostic, Label, Refusal
 from rpg.ir import goal as g
-from rpg.ir.walk import atoms, children
+from rpg.ir.walk import children
 
 SMALL = 1500
 """Candidate places judged for each subset of the conditions."""
@@ -65,7 +66,7 @@ def _diagnostic(parts: list[g.Goal], world: World, start: BlockState | None) -> 
     solver.solve(Random(0))
     reason = next((r for r in solver.reasons if r.needed is not None), None)
     spans = [span for span in map(span_of, parts) if span is not None]
-    texts = [in_words(part, world) for part in parts]
+    texts = [clause(part, world) for part in parts]
     labels = tuple(Label(span=s, text=t) for part, t in zip(parts, texts, strict=True) if (s := span_of(part)))[1:]
     cycle = support_cycle(parts, world)
     span = spans[0] if spans else None
@@ -150,15 +151,3 @@ def span_of(goal: g.Goal) -> tuple[int, int] | None:
         return goal.span
     inner = [span for span in map(span_of, children(goal)) if span is not None]
     return (min(s for s, _ in inner), max(e for _, e in inner)) if inner else None
-
-
-def in_words(goal: g.Goal, world: World) -> str:
-    """A condition in English, as well as its atoms can say it."""
-    found = [PREDICATES[atom.kind].english(atom, world) for atom in atoms(goal)]
-    match goal:
-        case g.Not():
-            return f"it is not so that {' and '.join(found)}"
-        case g.Any():
-            return " or ".join(found)
-        case _:
-            return " and ".join(found)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from rpg.blocks.english import clause
 from rpg.blocks.evaluate import evaluate
-from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.core.diagnostics import Span
@@ -51,7 +51,7 @@ def subgoals(task: TaskSchema, state: BlockState) -> Subgoals:
     best: tuple[int, tuple[tuple[g.Goal, str, bool], ...]] | None = None
     for naming in namings(interchangeable(task.goal, world)):
         seen = rename_state(state, naming)
-        parts = tuple((part, in_words(part, world), evaluate(part, seen).value) for part in conjuncts(task.goal))
+        parts = tuple((part, clause(part, world), evaluate(part, seen).value) for part in conjuncts(task.goal))
         score = sum(holds for _, _, holds in parts)
         if best is None or score > best[0]:
             best = (score, parts)
@@ -70,23 +70,3 @@ def conjuncts(goal: g.Goal) -> Iterator[g.Goal]:
                 yield from () if stage.undone else conjuncts(stage.goal)
         case _:
             yield goal
-
-
-def in_words(goal: g.Goal, world: World) -> str:
-    """A part of a goal as a clause."""
-    predicate = PREDICATES.get(goal.kind)
-    if predicate is not None:
-        return predicate.english(goal, world)
-    match goal:
-        case g.Not():
-            return f"not: {in_words(goal.goal, world)}"
-        case g.Any():
-            return " or ".join(in_words(part, world) for part in goal.goals)
-        case g.Count():
-            limits = f"at least {goal.at_least}" if goal.at_most is None else f"{goal.at_least} to {goal.at_most}"
-            return f"{limits} of {', '.join(goal.over)}: {in_words(goal.goal, world)}"
-        case g.All():
-            return " and ".join(in_words(part, world) for part in goal.goals)
-        case g.Always():
-            return f"always: {in_words(goal.goal, world)}"
-    return goal.kind

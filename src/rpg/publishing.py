@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from rpg.ir.artifact import GateReport
+from rpg.loading import Task
 from rpg.pipeline import Outcome
-from rpg.store import Content, SteeringMeta, Workspace, Written, dump_schema, write_base, write_rejected
+from rpg.store import Content, SteeringMeta, Workspace, Written, dump_schema, replace_file, write_base, write_rejected
 
 
 def content_of(outcome: Outcome, steering: SteeringMeta | None = None) -> Content:
@@ -36,6 +37,17 @@ def publish(outcome: Outcome, workspace: Workspace, *, explicit: bool = False) -
     if outcome.status == "failed":
         return write_rejected(workspace, name, _files(outcome))
     return write_base(workspace, name, content_of(outcome), explicit=explicit)
+
+
+def write_pictures(task: Task, directory: Path, seed: int) -> tuple[Path, ...]:
+    """Draw the start of `seed` and a goal state into `directory`; the files written."""
+    from rpg.blocks.picture import draw
+
+    states = {"initial.png": task.task_class().reset(seed), "goal.png": task.goal_class().reset(seed)}
+    directory.mkdir(parents=True, exist_ok=True)
+    for name, state in states.items():
+        replace_file(directory / name, draw(state))
+    return tuple(directory / name for name in states)
 
 
 def summary(outcome: Outcome, place: Written | Path | None) -> dict[str, Any]:

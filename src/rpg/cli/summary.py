@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from rpg.pipeline import Outcome
     from rpg.store import Written
 
+UNITS = {"_mm_s": "mm/s", "_m_s": "m/s", "_mm": "mm", "_m": "m", "_deg": "°", "_s": "s"}
+
 
 def print_outcome(out: Output, outcome: Outcome, place: Written | Path | None) -> None:
     """The result on stdout, what stands in its way on stderr. With --quiet, the directory alone."""
@@ -51,7 +53,7 @@ def _print_admitted(console: Console, outcome: Outcome, place: Written) -> None:
     console.print(Text(f"  {version.directory}"), soft_wrap=True)
     console.print()
     _print_understood(console, outcome)
-    console.print(Padding(gate_table(outcome.gates), (0, 0, 0, 2)))
+    console.print(Padding.indent(gate_table(outcome.gates), 2))
     console.print()
     pictures = [name for name in outcome.pictures if (version.directory / name).exists()]
     console.print(Text(f"  pictures: {', '.join(pictures) or 'none drawn'}", "dim"))
@@ -61,12 +63,12 @@ def _print_understood(console: Console, outcome: Outcome) -> None:
     """The goal in words, as a tree where it has parts, and what was assumed."""
     from rpg.explain import goal_outline
 
-    console.print(Padding(Text(outcome.goal_text), (0, 2)))
+    console.print(Padding.indent(Text(outcome.goal_text), 2))
     console.print()
     if outcome.schema:
         goal = goal_outline(outcome.schema)
         if goal.parts:
-            console.print(Padding(goal_tree(goal), (0, 2)))
+            console.print(Padding.indent(goal_tree(goal), 2))
             console.print()
     for assumption in outcome.assumptions:
         console.print(Text.assemble(("  assumed: ", "yellow"), assumption))
@@ -76,7 +78,7 @@ def _print_understood(console: Console, outcome: Outcome) -> None:
 
 def _print_failed(console: Console, outcome: Outcome, place: Written | Path | None) -> None:
     console.print()
-    console.print(Padding(gate_table(outcome.gates), (0, 0, 0, 2)))
+    console.print(Padding.indent(gate_table(outcome.gates), 2))
     console.print()
     console.print(Text.assemble(("✗ not admitted", "bold red"), f"; kept for looking into: {place}"), soft_wrap=True)
 
@@ -94,12 +96,14 @@ def gate_table(gates: tuple[GateReport, ...]) -> Table:
 
 
 def _figures(figures: Mapping[str, Any]) -> str:
-    """Measured figures in a line, lengths in millimetres where their names say metres."""
+    """Measured figures in a line."""
     return ", ".join(_figure(name, value) for name, value in figures.items() if not isinstance(value, list | dict))
 
 
 def _figure(name: str, value: Any) -> str:
-    words = name.replace("_", " ")
-    if isinstance(value, float) and name.endswith("_m"):
-        return f"{words.removesuffix(' m')} {1000 * value:.3g} mm"
-    return f"{words} {value:.3g}" if isinstance(value, float) else f"{words} {value}"
+    """One figure with its unit, which stands at the end of its name."""
+    number = f"{value:.3g}" if isinstance(value, float) else str(value)
+    for ending, unit in UNITS.items():
+        if name.endswith(ending):
+            return f"{name.removesuffix(ending).replace('_', ' ')} {number} {unit}"
+    return f"{name.replace('_', ' ')} {number}"

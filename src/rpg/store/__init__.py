@@ -5,7 +5,7 @@ from rpg.store.records import Snapshot, SteeringMeta, TaskSnapshot
 from rpg.store.resolve import resolve, resolve_family
 from rpg.store.taskfile import dump_schema, parse_schema, read_schema
 from rpg.store.verify import verify_family, verify_version
-from rpg.store.write import Content, Written, set_head, write_base, write_rejected, write_version
+from rpg.store.write import Content, Written, replace_file, set_head, write_base, write_rejected, write_version
 
 __all__ = [
     "DEFAULT_WORKSPACE",
@@ -20,6 +20,7 @@ __all__ = [
     "dump_schema",
     "parse_schema",
     "read_schema",
+    "replace_file",
     "resolve",
     "resolve_family",
     "set_head",

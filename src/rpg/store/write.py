@@ -171,7 +171,7 @@ def _found_again(workspace: Workspace, name: str, content: Content, snapshot: Sn
         version = _version(_find_base(workspace, name, snapshot, False), snapshot)
         for file, data in content.pictures.items():
             if not (version.directory / file).exists():
-                _replace(version.directory / file, data)
+                replace_file(version.directory / file, data)
     return Written(version, existed=True)
 
 
@@ -192,10 +192,10 @@ def _fill(directory: Path, content: Content, snapshot: Snapshot) -> None:
 
 
 def _write_head(family: Family, version: Version) -> None:
-    _replace(family.directory / HEAD, (version.directory.name + "\n").encode())
+    replace_file(family.directory / HEAD, (version.directory.name + "\n").encode())
 
 
-def _replace(path: Path, data: bytes) -> None:
+def replace_file(path: Path, data: bytes) -> None:
     """Put `data` at `path` in one step."""
     descriptor, name = tempfile.mkstemp(prefix=ASIDE, dir=path.parent)
     os.close(descriptor)

@@ -18,6 +18,9 @@ from rpg.ir.goal import GOAL
 from rpg.ir.schema import TaskSchema
 from rpg.store import Snapshot
 
+sys.path.append(str(Path(__file__).resolve().parent))
+from language_page import language_page  # noqa: E402
+
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMAS: dict[str, Any] = {"task": TypeAdapter(TaskSchema), "goal": GOAL, "snapshot": TypeAdapter(Snapshot)}
 """What people and scripts exchange with rpg as files."""
@@ -34,6 +37,7 @@ def generated() -> dict[Path, str]:
     """Every generated file, relative to the repository, and what it should hold."""
     found = {Path("schemas") / f"{name}.schema.json": json_schema(name) for name in SCHEMAS}
     found[Path("docs/reference/diagnostics.md")] = "\n".join(diagnostics_page())
+    found[Path("docs/reference/language.md")] = language_page()
     found[Path("docs/reference/task-yaml.md")] = "\n".join(task_page())
     return found
 

@@ -36,7 +36,10 @@ def test_every_predicate_has_a_clause() -> None:
         (g.Not(goal=g.On(a="blue_block", b="A_block")), "the blue block is not on the A block"),
         (g.Not(goal=g.Touching(a=RED, b="A_block")), "the three red blocks do not touch the A block"),
         (g.OnPatch(a=RED[:2], patch="green_patch"), "two of the three red blocks are on the green patch"),
-        (g.Distance(a="blue_block", b="A_block", minimum=0.11, maximum=0.13), "the blue block is 12 cm from the A block"),
+        (
+            g.Distance(a="blue_block", b="A_block", minimum=0.11, maximum=0.13),
+            "the blue block is 12 cm from the A block",
+        ),
         (
             g.Distance(a="blue_block", b="A_block", minimum=0.075, maximum=0.125),
             "the blue block is about 10 cm from the A block",

@@ -14,6 +14,7 @@ from rpg.blocks.predicates import (
     change,
     direction,
     facing,
+    group,
     patches,
     proximity,
     region,
@@ -24,6 +25,21 @@ from rpg.blocks.predicates import (
     words,
 )
 
-FAMILIES = (vertical, direction, proximity, between, patches, region, facing, change, stack, towers, row, words, cells)
+FAMILIES = (
+    vertical,
+    direction,
+    proximity,
+    between,
+    patches,
+    region,
+    facing,
+    change,
+    stack,
+    towers,
+    row,
+    words,
+    cells,
+    group,
+)
 
 PREDICATES: dict[str, Predicate[Any]] = {kind: p for family in FAMILIES for kind, p in family.TABLE.items()}

@@ -19,7 +19,7 @@ from rpg.ir.schema import TaskSchema
 from rpg.store import Snapshot
 
 sys.path.append(str(Path(__file__).resolve().parent))
-from language_page import language_page  # noqa: E402
+from language_page import language_page
 
 ROOT = Path(__file__).resolve().parent.parent
 SCHEMAS: dict[str, Any] = {"task": TypeAdapter(TaskSchema), "goal": GOAL, "snapshot": TypeAdapter(Snapshot)}

@@ -8,15 +8,29 @@ from typing import NamedTuple
 
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, members
-from rpg.ir.relations import On
+from rpg.ir.relations import (
+    Apart,
+    Behind,
+    Clear,
+    InFrontOf,
+    InRegion,
+    LeftOf,
+    Moved,
+    On,
+    OnPatch,
+    OnTable,
+    RightOf,
+    Stayed,
+)
 from rpg.ir.walk import instances
 
 
 class Literal(NamedTuple):
-    """An atom, and whether it must hold."""
+    """An atom, and whether it must hold. `hint`: what proposes places for it, if not the atom itself."""
 
     atom: g.Atom
     holds: bool = True
+    hint: g.Atom | None = None
 
 
 Conjunction = tuple[Literal, ...]
@@ -42,6 +56,40 @@ def alternatives(goal: g.Goal, wanted: bool = True) -> Iterator[Conjunction]:
             yield from _pairings(goal)
         case _:
             yield (Literal(goal, wanted),)
+
+
+def single(literals: Conjunction) -> Conjunction:
+    """The literals with conditions on groups said block by block, so that each can be judged as soon as it is placed.
+
+    What must lie on one patch is joined as a hint, so that places for all of it are proposed together.
+    """
+    on: dict[str, dict[str, None]] = {}
+    for atom, holds, _ in literals:
+        if holds and isinstance(atom, OnPatch):
+            on.setdefault(atom.patch, {}).update(dict.fromkeys(members(atom.a)))
+    found: list[Literal] = []
+    for literal in literals:
+        parts = list(_parts(literal.atom)) if literal.holds else []
+        for part in parts or [literal.atom]:
+            hint = part.model_copy(update={"a": tuple(on[part.patch])}) if isinstance(part, OnPatch) and parts else None
+            found.append(Literal(part, literal.holds, hint))
+    return tuple(found)
+
+
+def _parts(atom: g.Atom) -> Iterator[g.Atom]:
+    """An atom about groups as atoms about single blocks, where it is a plain conjunction of those."""
+    match atom:
+        case OnPatch() | InRegion() | OnTable() | Stayed() | Moved() | Clear():
+            if not isinstance(atom.a, Lowest | Highest):
+                yield from (atom.model_copy(update={"a": (name,)}) for name in atom.a)
+        case LeftOf() | RightOf() | InFrontOf() | Behind() | Apart():
+            grouped = not isinstance(atom.a, Lowest | Highest) and not isinstance(atom.b, Lowest | Highest)
+            pairs = [(a, b) for a in members(atom.a) for b in members(atom.b) if a != b] if grouped else []
+            if len(pairs) > 1 and not getattr(atom, "immediate", False):
+                loose = {} if isinstance(atom, Apart) else {"somewhere": True}
+                yield from (atom.model_copy(update={"a": (a,), "b": (b,), **loose}) for a, b in pairs)
+        case _:
+            return
 
 
 def _all(goals: tuple[g.Goal, ...], wanted: bool) -> Iterator[Conjunction]:

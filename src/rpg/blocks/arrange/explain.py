@@ -120,7 +120,7 @@ def support_cycle(parts: list[g.Goal], world: World) -> list[str]:
     goal = g.All(goals=tuple(parts))
     for literals in islice(alternatives(goal), 1):
         edges: dict[str, list[str]] = {}
-        for atom, holds in literals:
+        for atom, holds, _ in literals:
             if holds:
                 for upper, lower in PREDICATES[atom.kind].supports(atom, world):
                     edges.setdefault(upper, []).append(lower)

@@ -36,6 +36,8 @@ WIDTH = 6
 PROPOSALS = 24
 FREE_TRIES = 20
 ANCHORED_TRIES = 8
+PROPOSED = 0.25
+"""What it is worth that a condition proposed a place, rather than chance."""
 GOOD_MARGIN = 0.5
 """More slack than this share of a tolerance is not worth anything."""
 GOOD_CLEARANCE = 0.04
@@ -65,9 +67,11 @@ class Rule:
     """A literal with what the search needs to know of it."""
 
     atom: g.Atom
+    hint: g.Atom
     holds: bool
     predicate: Predicate[g.Atom]
     blocks: tuple[str, ...]
+    patches: tuple[str, ...]
     per_place: bool
     open_ended: bool
 
@@ -80,12 +84,15 @@ class Rule:
 def rules_of(literals: Iterable[Literal], assembly: Assembly) -> list[Rule]:
     """The literals as rules, with respect to the pieces at hand."""
     found = []
-    for atom, holds in literals:
+    for atom, holds, hint in literals:
         mentioned = names(atom)
         blocks = tuple(n for n in mentioned if n in assembly.of)
         split = len({id(assembly.of[n]) for n in blocks}) > 1
-        placed = atom.kind in ABSOLUTE or len(blocks) < len(mentioned)
-        found.append(Rule(atom, holds, PREDICATES[atom.kind], blocks, split or placed, atom.kind in OPEN))
+        patches = tuple(n for n in mentioned if n not in assembly.of)
+        placed = atom.kind in ABSOLUTE or bool(patches)
+        found.append(
+            Rule(atom, hint or atom, holds, PREDICATES[atom.kind], blocks, patches, split or placed, atom.kind in OPEN)
+        )
     return found
 
 
@@ -169,11 +176,11 @@ class Search:
             if r.per_place and all(n in self.position or n in piece.position for n in r.blocks)
         ]
         scored = []
-        for origin in self._candidates(piece, [r for r in due if r.holds]):
+        for origin, worth in self._candidates(piece, [r for r in due if r.holds]).items():
             self.budget.spend()
             score = self._score(piece, origin, due)
             if score is not None:
-                scored.append((score, origin))
+                scored.append((score + worth, origin))
         scored.sort(key=lambda pair: -pair[0])
         return [origin for _, origin in scored]
 
@@ -203,27 +210,34 @@ class Search:
         merit -= self.ground.trespass(piece, origin)
         return merit + self.noise * self.rng.random()
 
-    def _candidates(self, piece: Piece, wanted: list[Rule]) -> list[Origin]:
+    def _candidates(self, piece: Piece, wanted: list[Rule]) -> dict[Origin, float]:
+        """Origins to judge, each with what it is worth to have been proposed."""
         if piece.fixed:
-            return [(0.0, 0.0)]
+            return {(0.0, 0.0): 0.0}
         (x0, x1), (y0, y1) = (self.bounds.interval(piece, axis, self.origins) for axis in (0, 1))
         if x0 > x1 + 1e-9 or y0 > y1 + 1e-9:
-            return []
-        found = dict.fromkeys(
-            (round(min(max(x, x0), x1), 4), round(min(max(y, y0), y1), 4)) for x, y in self._proposed(piece, wanted)
-        )
+            return {}
+        found: dict[Origin, float] = {
+            (round(min(max(x, x0), x1), 4), round(min(max(y, y0), y1), 4)): PROPOSED
+            for x, y in self._proposed(piece, wanted)
+        }
         if not found:
-            found[round((x0 + x1) / 2, 4), round((y0 + y1) / 2, 4)] = None
+            found[round((x0 + x1) / 2, 4), round((y0 + y1) / 2, 4)] = 0.0
         for _ in range(ANCHORED_TRIES if wanted else FREE_TRIES):
-            found[round(self.rng.uniform(x0, x1), 4), round(self.rng.uniform(y0, y1), 4)] = None
-        return list(found)
+            found.setdefault((round(self.rng.uniform(x0, x1), 4), round(self.rng.uniform(y0, y1), 4)), 0.0)
+        return found
 
     def _proposed(self, piece: Piece, wanted: list[Rule]) -> Iterator[Origin]:
         for rule in wanted:
+            for patch in rule.patches:
+                inside = [piece.position[n] for n in rule.blocks if n in piece.position]
+                x, y, _ = self.state.where(patch)
+                middle = [sum(place[k] for place in inside) / len(inside) for k in (0, 1)]
+                yield x - middle[0], y - middle[1]
             for block in rule.blocks:
                 if block in piece.position:
                     px, py, _ = piece.position[block]
-                    for x, y in islice(rule.predicate.propose(rule.atom, block, self.state, self.rng), PROPOSALS):
+                    for x, y in islice(rule.predicate.propose(rule.hint, block, self.state, self.rng), PROPOSALS):
                         yield x - px, y - py
 
     def _result(self) -> BlockState:

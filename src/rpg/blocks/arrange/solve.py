@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import islice, product
 from random import Random
 
-from rpg.blocks.arrange.alternatives import Conjunction, alternatives
+from rpg.blocks.arrange.alternatives import Conjunction, alternatives, single
 from rpg.blocks.arrange.bounds import Bounds, Contradiction
 from rpg.blocks.arrange.fixed import Poses, fixed_poses
 from rpg.blocks.arrange.pieces import Assembly, Clash
@@ -43,7 +43,7 @@ class Solver:
         ways = list(islice(alternatives(self.goal), MAX_ALTERNATIVES))
         if vary:
             rng.shuffle(ways)
-        for literals in ways:
+        for literals in map(single, ways):
             for assembly in islice(self._assemblies(literals, rng, vary), MAX_LAYOUTS):
                 budget = Budget(min(LAYOUT_TRIES, left))
                 state = self._placed(assembly, literals, rng, budget, vary)
@@ -56,7 +56,7 @@ class Solver:
         self, assembly: Assembly, literals: Conjunction, rng: Random, budget: Budget, vary: bool
     ) -> BlockState | None:
         try:
-            bounds = Bounds(assembly, [atom for atom, holds in literals if holds])
+            bounds = Bounds(assembly, [atom for atom, holds, _ in literals if holds])
         except Contradiction as reason:
             self.reasons.append(reason)
             return None
@@ -72,7 +72,7 @@ class Solver:
 
     def _assemblies(self, literals: Conjunction, rng: Random, vary: bool) -> Iterator[Assembly]:
         """Every way to lay out the structures of a conjunction and what stands on what."""
-        wanted = [atom for atom, holds in literals if holds]
+        wanted = [atom for atom, holds, _ in literals if holds]
         fixed = fixed_poses(wanted, self.world, self.start)
         if fixed is None:
             return
@@ -100,7 +100,7 @@ class Solver:
         for clusters in chosen:
             for cluster in clusters:
                 assembly.add(cluster)
-        wanted = [atom for atom, holds in literals if holds]
+        wanted = [atom for atom, holds, _ in literals if holds]
         stacked = [atom for atom in wanted if isinstance(atom, On)]
         for on in sorted(stacked, key=lambda on: isinstance(on.b, Highest | Lowest)):
             a, b = assembly.resolve(on.a), assembly.resolve(on.b)
@@ -116,7 +116,7 @@ class Solver:
 
     def _turn(self, assembly: Assembly, literals: Conjunction) -> None:
         asked: dict[str, list[tuple[Facing | Turned, bool]]] = {}
-        for atom, holds in literals:
+        for atom, holds, _ in literals:
             if isinstance(atom, Facing | Turned):
                 asked.setdefault(atom.block, []).append((atom, holds))
         for name, wanted in asked.items():

@@ -18,6 +18,10 @@ from rpg.ir.assets import GoalPatch
 from rpg.ir.node import members
 from rpg.ir.relations import Empty, OnPatch
 
+LATTICE_GAP = 0.006
+"""Least gap between blocks that are proposed side by side on a patch (m)."""
+LOOSE_SPOTS = 6
+
 
 def outline_depth(patch: GoalPatch, x: float, y: float) -> float:
     """How deep a point lies inside of a patch's outline, in metres; negative outside."""
@@ -43,7 +47,9 @@ class OnPatchPredicate(Predicate[OnPatch]):
 
     def propose(self, node: OnPatch, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         if block in members(node.a):
-            yield from lattice(state.world.patches[node.patch], state.world.edge[block], rng)
+            patch = state.world.patches[node.patch]
+            edge = max(state.world.edge[n] for n in members(node.a))
+            yield from lattice(patch, edge, len(members(node.a)), rng)
 
     def near_misses(self, node: OnPatch, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         a = state.resolve(node.a)[0]
@@ -68,22 +74,26 @@ def _overlap(a: GoalPatch, b: GoalPatch) -> bool:
     return polygon_gap(patch_outline(a), patch_outline(b)) < 0.0
 
 
-def lattice(patch: GoalPatch, edge: float, rng: Random) -> Iterator[tuple[float, float]]:
-    """Places on a patch: its centre, then squares of 2 x 2, 3 x 3 ... that lie side by side, corners first."""
+def lattice(patch: GoalPatch, edge: float, count: int, rng: Random) -> Iterator[tuple[float, float]]:
+    """Places for so many blocks side by side on a patch: the lattice that stays deepest inside of it; then others."""
     px, py = patch.position or (math.nan, math.nan)
+    shapes = [(-(-count // columns), columns) for columns in range(1, count + 1)]
+    grids = [_centred(rows, columns, edge, patch) for rows, columns in shapes]
+    best = max(grids, key=lambda grid: (min(outline_depth(patch, *spot) for spot in grid), -len(grid)))
+    yield from rng.sample(best, len(best))
     yield px, py
-    pitch = edge + 0.006
-    columns, rows = (max(1, int((side - edge / 2) / pitch) + 1) for side in patch.size)
-    places = [
-        (px + (i - (columns - 1) / 2) * pitch, py + (j - (rows - 1) / 2) * pitch)
-        for i in range(columns)
-        for j in range(rows)
+    for _ in range(LOOSE_SPOTS):
+        yield px + rng.uniform(-0.4, 0.4) * patch.size[0], py + rng.uniform(-0.4, 0.4) * patch.size[1]
+
+
+def _centred(rows: int, columns: int, edge: float, patch: GoalPatch) -> list[tuple[float, float]]:
+    """A grid of places about the patch's centre, as wide as the patch has room for, up to half an edge of gaps."""
+    px, py = patch.position or (math.nan, math.nan)
+    room = [(size - edge) / (n - 1) if n > 1 else 0.0 for size, n in zip(patch.size, (rows, columns), strict=True)]
+    dx, dy = (min(1.5 * edge, max(edge + LATTICE_GAP, pitch)) for pitch in room)
+    return [
+        (px + (i - (rows - 1) / 2) * dx, py + (j - (columns - 1) / 2) * dy) for i in range(rows) for j in range(columns)
     ]
-    rng.shuffle(places)
-    yield from (p for p in places if outline_depth(patch, *p) > 0.003)
-    for _ in range(6):
-        shares = rng.uniform(-0.4, 0.4), rng.uniform(-0.4, 0.4)
-        yield px + shares[0] * patch.size[0], py + shares[1] * patch.size[1]
 
 
 class EmptyPredicate(Predicate[Empty]):

@@ -78,7 +78,8 @@ def _lit(model: mujoco.MjModel, data: mujoco.MjData, points: Floats) -> Floats:
     towards = points - lamp
     length = np.linalg.norm(towards, axis=1)
     _, distance, _ = _cast(model, data, lamp, towards / length[:, None])
-    return (distance >= length - 5 * BIAS).astype(np.float64)
+    reached: NDArray[np.bool_] = distance >= length - 5 * BIAS
+    return reached.astype(np.float64)
 
 
 def _sky(rays: Floats) -> Floats:

@@ -66,6 +66,8 @@ class BlockTask(Relations, Structures, Setup):
         self._physics: Physics | None = None
         self._robot: Robot | None = None
         self._written: BlockState | None = None
+        self._rest = FALSE
+        self._unread = False
         self._names_of_conditions: dict[int, str] = {}
         self.seed = 0
 
@@ -93,7 +95,7 @@ class BlockTask(Relations, Structures, Setup):
 
     def at_rest(self) -> Verdict:
         """Every block is slower than 5 cm/s, released, and supported."""
-        return settled(self._view())
+        return self._rest
 
     def count(self, verdicts: Iterable[Verdict], *, at_least: int = 0, at_most: int | None = None) -> Verdict:
         """At least / at most so many of the verdicts hold."""
@@ -134,6 +136,10 @@ class BlockTask(Relations, Structures, Setup):
     def step(self, control_steps: int = 1, action: Action = HOLD) -> None:
         """Advance; without an action the robot holds still. The goal is judged after every control step."""
         physics = self.physics
+        if self._nobody_looks():
+            physics.step(control_steps)
+            self._unread, self._judgement = True, None
+            return
         for _ in range(control_steps):
             if self._robot is not None:
                 self._robot.command(self.data, action)
@@ -146,6 +152,8 @@ class BlockTask(Relations, Structures, Setup):
         """Where every block is now."""
         if self._state is None:
             raise RuntimeError("the task has no state yet: call reset() first")
+        if self._unread:
+            self._observe(self.physics.read(self._state.start))
         return self._state
 
     def judge(self) -> Judgement:
@@ -231,28 +239,28 @@ class BlockTask(Relations, Structures, Setup):
         """The episode is now in `state`."""
         if self._written is not None:
             self._written = replace(state, start=None)
-        self._state, self._judgement = state, None
+        self._state, self._judgement, self._unread = state, None, False
         if self._memories[0].used:
             self.judge()
+
+    def _nobody_looks(self) -> bool:
+        """May steps pass without a look at each of them? The state is then read when somebody asks for it."""
+        hooked = type(self)._on_step is not BlockTask._on_step
+        return self._robot is None and not hooked and self._state is not None and not self._memories[0].used
 
     def _start(self) -> BlockState | None:
         return self._state.start if self._state is not None else None
 
-    def _view(self) -> BlockState:
-        if self._now is None:
-            raise RuntimeError("the task has no state yet: call reset() before judging it")
-        return self._now
-
     def _judged(self, state: BlockState) -> Judgement:
         """The judgement under the naming of look-alikes that comes closest to success."""
-        at_rest = settled(state)
+        at_rest = self._rest = settled(state)
         best: tuple[tuple[bool, bool, int, float], Judgement] | None = None
         lost = True
         for naming, memory in zip(self._namings, self._memories, strict=True):
             self._now, self._memory, self._noted = rename_state(state, naming), memory, []
             memory.begin(at_rest.value)
-            success = self._success()
-            failed = self._fail().value
+            success = _as_verdict(self._success())
+            failed = _as_verdict(self._fail()).value
             lost = lost and failed
             rank = (success.value, not failed, memory.stage, success.margin)
             if best is None or rank > best[0]:
@@ -271,6 +279,15 @@ class BlockTask(Relations, Structures, Setup):
         if name is None:
             name = self._names_of_conditions[id(node)] = clause(node, self.world)  # type: ignore[arg-type]
         return name
+
+
+def _as_verdict(value: Verdict | bool) -> Verdict:
+    """What a hook returns; a plain truth value has no slack to tell of."""
+    if isinstance(value, Verdict):
+        return value
+    if isinstance(value, bool):
+        return Verdict(value, 1.0 if value else -1.0)
+    raise TypeError(f"_success and _fail return a verdict, not {value!r}")
 
 
 def _solved_at_start() -> Diagnostic:

@@ -1,0 +1,106 @@
+"""Pictures: right side up, the right thing in the right place, with and without OpenGL."""
+
+from __future__ import annotations
+
+import io
+
+import mujoco
+import numpy as np
+import pytest
+from PIL import Image
+
+from rpg.blocks import camera, opengl
+from rpg.blocks.initial import sample_start
+from rpg.blocks.picture import draw, pixels
+from rpg.blocks.scene import build_spec
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.textures import RGB, face_image
+from rpg.ir.assets import ColoredCube, GoalPatch, SemanticCube
+from rpg.ir.schema import InitialState
+from tests.scene.builders import about, at, lettered, plain, tower
+
+needs_gl = pytest.mark.skipif(opengl.backend() is None, reason="no OpenGL here")
+SIZE = (320, 240)
+
+
+def mixed() -> BlockState:
+    colours = ("red", "green", "blue", "yellow", "orange", "purple", "white", "black")
+    blocks = [ColoredCube(name=f"{colour}_block", color=colour) for colour in colours]
+    letters = [SemanticCube(name=f"{letter}_block", label=letter) for letter in "AR5+"]
+    patch = GoalPatch(name="patch", color="cyan", shape="circle", position=(0.6, 0.1))
+    return sample_start(InitialState(), World([*blocks, *letters, patch]), 4)
+
+
+def test_a_picture_is_a_png_of_the_promised_size() -> None:
+    image = Image.open(io.BytesIO(draw(at(plain(1), (0.55, 0.0, 0.02)))))
+    assert (image.format, image.size) == ("PNG", (640, 480))
+
+
+def test_left_is_left_and_near_is_low() -> None:
+    world = World([ColoredCube(name=f"{c}_block", color=c) for c in ("red", "green", "blue", "yellow")])
+    state = at(world, (0.45, 0.15, 0.02), (0.45, -0.15, 0.02), (0.65, 0.15, 0.02), (0.65, -0.15, 0.02))
+    image = pixels(state, size=SIZE, how="rays").astype(int)
+    rows, columns = {}, {}
+    for name in ("red", "green", "blue", "yellow"):
+        close = np.abs(image - np.array(RGB[name]) * 1.0).sum(axis=2) < 90
+        rows[name], columns[name] = (np.nonzero(close)[axis].mean() for axis in (0, 1))
+    assert columns["red"] < columns["green"] and columns["blue"] < columns["yellow"]
+    assert rows["red"] > rows["blue"] and rows["green"] > rows["yellow"]
+
+
+@needs_gl
+def test_rays_and_opengl_agree_on_what_is_where() -> None:
+    state = mixed()
+    cast = pixels(state, size=SIZE, how="rays").astype(int)
+    drawn = pixels(state, size=SIZE, how=opengl.backend()).astype(int)
+    lower = slice(SIZE[1] // 4, None)
+    differences = np.abs(cast - drawn).max(axis=2)[lower]
+    assert np.mean(differences > 40) < 0.02
+
+
+@needs_gl
+@pytest.mark.parametrize(
+    ("axis", "degrees"), [("z", 0), ("y", 90), ("y", -90), ("y", 180), ("x", 90), ("x", -90), ("z", 90)]
+)
+def test_every_face_reads_the_same_with_both(axis: str, degrees: float) -> None:
+    state = at(lettered(), (0.45, 0.0, 0.02), turns={"x": about(axis, degrees)})
+    images = [
+        pixels(state, size=(640, 480), how=how).astype(int)[290:400, 270:370] for how in ("rays", opengl.backend())
+    ]
+    assert images[0].std() > 30
+    assert np.mean(np.abs(images[0] - images[1]).max(axis=2) > 60) < 0.03
+
+
+def test_a_tall_tower_is_in_the_picture_whole() -> None:
+    image = pixels(at(plain(12), *tower(12)), size=SIZE, how="rays").astype(int)
+    red = (image[..., 0] > 90) & (image[..., 1] < 70) & (image[..., 2] < 70)
+    assert red.any()
+    assert not red[:2].any() and not red[-2:].any()
+
+
+def test_symbols_differ_from_each_other() -> None:
+    faces = {
+        symbol: np.asarray(face_image(symbol, "ivory"), dtype=int)
+        for symbol in "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-*/="
+    }
+    for a, one in faces.items():
+        for b, other in faces.items():
+            assert a == b or np.mean(np.abs(one - other).max(axis=2) > 80) > 0.005, (a, b)
+
+
+def test_a_textured_scene_survives_being_saved_and_loaded() -> None:
+    world = World([SemanticCube(name="A_block", label="A", color="blue"), ColoredCube(name="red_block", color="red")])
+    spec = build_spec(world.assets.values(), textures=True)
+    xml, files = spec.to_xml(), dict(spec.assets)
+    again = mujoco.MjModel.from_xml_string(xml, files)
+    assert again.ntex == spec.compile().ntex
+    assert again.body("A_block").mass[0] == pytest.approx(600 * 0.04**3)
+
+
+def test_the_camera_looks_along_x_and_down() -> None:
+    model = build_spec([]).compile()
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    forward = -data.cam(camera.NAME).xmat.reshape(3, 3)[:, 2]
+    assert forward[0] > 0.5 and abs(forward[1]) < 1e-9 and forward[2] < -0.5
+    assert data.cam(camera.NAME).xmat.reshape(3, 3)[:, 0] == pytest.approx([0, -1, 0], abs=1e-9)

@@ -30,7 +30,7 @@ APART = 0.02
 """Least gap between patches (m)."""
 LONG = 2.0
 """A patch at least this many times longer than wide is a long one, and stays one."""
-LARGEST_SQUARE = 0.26
+LARGEST_SQUARE = 0.20
 """A square patch that would have to be larger (m) becomes a rectangle."""
 MOST_ORDERS = 24
 """Ways to deal the places of one layout to the patches."""

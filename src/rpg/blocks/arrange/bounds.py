@@ -68,12 +68,15 @@ class Bounds:
         self.pieces = assembly.pieces()
         self.index = {id(piece): k + 1 for k, piece in enumerate(self.pieces)}
         kept = list(atoms)
+        self.tight: Contradiction | None = None
+        """Why the conditions leave no room to spare, where they do not."""
         self.longest: list[list[list[float]]] = []
         self.active: list[list[int]] = []
         for axis in (0, 1):
             try:
                 self._close(axis, kept, 1.15)
-            except Contradiction:
+            except Contradiction as tight:
+                self.tight = tight
                 self._close(axis, kept, 1.0)
 
     def interval(self, piece: Piece, axis: int, placed: dict[int, tuple[float, float]]) -> tuple[float, float]:

@@ -38,7 +38,7 @@ FREE_TRIES = 20
 ANCHORED_TRIES = 8
 PROPOSED = 0.25
 """What it is worth that a condition proposed a place, rather than chance."""
-GOOD_MARGIN = 0.5
+GOOD_MARGIN = 0.3
 """More slack than this share of a tolerance is not worth anything."""
 GOOD_CLEARANCE = 0.04
 SCATTER_CLEARANCE = 0.10
@@ -71,6 +71,7 @@ class Rule:
     holds: bool
     predicate: Predicate[g.Atom]
     blocks: tuple[str, ...]
+    together: frozenset[str]
     patches: tuple[str, ...]
     per_place: bool
     open_ended: bool
@@ -90,9 +91,10 @@ def rules_of(literals: Iterable[Literal], assembly: Assembly) -> list[Rule]:
         split = len({id(assembly.of[n]) for n in blocks}) > 1
         patches = tuple(n for n in mentioned if n not in assembly.of)
         placed = atom.kind in ABSOLUTE or bool(patches)
-        found.append(
-            Rule(atom, hint or atom, holds, PREDICATES[atom.kind], blocks, patches, split or placed, atom.kind in OPEN)
-        )
+        together = frozenset(blocks if hint is None else names(hint)) & assembly.of.keys()
+        per_place, open_ended = split or placed, atom.kind in OPEN
+        predicate = PREDICATES[atom.kind]
+        found.append(Rule(atom, hint or atom, holds, predicate, blocks, together, patches, per_place, open_ended))
     return found
 
 
@@ -229,8 +231,8 @@ class Search:
 
     def _proposed(self, piece: Piece, wanted: list[Rule]) -> Iterator[Origin]:
         for rule in wanted:
-            for patch in rule.patches:
-                inside = [piece.position[n] for n in rule.blocks if n in piece.position]
+            for patch in rule.patches if rule.together <= piece.position.keys() else ():
+                inside = [piece.position[n] for n in rule.blocks]
                 x, y, _ = self.state.where(patch)
                 middle = [sum(place[k] for place in inside) / len(inside) for k in (0, 1)]
                 yield x - middle[0], y - middle[1]

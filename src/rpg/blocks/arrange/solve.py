@@ -60,6 +60,8 @@ class Solver:
         except Contradiction as reason:
             self.reasons.append(reason)
             return None
+        if bounds.tight is not None:
+            self.reasons.append(bounds.tight)
         noise = 1.2 if vary else 0.1
         search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, noise)
         try:

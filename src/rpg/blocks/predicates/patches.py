@@ -9,10 +9,9 @@ from typing import Any
 
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.geometry import carried, footprint_gap, grounded, patch_outline, polygon_gap, reach
-from rpg.blocks.nouns import phrase, verb
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, shift
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.state import BlockState
 from rpg.blocks.verdict import Verdict, every, holds
 from rpg.ir.assets import GoalPatch
 from rpg.ir.node import members
@@ -66,9 +65,6 @@ class OnPatchPredicate(Predicate[OnPatch]):
             ox, oy, _ = state.where(other.name)
             yield NearMiss(f"{a} on {other.name} instead", shift(state, load, ox - x, oy - y))
 
-    def english(self, node: OnPatch, world: World) -> str:
-        return f"{phrase(node.a, world)} {verb(node.a)} on {phrase(node.patch, world)}"
-
 
 def _overlap(a: GoalPatch, b: GoalPatch) -> bool:
     return polygon_gap(patch_outline(a), patch_outline(b)) < 0.0
@@ -81,7 +77,6 @@ def lattice(patch: GoalPatch, edge: float, count: int, rng: Random) -> Iterator[
     grids = [_centred(rows, columns, edge, patch) for rows, columns in shapes]
     best = max(grids, key=lambda grid: (min(outline_depth(patch, *spot) for spot in grid), -len(grid)))
     yield from rng.sample(best, len(best))
-    yield px, py
     for _ in range(LOOSE_SPOTS):
         yield px + rng.uniform(-0.4, 0.4) * patch.size[0], py + rng.uniform(-0.4, 0.4) * patch.size[1]
 
@@ -112,9 +107,6 @@ class EmptyPredicate(Predicate[Empty]):
             yield NearMiss(f"{a} on {node.patch}", shift(state, load, px - x, py - y))
             edge = patch.size[1] / 2 + reach(state, a)[1] - PAST
             yield NearMiss(f"{a} over the edge of {node.patch}", shift(state, load, px - x, py + edge - y))
-
-    def english(self, node: Empty, world: World) -> str:
-        return f"{phrase(node.patch, world)} is empty"
 
 
 TABLE: dict[str, Predicate[Any]] = {"on_patch": OnPatchPredicate(), "empty": EmptyPredicate()}

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from rpg.blocks.english import describe
-from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.english import clause, describe
 from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset, GoalPatch, SemanticCube
@@ -51,7 +50,7 @@ def _words(goal: g.Goal, world: World) -> str:
             return "one after the other"
         case g.Count():
             return f"{_how_many(goal)} of {', '.join(goal.over)} ({goal.var})"
-    return PREDICATES[goal.kind].english(goal, world)
+    return clause(goal, world)
 
 
 def _how_many(goal: g.Count) -> str:

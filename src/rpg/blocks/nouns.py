@@ -1,4 +1,4 @@
-"""Objects in English: "the red block", "both blue blocks", "two of the three red blocks", "the green patch"."""
+"""What objects are called: "red block", "A block", "5 cm green block", "blue patch"; small numbers and lists."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ import math
 
 from rpg.blocks.state import World
 from rpg.ir.assets import EDGE, Block, GoalPatch, SemanticCube
-from rpg.ir.node import Highest, Lowest, Operand, members
 
 NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 SIGNS = {"+": "plus", "-": "minus", "*": "times", "/": "divide", "=": "equals"}
@@ -40,28 +39,3 @@ def _described(block: Block) -> str:
 
 def _size(block: Block) -> str:
     return "" if math.isclose(block.size, EDGE) else f"{round(block.size * 100, 2):g} cm "
-
-
-def phrase(operand: Operand | str, world: World) -> str:
-    """A noun phrase for one or several objects."""
-    if isinstance(operand, Highest):
-        return f"the top of the tower of {phrase(operand.highest, world)}"
-    if isinstance(operand, Lowest):
-        return f"the tower of {phrase(operand.lowest, world)}"
-    chosen: dict[str, int] = {}
-    for name in members(operand):
-        noun = bare(name, world)
-        chosen[noun] = chosen.get(noun, 0) + 1
-    return join([_counted(noun, count, world) for noun, count in chosen.items()])
-
-
-def _counted(noun: str, count: int, world: World) -> str:
-    there = sum(bare(name, world) == noun for name in world.assets)
-    if there == count:
-        return f"the {noun}" if count == 1 else f"{'both' if count == 2 else f'all {number(count)}'} {noun}s"
-    return f"a {noun}" if count == 1 else f"{number(count)} {noun}s"
-
-
-def verb(operand: Operand | str, one: str = "is", many: str = "are") -> str:
-    """The verb's form that agrees with an operand."""
-    return one if isinstance(operand, Lowest | Highest) or len(members(operand)) == 1 else many

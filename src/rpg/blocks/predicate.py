@@ -44,7 +44,7 @@ class Predicate(Generic[N]):
     """What an atom means. Subclasses implement every method that applies to their kind of atom.
 
     The lowering to code needs no method: an atom lowers to the call of the BlockTask method named as its kind, with
-    its fields as arguments.
+    its fields as arguments. Its clause in English is in `rpg.blocks.english`, under its kind.
     """
 
     def evaluate(self, node: N, state: BlockState) -> Verdict:
@@ -73,7 +73,3 @@ class Predicate(Generic[N]):
     def supports(self, node: N, world: World) -> Iterable[tuple[str, str]]:
         """Edges (what rests, what it rests on) that the atom demands; "table" is the ground."""
         return ()
-
-    def english(self, node: N, world: World) -> str:
-        """The atom as an English clause that compiles back to it ("the red block is on the yellow block")."""
-        raise NotImplementedError

@@ -8,12 +8,11 @@ from random import Random
 from typing import Any
 
 from rpg.blocks.geometry import carried
-from rpg.blocks.nouns import phrase, verb
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, set_aside, shift, swap
 from rpg.blocks.predicates.direction import edge_between
 from rpg.blocks.predicates.vertical import above
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.state import BlockState
 from rpg.blocks.verdict import FALSE, Verdict, every, holds, some
 from rpg.ir.node import members
 from rpg.ir.relations import Between
@@ -87,10 +86,6 @@ class BetweenPredicate(Predicate[Between]):
         for end, (ex, ey), sign in ((b, (bx, by), -1.0), (c, (cx, cy), 1.0)):
             beyond = shift(state, load, ex + sign * edge * ux - ax, ey + sign * edge * uy - ay)
             yield NearMiss(f"{a} beyond {end}", beyond)
-
-    def english(self, node: Between, world: World) -> str:
-        ends = f"{phrase(node.b, world)} and {phrase(node.c, world)}"
-        return f"{phrase(node.a, world)} {verb(node.a)} between {ends}"
 
 
 TABLE: dict[str, Predicate[Any]] = {"between": BetweenPredicate()}

@@ -8,7 +8,7 @@ from random import Random
 from typing import Any, NamedTuple
 
 from rpg.blocks.constants import SUPPORT_GAP
-from rpg.blocks.figures import Ideal, ideals, upright
+from rpg.blocks.figures import Ideal, flat_forms, ideals, upright
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.cells_build import layouts, resting
 from rpg.blocks.predicates.common import (
@@ -35,6 +35,9 @@ from rpg.ir.structures import Cells
 MAX_FILLINGS = 4
 """How many ways to fill a figure's cells are offered for each of its forms."""
 
+PLAINLY = 0.25
+"""A figure whose blocks are all within this share of the tolerance of their cells is taken for no other figure."""
+
 
 class Found(NamedTuple):
     """A figure found in a state: its form, its fit, the block in each cell, and the verdict."""
@@ -52,6 +55,18 @@ def heights(state: BlockState, names: Sequence[str], edge: float) -> tuple[list[
     levels = [round((bottom - base) / edge) for bottom in bottoms]
     error = max(abs(bottom - base - level * edge) for bottom, level in zip(bottoms, levels, strict=True))
     return levels, 1.0 - error / SUPPORT_GAP
+
+
+def outdone(fit: Fit, places: Sequence[tuple[float, float, int]], pitches: tuple[float, float]) -> float:
+    """How much better another flat figure fits the blocks than half as badly as `fit` does; negative where none does.
+
+    Small figures of different shapes differ by less than the tolerance: blocks that plainly are the one are not the
+    other.
+    """
+    limit = fit.deviation / 2
+    rivals = [best_fit(form, places, pitches, limit) for form in flat_forms(len(places))]
+    least = min((rival.deviation for rival in rivals if rival is not None), default=math.inf)
+    return max(-1.0, 1.0 - least / limit)
 
 
 class CellsPredicate(Predicate[Cells]):
@@ -79,6 +94,8 @@ class CellsPredicate(Predicate[Cells]):
             fit = best_fit(ideal, places, pitches, tolerance)
             if fit is None:
                 continue
+            if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance and len(names) > 3:
+                margin = min(margin, -outdone(fit, places, pitches))
             found = self._judge(node, ideal, fit, min(margin, 1.0 - fit.deviation / tolerance), state)
             if best is None or found.verdict.margin > best.verdict.margin:
                 best = found

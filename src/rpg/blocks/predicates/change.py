@@ -9,10 +9,9 @@ from random import Random
 from typing import Any
 
 from rpg.blocks.geometry import carried
-from rpg.blocks.nouns import phrase, verb
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, product, put, shift
-from rpg.blocks.state import IDENTITY, BlockState, World, yaw_quat
+from rpg.blocks.state import IDENTITY, BlockState, yaw_quat
 from rpg.blocks.verdict import Verdict, at_least, at_most, every, some
 from rpg.ir.relations import Moved, Stayed, Swapped, Turned
 
@@ -40,9 +39,6 @@ class StayedPredicate(Predicate[Stayed]):
         a = state.resolve(node.a)[0]
         yield from _from_start(a, f"{a} pushed away from where it was", node.tolerance + PAST, state)
 
-    def english(self, node: Stayed, world: World) -> str:
-        return f"{phrase(node.a, world)} {verb(node.a, 'stays', 'stay')} where {verb(node.a, 'it is', 'they are')}"
-
 
 class MovedPredicate(Predicate[Moved]):
     """Each block is somewhere else."""
@@ -54,10 +50,6 @@ class MovedPredicate(Predicate[Moved]):
         a = state.resolve(node.a)[0]
         yield from _from_start(a, f"{a} hardly moved", node.at_least - PAST, state)
         yield from _from_start(a, f"{a} where it was", 0.0, state)
-
-    def english(self, node: Moved, world: World) -> str:
-        words = f"{phrase(node.a, world)} {verb(node.a)} moved by at least"
-        return f"{words} {round(node.at_least * 100, 1):g} cm"
 
 
 class SwappedPredicate(Predicate[Swapped]):
@@ -98,9 +90,6 @@ class SwappedPredicate(Predicate[Swapped]):
             yield NearMiss(f"{a} not quite in the place of {b}", shift(state, load, px - x, py + dy - y))
             yield NearMiss(f"only {a} in its new place", put_back(state, (b,)))
 
-    def english(self, node: Swapped, world: World) -> str:
-        return f"{phrase(node.a, world)} and {phrase(node.b, world)} have swapped places"
-
 
 class TurnedPredicate(Predicate[Turned]):
     """The block has turned about the vertical."""
@@ -123,10 +112,6 @@ class TurnedPredicate(Predicate[Turned]):
                 quat = product(yaw_quat(math.radians(degrees)), begun)
                 turned = put(state, node.block, state.position[node.block], quat)
                 yield NearMiss(f"{node.block} turned {what}", turned)
-
-    def english(self, node: Turned, world: World) -> str:
-        way = "" if node.either_way else (" counter-clockwise" if node.degrees > 0 else " clockwise")
-        return f"{phrase(node.block, world)} is turned by {abs(node.degrees):g} degrees{way}"
 
 
 def wanted_turns(node: Turned) -> tuple[float, ...]:

@@ -7,7 +7,6 @@ from random import Random
 from typing import Any
 
 from rpg.blocks.geometry import carried, footprint_gap, reach
-from rpg.blocks.nouns import phrase, verb
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, shift
 from rpg.blocks.state import BlockState, World
@@ -130,12 +129,6 @@ class DirectionalPredicate(Predicate[Directional]):
     def _half(self, name: str, world: World) -> float:
         patch = world.patches.get(name)
         return world.edge[name] / 2 if patch is None else patch.size[0 if DIRECTIONS[self.kind][0] else 1] / 2
-
-    def english(self, node: Directional, world: World) -> str:
-        adverb = "somewhere " if node.somewhere else ""
-        adverb += "directly " if node.directly else ""
-        adverb += "immediately " if node.immediate else ""
-        return f"{phrase(node.a, world)} {verb(node.a)} {adverb}{WORDS[self.kind]} {phrase(node.b, world)}"
 
 
 TABLE: dict[str, Predicate[Any]] = {kind: DirectionalPredicate(kind) for kind in DIRECTIONS}

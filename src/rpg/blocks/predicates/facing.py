@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
-from rpg.blocks.nouns import phrase
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import product, put, tilted
 from rpg.blocks.state import IDENTITY, BlockState, Quat, World, yaw_quat
@@ -74,13 +73,6 @@ class FacingPredicate(Predicate[Facing]):
         tipped = tilted(state, name, PAST_DEGREES)
         if not self.evaluate(node, tipped):
             yield NearMiss(f"{name} tilted", tipped)
-
-    def english(self, node: Facing, world: World) -> str:
-        name = phrase(node.block, world)
-        subject = f"the {node.face} of {name}" if node.face else f"the {node.label} of {name}" if node.label else name
-        way = {"viewer": "the viewer", "front": "the front", "back": "the back"}.get(node.toward, node.toward)
-        turn = {None: "", 0.0: ", upright", 180.0: ", upside down"}.get(node.turn, f", turned by {node.turn:g} degrees")
-        return f"{subject} faces {way}{turn}"
 
 
 def seen(name: str, face: Face, toward: Toward, state: BlockState) -> Verdict:

@@ -8,11 +8,10 @@ from random import Random
 from typing import Any
 
 from rpg.blocks.geometry import body_gap, carried, footprint_gap, plane_distance, reach, rests_on, riders
-from rpg.blocks.nouns import phrase, verb
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, set_aside, shift, stand_on
 from rpg.blocks.predicates.direction import edge_between
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.state import BlockState
 from rpg.blocks.verdict import Verdict, at_least, at_most, every, holds, some
 from rpg.ir.node import members
 from rpg.ir.relations import Adjacent, Apart, Beside, Distance, Near, Touching
@@ -97,10 +96,6 @@ class BesidePredicate(Predicate[Any]):
     def propose(self, node: Any, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         yield from side_places(node, block, state, node.gap_edges, rng)
 
-    def english(self, node: Beside | Adjacent, world: World) -> str:
-        word = "next to" if node.kind == "beside" else "adjacent to"
-        return f"{phrase(node.a, world)} {verb(node.a)} {word} {phrase(node.b, world)}"
-
 
 class TouchingPredicate(Predicate[Touching]):
     """The bodies of some member of `a` and one of `b` are at most a hair apart."""
@@ -126,9 +121,6 @@ class TouchingPredicate(Predicate[Touching]):
         else:
             yield apart_by(f"a gap between {a} and {b}", a, b, node.gap + PAST, state)
 
-    def english(self, node: Touching, world: World) -> str:
-        return f"{phrase(node.a, world)} {verb(node.a, 'touches', 'touch')} {phrase(node.b, world)}"
-
 
 class NearPredicate(Predicate[Near]):
     """The nearest members are close."""
@@ -145,10 +137,6 @@ class NearPredicate(Predicate[Near]):
         if pair is not None:
             yield centres_apart_by(f"{pair[0]} too far from {pair[1]}", *pair, node.distance + PAST, state)
 
-    def english(self, node: Near, world: World) -> str:
-        limit = "" if node.distance == 0.10 else f" (within {_cm(node.distance)})"
-        return f"{phrase(node.a, world)} {verb(node.a)} near {phrase(node.b, world)}{limit}"
-
 
 class ApartPredicate(Predicate[Apart]):
     """Even the nearest members are far from each other."""
@@ -160,9 +148,6 @@ class ApartPredicate(Predicate[Apart]):
         a, b = min(pairs(node, state), key=lambda pair: plane_distance(state, *pair))
         if a in state.position or b in state.position:
             yield centres_apart_by(f"{a} too near {b}", a, b, node.distance - PAST, state)
-
-    def english(self, node: Apart, world: World) -> str:
-        return f"{phrase(node.a, world)} {verb(node.a)} at least {_cm(node.distance)} from {phrase(node.b, world)}"
 
 
 class DistancePredicate(Predicate[Distance]):
@@ -199,11 +184,6 @@ class DistancePredicate(Predicate[Distance]):
             yield place(f"{pair[0]} too near {pair[1]}", *pair, node.minimum - PAST, state)
         if node.maximum is not None:
             yield place(f"{pair[0]} too far from {pair[1]}", *pair, node.maximum + PAST, state)
-
-    def english(self, node: Distance, world: World) -> str:
-        ends = f"{phrase(node.a, world)} and {phrase(node.b, world)}"
-        between = "between the centres of" if node.measure == "centres" else "between the faces of"
-        return f"the distance {between} {ends} is {_range(node)}"
 
 
 SIDES = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
@@ -256,18 +236,6 @@ def _others(node: Any, block: str, state: BlockState) -> Iterator[tuple[float, f
 
 def _shuffled(sides: tuple[tuple[float, float], ...], rng: Random) -> list[tuple[float, float]]:
     return rng.sample(sides, len(sides))
-
-
-def _cm(metres: float) -> str:
-    return f"{round(metres * 100, 1):g} cm"
-
-
-def _range(node: Distance) -> str:
-    if node.minimum is None:
-        return f"at most {_cm(node.maximum or 0.0)}"
-    if node.maximum is None:
-        return f"at least {_cm(node.minimum)}"
-    return f"between {_cm(node.minimum)} and {_cm(node.maximum)}"
 
 
 TABLE: dict[str, Predicate[Any]] = {

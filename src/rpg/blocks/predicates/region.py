@@ -9,10 +9,9 @@ from typing import Any
 
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import carried
-from rpg.blocks.nouns import phrase, verb
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import shift
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.state import BlockState
 from rpg.blocks.verdict import Verdict, every, holds
 from rpg.ir.node import members
 from rpg.ir.relations import InRegion, Region
@@ -85,9 +84,6 @@ class InRegionPredicate(Predicate[InRegion]):
         for place, what in ((_way_out(node.region, x, y, edge), "just outside of"), (far, "far from")):
             yield NearMiss(f"{a} {what} the region", shift(state, carried(state, a), place[0] - x, place[1] - y))
 
-    def english(self, node: InRegion, world: World) -> str:
-        return f"{phrase(node.a, world)} {verb(node.a)} {REGION_WORDS[node.region]}"
-
 
 def _grid() -> list[tuple[float, float]]:
     """Places all over the workspace, 2.5 cm apart."""
@@ -107,23 +103,5 @@ def _way_out(region: Region, x: float, y: float, edge: float) -> tuple[float, fl
                 return place
     return (x, y)
 
-
-REGION_WORDS: dict[Region, str] = {
-    "left_half": "on the left half of the table",
-    "right_half": "on the right half of the table",
-    "near_half": "on the near half of the table",
-    "far_half": "on the far half of the table",
-    "middle": "in the middle of the table",
-    "corner": "in a corner of the table",
-    "edge": "at an edge of the table",
-    "near_left_corner": "in the near left corner of the table",
-    "near_right_corner": "in the near right corner of the table",
-    "far_left_corner": "in the far left corner of the table",
-    "far_right_corner": "in the far right corner of the table",
-    "left_edge": "at the left edge of the table",
-    "right_edge": "at the right edge of the table",
-    "near_edge": "at the near edge of the table",
-    "far_edge": "at the far edge of the table",
-}
 
 TABLE: dict[str, Predicate[Any]] = {"in_region": InRegionPredicate()}

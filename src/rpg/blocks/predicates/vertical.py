@@ -8,7 +8,6 @@ from random import Random
 from typing import Any
 
 from rpg.blocks.geometry import carried, footprint_gap, riders, supporters, table_gap
-from rpg.blocks.nouns import phrase, verb
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, set_aside, shift, stand_on, swap, tilted
 from rpg.blocks.state import BlockState, World
@@ -83,9 +82,6 @@ class OnPredicate(Predicate[On]):
         if len(members(node.a)) == 1 and len(members(node.b)) == 1:
             yield members(node.a)[0], members(node.b)[0]
 
-    def english(self, node: On, world: World) -> str:
-        return f"{phrase(node.a, world)} {verb(node.a)} on {phrase(node.b, world)}"
-
 
 class AbovePredicate(Predicate[Above]):
     """Each of `a` is above all of `b`."""
@@ -106,9 +102,6 @@ class AbovePredicate(Predicate[Above]):
                 f"{a} past the edge of {below[0]}", shift(state, carried(state, a), bx - ax, by + aside - ay)
             )
 
-    def english(self, node: Above, world: World) -> str:
-        return f"{phrase(node.a, world)} {verb(node.a)} above {phrase(node.b, world)}"
-
 
 class OnTablePredicate(Predicate[OnTable]):
     """The lowest point of each block is at the table top."""
@@ -126,9 +119,6 @@ class OnTablePredicate(Predicate[OnTable]):
     def supports(self, node: OnTable, world: World) -> Iterable[tuple[str, str]]:
         if not isinstance(node.a, Lowest):
             yield from ((a, GROUND) for a in members(node.a))
-
-    def english(self, node: OnTable, world: World) -> str:
-        return f"{phrase(node.a, world)} {verb(node.a)} on the table"
 
 
 class ClearPredicate(Predicate[Clear]):
@@ -153,9 +143,6 @@ class ClearPredicate(Predicate[Clear]):
             yield NearMiss(f"{other} on {a}", stand_on(state, other, a))
             edge = max(state.world.edge[a], state.world.edge[other])
             yield NearMiss(f"{other} half on {a}", shift(stand_on(state, other, a), [other], 0.0, 0.4 * edge))
-
-    def english(self, node: Clear, world: World) -> str:
-        return f"nothing is on {phrase(node.a, world)}"
 
 
 TABLE: dict[str, Predicate[Any]] = {

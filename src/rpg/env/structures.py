@@ -25,14 +25,18 @@ class Structures(Atoms):
         exact: bool = False,
         patch: str | None = None,
         readable: bool = False,
+        excused: Names = (),
     ) -> Verdict:
         """`blocks` form one stack, bottom to top when the order is given; `order.first` is "bottom" unless it says
         "top".
 
         `exact`: nothing else is in the stack (its top is clear and its foot on the table or the patch). `patch`:
-        the lowest block lies on that patch. `readable`: the symbols on the viewer's side read upright.
+        the lowest block lies on that patch. `readable`: the symbols on the viewer's side read upright, but for
+        cubes that are `excused` because another condition turns them in the plane of their face.
         """
-        return self._atom(Stack, blocks=blocks, order=order, exact=exact, patch=patch, readable=readable)
+        return self._atom(
+            Stack, blocks=blocks, order=order, exact=exact, patch=patch, readable=readable, excused=excused
+        )
 
     def towers(
         self,
@@ -69,6 +73,7 @@ class Structures(Atoms):
         axis: Axis | None = None,
         order: Order = ANY_ORDER,
         readable: bool = False,
+        excused: Names = (),
         touching: bool = False,
         evenly: bool = False,
         spacing: float | None = None,
@@ -84,7 +89,7 @@ class Structures(Atoms):
         `axis` "y" lies from left to right, "x" from front to back (a column on the table); within `angle` degrees
         of it. Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between centres, or `gap`
         metres between faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each other. `readable`:
-        symbols on top read upright for the viewer, and in the order's direction.
+        symbols on top read upright for the viewer (but for those `excused`), and in the order's direction.
         """
         return self._atom(
             Row,
@@ -92,6 +97,7 @@ class Structures(Atoms):
             axis=axis,
             order=order,
             readable=readable,
+            excused=excused,
             touching=touching,
             evenly=evenly,
             spacing=spacing,
@@ -111,6 +117,7 @@ class Structures(Atoms):
         *,
         pattern: Pattern | None = None,
         readable: bool = False,
+        excused: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
         layers: int = 1,
@@ -124,6 +131,7 @@ class Structures(Atoms):
             columns=columns,
             pattern=pattern,
             readable=readable,
+            excused=excused,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
             layers=layers,
@@ -137,6 +145,7 @@ class Structures(Atoms):
         *,
         pattern: Pattern | None = None,
         readable: bool = False,
+        excused: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
     ) -> Verdict:
@@ -150,6 +159,7 @@ class Structures(Atoms):
             base=base,
             pattern=pattern,
             readable=readable,
+            excused=excused,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
         )
@@ -161,6 +171,7 @@ class Structures(Atoms):
         *,
         pattern: Pattern | None = None,
         readable: bool = False,
+        excused: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
         up: Direction | None = None,
@@ -172,6 +183,7 @@ class Structures(Atoms):
             steps=steps,
             pattern=pattern,
             readable=readable,
+            excused=excused,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
             up=up,
@@ -184,6 +196,7 @@ class Structures(Atoms):
         *,
         pattern: Pattern | None = None,
         readable: bool = False,
+        excused: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
         filled: bool = False,
@@ -202,6 +215,7 @@ class Structures(Atoms):
             shape=shape,
             pattern=pattern,
             readable=readable,
+            excused=excused,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
             filled=filled,
@@ -237,6 +251,7 @@ class Structures(Atoms):
         along: Literal["row", "stack"] = "row",
         reverse: bool = False,
         readable: bool = True,
+        excused: Names = (),
         gap_edges: float = 1.5,
     ) -> Verdict:
         """Cubes among `blocks` spell `word` from readable faces, and nothing else adjoins it.
@@ -245,7 +260,14 @@ class Structures(Atoms):
         reads from the other end.
         """
         return self._atom(
-            Spells, blocks=blocks, word=word, along=along, reverse=reverse, readable=readable, gap_edges=gap_edges
+            Spells,
+            blocks=blocks,
+            word=word,
+            along=along,
+            reverse=reverse,
+            readable=readable,
+            excused=excused,
+            gap_edges=gap_edges,
         )
 
     def equation(
@@ -255,10 +277,13 @@ class Structures(Atoms):
         along: Literal["row", "stack"] = "row",
         longer: bool = False,
         text: str | None = None,
+        excused: Names = (),
         gap_edges: float = 1.5,
     ) -> Verdict:
         """All of `blocks`, read in a row from left to right (or down a stack), form a true equation.
 
         `longer`: numbers of several digits are allowed. `text` fixes the equation; None accepts every true one.
         """
-        return self._atom(Equation, blocks=blocks, along=along, longer=longer, text=text, gap_edges=gap_edges)
+        return self._atom(
+            Equation, blocks=blocks, along=along, longer=longer, text=text, excused=excused, gap_edges=gap_edges
+        )

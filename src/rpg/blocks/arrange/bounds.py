@@ -35,6 +35,8 @@ BORDER = 0.01
 """Goal states keep this far inside of the workspace (m)."""
 WORKSPACE = (WORKSPACE_X, WORKSPACE_Y)
 GROUND = 0
+SPARE = 0.005
+"""Room (m) that directions are given beyond what they ask for, where there is enough."""
 Aimed = LeftOf | RightOf | InFrontOf | Behind
 ROOT2 = math.sqrt(2.0)
 
@@ -74,10 +76,10 @@ class Bounds:
         self.active: list[list[int]] = []
         for axis in (0, 1):
             try:
-                self._close(axis, kept, 1.15)
+                self._close(axis, kept, SPARE)
             except Contradiction as tight:
                 self.tight = tight
-                self._close(axis, kept, 1.0)
+                self._close(axis, kept, 0.0)
 
     def interval(self, piece: Piece, axis: int, placed: dict[int, tuple[float, float]]) -> tuple[float, float]:
         """Least and greatest origin of `piece` along an axis; `placed` maps id(piece) to origins."""
@@ -102,8 +104,8 @@ class Bounds:
         low, high = WORKSPACE[axis]
         return low + BORDER - min(places), high - BORDER - max(places)
 
-    def _close(self, axis: int, atoms: list[g.Atom], stretch: float) -> None:
-        edges = [edge for atom in atoms for edge in self._edges(atom, axis, stretch)]
+    def _close(self, axis: int, atoms: list[g.Atom], spare: float) -> None:
+        edges = [edge for atom in atoms for edge in self._edges(atom, axis, spare)]
         touched = sorted({k for edge in edges for k in (edge.tail, edge.head) if k != GROUND})
         for k, piece in enumerate(self.pieces, start=1):
             low, high = self._workspace(piece, axis)
@@ -116,10 +118,10 @@ class Bounds:
         self.longest.append(table)
         self.active.append(touched)
 
-    def _edges(self, atom: g.Atom, axis: int, stretch: float) -> Iterator[Edge]:
+    def _edges(self, atom: g.Atom, axis: int, spare: float) -> Iterator[Edge]:
         match atom:
             case LeftOf() | RightOf() | InFrontOf() | Behind():
-                yield from self._directional(atom, axis, stretch)
+                yield from self._directional(atom, axis, spare)
             case OnPatch():
                 patch = self.world.patches[atom.patch]
                 if patch.position is not None and not isinstance(atom.a, Lowest | Highest):
@@ -134,14 +136,14 @@ class Bounds:
             case _:
                 return
 
-    def _directional(self, atom: Aimed, axis: int, stretch: float) -> Iterator[Edge]:
+    def _directional(self, atom: Aimed, axis: int, spare: float) -> Iterator[Edge]:
         direction = DIRECTIONS[atom.kind]
         empty = BlockState(self.world, {}, {})
         for a in self._known(atom.a):
             for b in self._known(atom.b):
                 edge = edge_between(empty, a, b)
                 if direction[axis] != 0.0:
-                    least = least_offset(atom, a, b, empty) * stretch
+                    least = least_offset(atom, a, b, empty) + spare
                     high, low = (a, b) if direction[axis] > 0 else (b, a)
                     yield from self._beyond(low, high, least, axis, atom)
                     if atom.immediate and a in self.world.edge and b in self.world.edge:

@@ -40,7 +40,7 @@ PROPOSED = 0.25
 """What it is worth that a condition proposed a place, rather than chance."""
 GOOD_MARGIN = 0.3
 """More slack than this share of a tolerance is not worth anything."""
-GOOD_CLEARANCE = 0.04
+GOOD_CLEARANCE = 0.02
 SCATTER_CLEARANCE = 0.10
 CENTRE = (sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2)
 Origin = tuple[float, float]

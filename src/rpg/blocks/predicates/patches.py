@@ -95,8 +95,16 @@ class EmptyPredicate(Predicate[Empty]):
     """No footprint overlaps the patch."""
 
     def evaluate(self, node: Empty, state: BlockState) -> Verdict:
-        edge = state.world.edge
-        return every([holds(footprint_gap(state, name, node.patch) / edge[name]) for name in state.position])
+        patch = state.world.patches[node.patch]
+        return every([holds(self._gap(name, patch, state) / state.world.edge[name]) for name in state.position])
+
+    def _gap(self, name: str, patch: GoalPatch, state: BlockState) -> float:
+        """Gap between a block and the patch, at most one edge; measured exactly where it may be less."""
+        edge = state.world.edge[name]
+        x, y, _ = state.position[name]
+        px, py, _ = state.where(patch.name)
+        rough = max(abs(x - px) - patch.size[0] / 2, abs(y - py) - patch.size[1] / 2) - 0.8661 * edge
+        return edge if rough > edge else min(edge, footprint_gap(state, name, patch.name))
 
     def near_misses(self, node: Empty, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         px, py, _ = state.where(node.patch)

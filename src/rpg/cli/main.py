@@ -29,7 +29,7 @@ COMMANDS = {
 }
 """Every command with its summary; the module of the same name has a function `run` and an `EXAMPLE`."""
 
-EXIT_USAGE, EXIT_REFUSED, EXIT_UNAVAILABLE, EXIT_INTERRUPTED, EXIT_PIPE = 2, 3, 4, 130, 141
+EXIT_NO, EXIT_USAGE, EXIT_REFUSED, EXIT_UNAVAILABLE, EXIT_INTERRUPTED = 1, 2, 3, 4, 130
 CONTEXT = {"help_option_names": ["-h", "--help"]}
 
 
@@ -76,17 +76,25 @@ def main() -> None:
 
 
 def run(arguments: list[str]) -> int:
-    """Run one command; its exit status."""
+    """Run one command; its exit status. A reader that closes the pipe early is no news: nothing is said about it."""
+    try:
+        status = _run(arguments)
+        sys.stdout.flush()
+        return status
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return EXIT_NO
+
+
+def _run(arguments: list[str]) -> int:
     try:
         app(args=_command_first(arguments), prog_name="rpg", standalone_mode=True)
-        sys.stdout.flush()
     except SystemExit as done:
-        return _status(done.code)
+        return done.code if isinstance(done.code, int) else int(done.code is not None)
     except KeyboardInterrupt:
         return EXIT_INTERRUPTED
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return EXIT_PIPE
+        raise
     except Exception as error:
         from rpg.cli.errors import report
 
@@ -95,15 +103,6 @@ def run(arguments: list[str]) -> int:
             raise
         return status
     return 0
-
-
-def _status(code: Any) -> int:
-    try:
-        sys.stdout.flush()
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return EXIT_PIPE
-    return code if isinstance(code, int) else int(code is not None)
 
 
 def _command_first(arguments: list[str]) -> list[str]:

@@ -30,7 +30,7 @@ def judge_lines(task: BlockTask, lines: Iterable[bytes], origin: str, seed: int)
         if not line.strip():
             continue
         try:
-            judgement = _judged(task, start, json.loads(line))
+            judgement = _judged(task, start, json.loads(line.rstrip()))
         except BadState as problem:
             raise UsageError(f"{origin}:{number}: {problem}") from problem
         except json.JSONDecodeError as problem:

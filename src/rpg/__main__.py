@@ -1,0 +1,5 @@
+"""`python -m rpg`, the same as `rpg`."""
+
+from rpg.cli.main import main
+
+main()

@@ -1,0 +1,135 @@
+"""Mistakes get a sentence and an exit status, never a traceback."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from rpg.cli import errors, main
+from rpg.core.diagnostics import Diagnostic, Refusal, Unavailable, UsageError
+
+from .conftest import Rpg
+
+RPG = [sys.executable, "-m", "rpg"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("bogus",), "No such command"),
+        (("log",), "Missing argument"),
+        (("log", "x", "--bogus"), "No such option"),
+        (("log", "nothing-like-it"), "no task 'nothing-like-it'"),
+        (("show", "red-on-blu"), "did you mean red-on-blue?"),
+        (("show", "red-on-blue", "--seed", "x"), "--seed"),
+        (("show", "red-on-blue@9"), "it has 0"),
+        (("compile",), "give an instruction"),
+        (("compile", "a", "--from", "b"), "give an instruction"),
+        (("compile", "a", "--name", "Not A Name"), "lower-case words"),
+        (("compile", "--from", "missing.yaml"), "cannot read missing.yaml"),
+        (("compile", "--from", "/"), "cannot read /"),
+        (("check", "red-on-blue"), "--states"),
+        (("export", "red-on-blue", "--format", "usd"), "mjcf"),
+        (("checkout", "red-on-blue", "7"), "it has 0"),
+        (("verify", "red-on-blu"), "did you mean"),
+    ],
+)
+def test_mistakes_are_explained(rpg: Rpg, compiled: Path, arguments: tuple[str, ...], said: str) -> None:
+    result = rpg(*arguments, *(("--tasks", compiled) if arguments[0] != "bogus" else ()))
+    assert result.status == 2
+    assert said in " ".join(result.err.split())
+    assert "Traceback" not in result.err and not result.out
+
+
+def test_a_script_gets_its_document_for_mistakes_too(rpg: Rpg, compiled: Path) -> None:
+    result = rpg("show", "nothing", "--tasks", compiled, "--json")
+    assert result.status == 2
+    assert result.json["status"] == "error" and "nothing" in result.json["message"]
+
+
+def test_a_taken_name_is_said_to_be(rpg: Rpg, compiled: Path, tmp_path: Path) -> None:
+    text = (compiled.parent / "task.yaml").read_text()
+    first, second = tmp_path / "a.yaml", tmp_path / "b.yaml"
+    first.write_text(text)
+    second.write_text(text.replace("red on top of it", "the red block on it"))
+    shared = ("--tasks", tmp_path / "tasks", "--no-pictures", "-q", "--name", "mine")
+    assert rpg("compile", "--from", first, *shared).status == 0
+    assert rpg("compile", "--from", first, *shared).status == 0
+    result = rpg("compile", "--from", second, *shared)
+    assert (result.status, "another task called 'mine'" in result.err) == (2, True)
+
+
+@pytest.mark.parametrize(
+    ("error", "status"),
+    [
+        (UsageError("wrong"), 2),
+        (Refusal([Diagnostic(code="unknown-word", message="wrong")]), 3),
+        (Unavailable("wrong"), 4),
+        (PermissionError(13, "wrong", "file"), 2),
+    ],
+)
+def test_every_error_has_its_status(
+    error: Exception, status: int, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(**_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(main, "app", fail)
+    assert main.run(["x", "--json"]) == status
+    captured = capsys.readouterr()
+    assert "wrong" in captured.err and "wrong" in json.loads(captured.out)["message"]
+
+
+def test_a_bug_is_not_hidden(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(**_: object) -> None:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(main, "app", fail)
+    with pytest.raises(ZeroDivisionError):
+        main.run(["x"])
+    assert errors.report(ZeroDivisionError(), as_json=False) is None
+
+
+def test_an_interrupt_is_quiet(compiled: Path) -> None:
+    command = [*RPG, "check", "red-on-blue", "--states", "-", "--tasks", str(compiled)]
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(1.5)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=20)
+    assert process.returncode == 130
+    assert "Traceback" not in said
+
+
+def test_a_reader_that_leaves_is_no_error(compiled: Path, tmp_path: Path) -> None:
+    line = json.dumps(
+        {
+            "objects": {
+                name: {"position": [0.5, y, 0.97], "orientation": [1, 0, 0, 0]}
+                for name, y in (("red_block", 0.0), ("blue_block", 0.1), ("A_block", 0.2))
+            }
+        }
+    )
+    (tmp_path / "many.jsonl").write_text((line + "\n") * 2000)
+    command = [*RPG, "check", "red-on-blue", "--states", str(tmp_path / "many.jsonl"), "--tasks", str(compiled)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout and process.stderr
+    process.stdout.readline()
+    process.stdout.close()
+    said = process.stderr.read()
+    process.stderr.close()
+    assert process.wait(timeout=30) == 1
+    assert not said
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
+def test_a_workspace_that_cannot_be_written(rpg: Rpg, compiled: Path, tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    result = rpg("compile", "--from", compiled.parent / "task.yaml", "--tasks", tmp_path / "tasks", "--no-pictures")
+    assert (result.status, "choose another --tasks" in result.err) == (2, True)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
-from rpg.blocks.evaluate import Monitor, evaluate, settled
-from rpg.blocks.state import World
+from rpg.blocks.evaluate import evaluate
 from rpg.core.diagnostics import Diagnostic
+from rpg.env import BlockTask
 from rpg.ir import goal as g
 from rpg.ir.schema import TaskSchema
+from rpg.passes.codegen import lower
 from tests.corpus.entries import Entry
 from tests.corpus.looks import Binding, Mismatch
 from tests.corpus.states import Painter
@@ -80,22 +81,26 @@ def _of_start(entry: Entry, schema: TaskSchema, painter: Painter) -> str:
 
 
 def _of_goal(entry: Entry, schema: TaskSchema, painter: Painter) -> str:
+    task = task_of(schema)
     for pictures in entry.hold:
-        if not succeeds(schema, painter, pictures):
+        if not succeeds(task, painter, pictures):
             return f"does not hold: {' , '.join(pictures)}"
     for pictures in entry.miss:
-        if succeeds(schema, painter, pictures):
+        if succeeds(task, painter, pictures):
             return f"holds: {' , '.join(pictures)}"
     return ""
 
 
-def succeeds(schema: TaskSchema, painter: Painter, pictures: tuple[str, ...]) -> bool:
+def task_of(schema: TaskSchema) -> BlockTask:
+    """The task that the schema's code defines."""
+    scope: dict[str, Any] = {"__name__": "corpus_task"}
+    exec(compile(lower(schema), "code.py", "exec"), scope)
+    (task,) = [v for v in scope.values() if isinstance(v, type) and issubclass(v, BlockTask) and v is not BlockTask]
+    return task()
+
+
+def succeeds(task: BlockTask, painter: Painter, pictures: tuple[str, ...]) -> bool:
     """Whether a trajectory of pictures, or a single one after a scattered start, ends in success."""
-    start, *rest = [painter.state(p) for p in (pictures if len(pictures) > 1 else ("", *pictures))]
-    monitor = Monitor(schema.goal, World(schema.assets))
-    monitor.start(start)
-    done = False
-    for state in rest:
-        judgement = monitor.step(state)
-        done = bool(judgement.success) and not judgement.failed and bool(settled(state))
-    return done
+    states = [painter.state(p) for p in (pictures if len(pictures) > 1 else ("", *pictures))]
+    last = task.judge_states(states)[-1]
+    return bool(last.success) and not last.failed

@@ -132,7 +132,7 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
 
 
 def _before(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:
-    """ "before I added the green one", "before the letter was added"."""
+    """Phrases such as "before I added the green one", "before the letter was added"."""
     k = p.any_of(j, ("before i added", "before we added", "before adding", "the version before i added", "before you added", "the version before adding", "the one before i added",
                      "the one without", "the version without", "when there was no", "before there was", "when there were no"))  # fmt: skip
     for phrase, end in noun_phrase(p, k) if k else ():
@@ -144,7 +144,7 @@ def _before(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:
 
 
 def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Reference, int]]:
-    """ "when it was just red and blue", "the letter version", "the two-block tower", "the version with the purple block"."""
+    """Phrases such as "when it was just red and blue", "the letter version", "the two-block tower", "the version with the purple block"."""
     for phrase in _WHEN:
         if k := p.seq(j, phrase):
             n = p.any_of(k, ("just", "only", "simply", "still just", "still only")) or k

@@ -7,11 +7,10 @@ from collections.abc import Sequence
 from rpg.blocks.nouns import bare
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
-from rpg.ir import goal as g
 from rpg.ir.edits import AddCondition, ChangeCondition, SetField
 from rpg.ir.node import Highest, Lowest, Operand
 from rpg.ir.relations import InRegion, On, OnPatch, OnTable
-from rpg.ir.structures import Figure, GroupBy, Stack, Towers
+from rpg.ir.structures import Figure, GroupBy, Stack
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -123,7 +122,7 @@ def put(
     if isinstance(place, r.Spot):
         _at_spot(draft, names, place.side, anchor.line if anchor else line, anchor, span)
     elif isinstance(place, m.In):
-        draft.do(AddCondition(goal=InRegion(a=tuple(names), region=place.region)), span)
+        draft.do(AddCondition(goal=InRegion.model_validate({"a": tuple(names), "region": place.region})), span)
     elif isinstance(place, m.Loc):
         _at_landmark(draft, names, place, anchor, span, line)
     else:
@@ -262,7 +261,7 @@ def _into_line(draft: Draft, names: Sequence[str], place: m.Loc, anchor: Found, 
 
 
 def _add_patches(draft: Draft, patches: Sequence[str], request: r.Add, anchors: dict[int, Found | None]) -> None:
-    """ "add a green patch under the tower": what stands on it, or beside what it is."""
+    """Phrases such as "add a green patch under the tower": what stands on it, or beside what it is."""
     if not request.places:
         draft.aim("TWEAK")
         draft.assume("nothing has to be on what is added without a duty")
@@ -298,8 +297,3 @@ def stand_on(draft: Draft, line: Line, patch: str, span: Span) -> None:
         draft.do(AddCondition(goal=OnPatch(a=(line.members[0],), patch=patch)), span)
         return
     draft.do(AddCondition(goal=OnPatch(a=line.members, patch=patch)), span)
-
-
-def tower_of(draft: Draft) -> g.Goal | None:
-    """The structure of unnamed towers, where the goal has one."""
-    return next((f.node for f in draft.view.figures if isinstance(f.node, Towers)), None)

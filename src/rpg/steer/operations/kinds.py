@@ -45,7 +45,9 @@ def convert(draft: Draft, names: Sequence[str], kind: str, span: Span) -> None:
         row = SYMBOLS[kind] if max(classes.values(), default=0) < 9 or kind != "digit" else "0123456789"
         chosen = names[: MOST[kind]]
         if len(chosen) < len(names):
-            draft.assume(f"at most {MOST[kind]} blocks can show a {kind}; the other {len(names) - len(chosen)} stay plain")
+            draft.assume(
+                f"at most {MOST[kind]} blocks can show a {kind}; the other {len(names) - len(chosen)} stay plain"
+            )
         new = {name: _symbol(draft.view.world.blocks[name], row[classes[name] % len(row)], kind) for name in chosen}
     _adapt(draft, "color" if kind == "plain" else "label", "number" if kind == "digit" else "label")
     exchange(draft, new, span)
@@ -132,7 +134,9 @@ def mix(draft: Draft, names: Sequence[str], kinds: Sequence[str | None], span: S
         kind, place = kinds[index // share] or "plain", index % share
         block = draft.view.world.blocks[name]
         if kind == "plain":
-            new[name] = ColoredCube.model_validate({"name": name, "color": PALETTE[place % len(PALETTE)], "size": block.size})
+            new[name] = ColoredCube.model_validate(
+                {"name": name, "color": PALETTE[place % len(PALETTE)], "size": block.size}
+            )
         else:
             new[name] = SemanticCube(name=name, label=SYMBOLS[kind][place], size=block.size)
     renamed = exchange(draft, new, span)

@@ -63,7 +63,8 @@ def describe(
         labels = _cycled(traits.labels, number) if traits.labels else unused_labels(draft, number, kind == "digit")
         colors = _cycled(traits.colors, number) or ["ivory"] * number
         return [
-            SemanticCube(name="new", label=label, color=c, size=edge) for label, c in zip(labels, colors, strict=True)
+            SemanticCube.model_validate({"name": "new", "label": label, "color": c, "size": edge})
+            for label, c in zip(labels, colors, strict=True)
         ]
     model = _model(draft, like) if not traits.colors and traits.scheme is None and not traits.extra else None
     if model is not None:
@@ -71,7 +72,7 @@ def describe(
     colors = _cycled(traits.colors, number) or unused_colors(draft, number, before)
     if not traits.colors:
         draft.assume(f"colours that the task does not have yet: {', '.join(colors)}")
-    return [ColoredCube(name="new", color=color, size=edge) for color in colors]
+    return [ColoredCube.model_validate({"name": "new", "color": color, "size": edge}) for color in colors]
 
 
 def _model(draft: Draft, like: bool) -> Block | None:

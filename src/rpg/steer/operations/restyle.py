@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from rpg.blocks.traits import Traits, symbol_of
+from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir.assets import EDGE, Asset, Block, ColoredCube, GoalPatch, SemanticCube
 from rpg.ir.edits import Exchange, ReplaceAssets, SetField
@@ -19,7 +19,7 @@ from rpg.steer.refer import resolve
 
 
 def restyle(draft: Draft, request: r.Restyle) -> None:
-    """ "make the red block green", "change the base to purple", "make them bigger", "change the A to a B"."""
+    """Phrases such as "make the red block green", "change the base to purple", "make them bigger", "change the A to a B"."""
     names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
     names = tuple(name for name in names if name not in draft.kept)
     traits = request.traits
@@ -38,7 +38,9 @@ def restyle(draft: Draft, request: r.Restyle) -> None:
         if isinstance(asset, GoalPatch):
             new[name] = _patch(asset, traits, request.scale, colors[index] if colors else None)
         else:
-            new[name] = _block(asset, traits, request.scale, colors[index] if colors else None, labels[index] if labels else None)
+            new[name] = _block(
+                asset, traits, request.scale, colors[index] if colors else None, labels[index] if labels else None
+            )
     if any(type(new[name]) is not type(draft.view.world.assets[name]) for name in new):
         draft.aim("MODIFY")
     exchange(draft, new, request.span)
@@ -46,7 +48,11 @@ def restyle(draft: Draft, request: r.Restyle) -> None:
 
 
 def _said(request: r.Restyle) -> dict[str, object]:
-    said: dict[str, object] = {"color": list(request.traits.colors), "label": list(request.traits.labels), "edge_m": request.traits.edge}
+    said: dict[str, object] = {
+        "color": list(request.traits.colors),
+        "label": list(request.traits.labels),
+        "edge_m": request.traits.edge,
+    }
     return {key: value for key, value in {**said, "scale": request.scale, "size": request.traits.size}.items() if value}
 
 
@@ -54,7 +60,12 @@ def _colors(draft: Draft, names: Sequence[str], traits: m.Traits, span: Span) ->
     """A colour for each of `names`; None where colours stay."""
     if traits.colors:
         if len(traits.colors) not in (1, len(names)) and not traits.either:
-            raise draft.refusal("edit-unclear", f"{len(traits.colors)} colours do not say which of {len(names)} blocks gets which", span, "give one colour, or one for each")
+            raise draft.refusal(
+                "edit-unclear",
+                f"{len(traits.colors)} colours do not say which of {len(names)} blocks gets which",
+                span,
+                "give one colour, or one for each",
+            )
         return [traits.colors[index % len(traits.colors)] for index in range(len(names))]
     if traits.scheme in ("different", "mixed"):
         return unused_colors(draft, len(names))
@@ -67,7 +78,12 @@ def _labels(draft: Draft, names: Sequence[str], traits: m.Traits, span: Span) ->
     if not traits.labels:
         return None
     if len(traits.labels) not in (1, len(names)):
-        raise draft.refusal("edit-unclear", f"{len(traits.labels)} symbols do not say which of {len(names)} blocks gets which", span, "give one symbol for each")
+        raise draft.refusal(
+            "edit-unclear",
+            f"{len(traits.labels)} symbols do not say which of {len(names)} blocks gets which",
+            span,
+            "give one symbol for each",
+        )
     return [traits.labels[index % len(traits.labels)] for index in range(len(names))]
 
 
@@ -80,7 +96,14 @@ def _block(block: Block, traits: m.Traits, scale: float | None, color: str | Non
     elif scale is not None:
         size = round(block.size * scale, 4)
     if label is not None:
-        return SemanticCube.model_validate({"name": block.name, "label": label, "color": color or (block.color if isinstance(block, SemanticCube) else "ivory"), "size": size})
+        return SemanticCube.model_validate(
+            {
+                "name": block.name,
+                "label": label,
+                "color": color or (block.color if isinstance(block, SemanticCube) else "ivory"),
+                "size": size,
+            }
+        )
     return type(block).model_validate({**block.model_dump(), "color": color or block.color, "size": size})
 
 
@@ -94,7 +117,9 @@ def _patch(patch: GoalPatch, traits: m.Traits, scale: float | None, color: str |
     elif traits.size or scale is not None:
         factor = scale or {"big": 1.5, "small": 0.75}.get(traits.size or "", 1.0)
         width, depth = round(width * factor, 4), round(depth * factor, 4)
-    return GoalPatch.model_validate({**patch.model_dump(), "size": (width, depth), "shape": shape, "color": color or patch.color})
+    return GoalPatch.model_validate(
+        {**patch.model_dump(), "size": (width, depth), "shape": shape, "color": color or patch.color}
+    )
 
 
 def exchange(draft: Draft, new: Mapping[str, Asset], span: Span | None) -> dict[str, str]:
@@ -148,7 +173,7 @@ def _respell(draft: Draft) -> None:
 
 
 def replace(draft: Draft, request: r.Replace) -> None:
-    """ "replace the green cube with a yellow one", "letters instead of colours"."""
+    """Phrases such as "replace the green cube with a yellow one", "letters instead of colours"."""
     old = tuple(n for n in _old(draft, request) if n not in draft.kept)
     kinds = _kinds(request.new)
     if len(kinds) > 1:
@@ -158,19 +183,22 @@ def replace(draft: Draft, request: r.Replace) -> None:
         convert(draft, old, kinds[0], request.span)
         return
     draft.aim("MODIFY")
-    traits = request.new.traits if isinstance(request.new, m.Noun) else m.Traits()
-    if isinstance(request.new, m.Noun) and request.new.head == "patch":
-        _replace_patches(draft, old, request)
-        return
-    single = isinstance(request.new, m.Noun) and (request.new.amount is None or request.new.amount.low in (1, len(old)))
-    if single and len(old) >= 1 and not (len(old) > 1 and not request.new.plural and len(set(draft.view.world.look[n] for n in old)) > 1 and False):  # type: ignore[attr-defined]
-        sizes = traits.edge or traits.size
-        blocks = describe(draft, traits, len(old), like=request.new.head == "any")  # type: ignore[attr-defined]
-        fitted = [b if sizes else b.model_copy(update={"size": draft.view.world.edge[n]}) for n, b in zip(listed(draft, old), blocks, strict=True)]
-        names = exchange(draft, dict(zip(listed(draft, old), fitted, strict=True)), request.span)
-        draft.note("replace", names)
-        return
-    _replace_by_several(draft, old, request)
+    new = request.new
+    if isinstance(new, m.Noun) and new.head == "patch":
+        _replace_patches(draft, old, new, request.span)
+    elif isinstance(new, m.Noun) and (new.amount.low if new.amount else len(old)) == len(old):
+        _replace_each(draft, old, new, request.span)
+    else:
+        _replace_by_several(draft, old, request)
+
+
+def _replace_each(draft: Draft, old: Sequence[str], new: m.Noun, span: Span) -> None:
+    """As many new blocks as old ones, of the old ones' sizes unless the request gives another."""
+    blocks = describe(draft, new.traits, len(old), like=new.head == "any")
+    if not (new.traits.edge or new.traits.size):
+        edges = [draft.view.world.edge[name] for name in listed(draft, old)]
+        blocks = [block.model_copy(update={"size": edge}) for block, edge in zip(blocks, edges, strict=True)]
+    draft.note("replace", exchange(draft, dict(zip(listed(draft, old), blocks, strict=True)), span))
 
 
 def _old(draft: Draft, request: r.Replace) -> tuple[str, ...]:
@@ -186,7 +214,9 @@ def _kinds(new: m.Meaning) -> list[str | None]:
     found: list[str | None] = []
     for item in items:
         traits = item.traits if isinstance(item, m.Noun) else None
-        found.append(None if traits is None else "plain" if traits.scheme in ("some",) and not traits.colors else traits.kind)
+        found.append(
+            None if traits is None else "plain" if traits.scheme in ("some",) and not traits.colors else traits.kind
+        )
     return found if all(found) or len(found) == 1 else [None]
 
 
@@ -198,16 +228,16 @@ def _generic(new: m.Meaning) -> bool:
     return not new.traits.labels and not new.traits.colors and not one
 
 
-def _replace_patches(draft: Draft, old: Sequence[str], request: r.Replace) -> None:
-    assert isinstance(request.new, m.Noun)
+def _replace_patches(draft: Draft, old: Sequence[str], wanted: m.Noun, span: Span) -> None:
     new: dict[str, Asset] = {}
     for name in old:
         patch = draft.view.world.patches.get(name)
         if patch is None:
-            raise draft.refusal("edit-unclear", "a block cannot be replaced by a patch", request.span, "remove the block, then add a patch")
-        color = request.new.traits.colors[0] if request.new.traits.colors else None
-        new[name] = _patch(patch, request.new.traits, None, color)
-    exchange(draft, new, request.span)
+            raise draft.refusal(
+                "edit-unclear", "a block cannot be replaced by a patch", span, "remove the block, then add a patch"
+            )
+        new[name] = _patch(patch, wanted.traits, None, wanted.traits.colors[0] if wanted.traits.colors else None)
+    exchange(draft, new, span)
 
 
 def _replace_by_several(draft: Draft, old: Sequence[str], request: r.Replace) -> None:
@@ -215,19 +245,22 @@ def _replace_by_several(draft: Draft, old: Sequence[str], request: r.Replace) ->
     line = draft.view.line_of(old)
     assets = [a for a in new_assets(draft, request.new) if isinstance(a, ColoredCube | SemanticCube)]
     if line is None or len(old) != 1 or not assets:
-        raise draft.refusal("edit-unclear", f"{len(old)} blocks cannot give way to {len(assets)} here", request.span, "replace as many blocks as you take away")
+        raise draft.refusal(
+            "edit-unclear",
+            f"{len(old)} blocks cannot give way to {len(assets)} here",
+            request.span,
+            "replace as many blocks as you take away",
+        )
     index = line.members.index(old[0])
     names = exchange(draft, {old[0]: assets[0]}, request.span)
     first = names[old[0]]
-    more = draft.add([a.model_copy(update={"name": free_name(a, {x.name for x in draft.schema.assets})}) for a in assets[1:]], request.span)
+    more = draft.add(
+        [a.model_copy(update={"name": free_name(a, {x.name for x in draft.schema.assets})}) for a in assets[1:]],
+        request.span,
+    )
     for offset, name in enumerate(more):
         now = draft.view.line_of((first,))
         assert now is not None
         insert(draft, now, index + 1 + offset, name, request.span)
     draft.note("replace", {old[0]: [first, *more]})
     draft.look_at((first, *more))
-
-
-def shown(draft: Draft, names: Sequence[str]) -> list[str]:
-    """The symbols on blocks."""
-    return [symbol_of(draft.view.world, name) for name in names]

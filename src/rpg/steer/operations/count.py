@@ -1,0 +1,201 @@
+"""More or fewer blocks in a structure, and other dimensions of a figure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.blocks.traits import Traits
+from rpg.ir.assets import Asset, Block
+from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetField
+from rpg.ir.order import Pattern
+from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Spells, Staircase
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+from rpg.steer.operations.lines import insert
+from rpg.steer.operations.make import describe, free_name, unused_colors, unused_labels
+from rpg.steer.refer import resolve
+from rpg.steer.language import m
+from rpg.steer.view import Line, Shape
+
+
+def recount(draft: Draft, request: r.Recount) -> None:
+    """Another number of blocks: lines grow at their ends, figures by their dimensions."""
+    found = resolve(draft.view, request.theme) if request.theme is not None else None
+    line = found.line if found and found.whole else draft.view.main_line()
+    figure = found.figure if found and found.whole else draft.view.main_figure()
+    draft.note("count", {"amount": request.amount, "dims": list(request.dims), "by": request.by})
+    draft.aim("TWEAK")
+    if figure is not None and (line is None or request.dims or (found is not None and found.figure is not None)):
+        _figure(draft, figure, request)
+    elif line is not None and not request.dims:
+        _line(draft, line, request)
+    else:
+        raise draft.refusal(
+            "edit-unclear", "there is no structure whose size this could be", request.span, "say what is to be built"
+        )
+
+
+def _line(draft: Draft, line: Line, request: r.Recount) -> None:
+    if isinstance(line.node, Spells | Equation):
+        raise draft.refusal(
+            "breaks-structure",
+            "the number of blocks follows from what they spell",
+            request.span,
+            "change the word instead",
+        )
+    now = len(line.members)
+    wanted = request.amount if request.amount is not None else now + (request.by or 0)
+    if wanted < 2:
+        raise draft.refusal(
+            "breaks-structure", f"a {line.kind} needs at least two blocks", request.span, "ask for two or more"
+        )
+    if wanted == now:
+        raise draft.refusal("nothing-to-do", f"it has {now} blocks already", request.span)
+    for name in reversed(line.members[wanted:]):
+        draft.do(RemoveAsset(name=name), request.span)
+    if wanted > now:
+        for asset in like(draft, line.members, wanted - now):
+            draft.do(AddAsset(asset=asset), request.span)
+            same = draft.view.line_of(line.members)
+            assert same is not None
+            insert(draft, same, len(same.members), asset.name, request.span)
+
+
+def like(draft: Draft, members: Sequence[str], number: int) -> list[Asset]:
+    """`number` more blocks of the sort that `members` are: of their look if they share one, else of looks unused."""
+    world = draft.view.world
+    model = world.blocks[members[-1]]
+    looks = {world.look[name] for name in members}
+    symbols = [Traits(world).symbol(name) for name in members]
+    if len(looks) == 1:
+        blocks: list[Block] = [model] * number
+    elif all(symbols):
+        labels = unused_labels(draft, number, all(symbol.isdigit() for symbol in symbols))
+        blocks = describe(draft, m.Traits(labels=tuple(labels)), number)
+    else:
+        blocks = describe(draft, m.Traits(colors=tuple(unused_colors(draft, number))), number)
+        draft.assume("new blocks have colours that the task did not have yet")
+    return named(draft, [block.model_copy(update={"size": model.size, "origin": None}) for block in blocks])
+
+
+def named(draft: Draft, blocks: Sequence[Block]) -> list[Asset]:
+    """Blocks with free names."""
+    taken = {asset.name for asset in draft.schema.assets}
+    found: list[Asset] = []
+    for block in blocks:
+        name = free_name(block, taken)
+        taken.add(name)
+        found.append(block.model_copy(update={"name": name}))
+    return found
+
+
+def _figure(draft: Draft, figure: Shape, request: r.Recount) -> None:
+    node = figure.node
+    update = _dimensions(draft, figure, request)
+    if update is None:
+        raise draft.refusal(
+            "edit-unclear",
+            f"a {node.kind.replace('_', ' ')} has no such dimension",
+            request.span,
+            "give its rows and columns, its base or its blocks",
+        )
+    assert isinstance(node, Cells)
+    changed = node.model_copy(update=update)
+    needed, there = cells_of(changed), list(figure.members)
+    if needed == len(there) and changed == node:
+        raise draft.refusal("nothing-to-do", "it has this size already", request.span)
+    for name in there[needed:]:
+        draft.do(SetField(at=figure.path, field="blocks", value=tuple(n for n in there[:needed])), request.span)
+        draft.do(RemoveAsset(name=name), request.span)
+    new = _filling(draft, figure, changed, needed - len(there))
+    for asset in new:
+        draft.do(AddAsset(asset=asset), request.span)
+    blocks = (*there[:needed], *(asset.name for asset in new))
+    draft.do(ChangeCondition(at=figure.path, to=changed.model_copy(update={"blocks": blocks})), request.span)
+
+
+def _dimensions(draft: Draft, figure: Shape, request: r.Recount) -> dict[str, object] | None:
+    """The fields of a figure that the request changes."""
+    node, dims = figure.node, request.dims
+    step = request.by or 0
+    match node:
+        case Grid():
+            if len(dims) == 3:
+                return {"rows": dims[0], "columns": dims[1], "layers": dims[2]}
+            if len(dims) == 2:
+                wall = node.rows == 1 and node.layers > 1
+                return {"columns": dims[0], "layers": dims[1]} if wall else {"rows": dims[0], "columns": dims[1]}
+            if request.what == "height" or step:
+                return {"layers": request.amount or node.layers + step}
+            return {"columns": request.amount} if request.what == "length" and request.amount else None
+        case Pyramid():
+            if len(dims) == 2:
+                return {"base": dims}
+            size = request.amount or node.base[0] + step
+            return {"base": (size, size if node.base[1] > 1 else 1)} if request.what != "blocks" or step else None
+        case Staircase():
+            return {"steps": request.amount or node.steps + step} if not dims and request.what != "blocks" else None
+        case Figure():
+            if len(dims) == 2 and node.shape in ("square", "rectangle"):
+                return {"sides": dims}
+            return {"sides": None} if request.amount or step else None
+    return None
+
+
+def cells_of(node: Cells, asked: int | None = None) -> int:
+    """How many blocks a figure needs."""
+    match node:
+        case Grid():
+            return node.rows * node.columns * node.layers
+        case Pyramid():
+            n, depth = node.base
+            return sum((n - k) * (depth - k) for k in range(min(n, depth))) if depth > 1 else n * (n + 1) // 2
+        case Staircase():
+            return node.steps * (node.steps + 1) // 2
+        case Figure(sides=(a, b)):
+            return a * b if node.filled else 2 * (a + b) - 4
+    return asked or len(node.blocks)
+
+
+def _filling(draft: Draft, figure: Shape, changed: Cells, number: int) -> list[Asset]:
+    """The blocks that a larger figure needs; where rows or layers have colours of their own, so have new ones."""
+    if number <= 0:
+        return []
+    pattern = changed.pattern
+    if isinstance(pattern, Pattern) and pattern.kind in ("row", "column", "layer") and pattern.attribute == "color":
+        return _by_lines(draft, figure, changed, number)
+    return like(draft, figure.members, number)
+
+
+def _by_lines(draft: Draft, figure: Shape, changed: Cells, number: int) -> list[Asset]:
+    """New blocks so that every row, column or layer has one colour: old colours are made up to the new length."""
+    assert changed.pattern is not None
+    lengths = line_lengths(changed)
+    colors = [draft.view.world.blocks[name].color for name in figure.members]
+    known = sorted(set(colors), key=colors.index)[: len(lengths)]
+    missing: list[str] = []
+    for color, length in zip(known, lengths, strict=False):
+        missing += [color] * max(0, length - colors.count(color))
+    for color, length in zip(unused_colors(draft, len(lengths) - len(known)), lengths[len(known) :], strict=True):
+        missing += [color] * length
+    if len(missing) != number:
+        raise draft.refusal(
+            "breaks-structure",
+            "the colours of its lines do not fit this size",
+            None,
+            "say the whole structure again, with its colours",
+        )
+    return named(draft, describe(draft, m.Traits(colors=tuple(missing)), number))
+
+
+def line_lengths(node: Cells) -> list[int]:
+    """How many cells each row, column or layer of a patterned figure has."""
+    assert node.pattern is not None
+    if isinstance(node, Grid):
+        sizes = {"row": (node.rows, node.columns * node.layers), "column": (node.columns, node.rows * node.layers)}
+        count, each = sizes.get(node.pattern.kind, (node.layers, node.rows * node.columns))
+        return [each] * count
+    if isinstance(node, Pyramid):
+        n, depth = node.base
+        return [(n - k) * (depth - k) if depth > 1 else n - k for k in range(min(n, depth) if depth > 1 else n)]
+    return [len(node.blocks)]

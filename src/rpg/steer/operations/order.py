@@ -1,0 +1,325 @@
+"""Other orders of the same blocks: reversed, mirrored, sorted, listed, swapped, moved."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.blocks.predicates.order import SORTED
+from rpg.blocks.traits import Traits, kind_of, symbol_of
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir.edits import ChangeCondition, Permute, SetField, SetGoal
+from rpg.ir.order import Order, Pattern
+from rpg.ir.shrink import close, without
+from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Staircase
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+from rpg.steer.language import m
+from rpg.steer.operations.add import put
+from rpg.steer.operations.kinds import convert
+from rpg.steer.operations.lines import arranged
+from rpg.steer.operations.mirror import mirrored
+from rpg.steer.operations.sort import BY, color_pattern, ranks_by_class, sorted_members
+from rpg.steer.refer import Found, resolve
+from rpg.steer.view import BEGINS, ENDS, Line, Shape
+
+
+def reorder(draft: Draft, request: r.Reorder) -> None:
+    """Another order for a line or a figure: the one named, else the one mentioned last."""
+    found = resolve(draft.view, request.theme) if request.theme is not None else None
+    line, figure = _target(draft, found)
+    draft.note("order", {"how": request.how, "descending": request.descending, "first": request.first})
+    if request.how == "mirror":
+        draft.aim("MODIFY")
+        draft.do(SetGoal(goal=mirrored(draft.schema.goal)), request.span)
+    elif request.how == "reverse":
+        _reverse(draft, line, figure, request.span)
+    elif request.how == "given":
+        _given(draft, line, request)
+    else:
+        _sort(draft, line, figure, request)
+
+
+def _target(draft: Draft, found: Found | None) -> tuple[Line | None, Shape | None]:
+    if found is not None and found.whole:
+        return found.line, found.figure
+    if found is not None and (line := draft.view.line_of(found.names)):
+        return line, None
+    line, figure = draft.view.main_line(), draft.view.main_figure()
+    if line is not None and figure is not None:
+        recent = next((n for n in reversed(draft.focus) if n in line.members or n in figure.members), None)
+        return (None, figure) if recent is not None and recent not in line.members else (line, None)
+    return line, figure
+
+
+def _reverse(draft: Draft, line: Line | None, figure: Shape | None, span: Span) -> None:
+    draft.aim("MODIFY")
+    if line is None:
+        _reverse_figure(draft, figure, span)
+        return
+    if isinstance(line.node, Spells):
+        draft.do(SetField(at=line.path, field="reverse", value=not line.node.reverse), span)
+        return
+    if not line.ordered or len({draft.view.world.look[n] for n in line.members}) == 1:
+        raise draft.refusal(
+            "nothing-to-do",
+            "the order of these blocks is free, so that it cannot be turned round",
+            span,
+            "give an order: sort them by colour",
+        )
+    free = [name for name in line.members if name not in draft.kept]
+    node = line.node
+    if isinstance(node, Stack | Row) and node.order.by in SORTED and len(free) == len(line.members):
+        order = node.order.model_copy(update={"descending": not node.order.descending})
+        draft.do(SetField(at=line.path, field="order", value=order.model_dump()), span)
+        return
+    permute(draft, dict(zip(reversed(free), free, strict=True)), span)
+
+
+def _reverse_figure(draft: Draft, figure: Shape | None, span: Span) -> None:
+    node = figure.node if figure else None
+    if isinstance(node, Staircase) and node.up is not None and figure is not None:
+        draft.do(SetField(at=figure.path, field="up", value=ENDS[node.up]), span)
+    elif isinstance(node, Cells) and node.pattern is not None and node.pattern.kind == "reading" and figure is not None:
+        order = node.pattern.order
+        turned = (
+            {"ranks": tuple(reversed(order.ranks))} if order.by == "given" else {"descending": not order.descending}
+        )
+        pattern = node.pattern.model_copy(update={"order": order.model_copy(update=turned)})
+        draft.do(SetField(at=figure.path, field="pattern", value=pattern.model_dump()), span)
+    else:
+        raise draft.refusal(
+            "nothing-to-do",
+            "nothing here is in an order that could be turned round",
+            span,
+            "name two blocks to swap, or give an order",
+        )
+
+
+def permute(draft: Draft, parts: dict[str, str], span: Span) -> None:
+    """Blocks take each other's parts in the goal."""
+    parts = {name: part for name, part in parts.items() if name != part}
+    if not parts:
+        raise draft.refusal("nothing-to-do", "they are in this order already", span)
+    draft.do(Permute(parts=parts), span)
+
+
+def _given(draft: Draft, line: Line | None, request: r.Reorder) -> None:
+    """The order that the request lists, from where the line begins."""
+    draft.aim("MODIFY")
+    items = request.items.items if isinstance(request.items, m.Coord) else ()
+    listed: list[str] = []
+    for item in items:
+        listed += [name for name in resolve(draft.view, item).names if name not in listed]
+    if line is None or set(listed) != set(line.members):
+        missing = [name for name in (line.members if line else ()) if name not in listed]
+        told = f"the order leaves out {', '.join(missing)}" if missing else "these blocks do not stand in a line"
+        raise draft.refusal("edit-unclear", told, request.span, "list every block of the tower or the row once")
+    if request.first == ENDS[BEGINS[line.kind]]:
+        listed.reverse()
+    _put_in_order(draft, line, listed, request.span)
+
+
+def _put_in_order(draft: Draft, line: Line, members: Sequence[str], span: Span) -> None:
+    if line.node is None:
+        permute(draft, dict(zip(members, line.members, strict=True)), span)
+    else:
+        draft.do(ChangeCondition(at=line.path, to=arranged(draft, line, members)), span)
+
+
+def _sort(draft: Draft, line: Line | None, figure: Shape | None, request: r.Reorder) -> None:
+    members = line.members if line else figure.members if figure else draft.view.busy
+    if request.how in ("label", "number", "color") and not _can(draft, members, request.how):
+        convert(draft, members, {"label": "letter", "number": "digit", "color": "plain"}[request.how], request.span)
+        line, figure = _target(draft, None)
+        members = line.members if line else figure.members if figure else draft.view.busy
+    if line is not None:
+        _sort_line(draft, line, request)
+    elif figure is not None:
+        _sort_figure(draft, figure, request)
+    elif request.how in ("color", "kind", "label", "vowel", "parity", "size"):
+        _group(draft, members, request.how, request.span)
+    else:
+        raise draft.refusal(
+            "edit-unclear",
+            "these blocks do not stand in a line that could be ordered",
+            request.span,
+            "say what they form: a row, a tower",
+        )
+
+
+def _can(draft: Draft, members: Sequence[str], how: str) -> bool:
+    """Whether blocks have what an order compares."""
+    symbols = [symbol_of(draft.view.world, name) for name in members]
+    if how == "label":
+        return all(symbols)
+    if how == "number":
+        return sum(kind_of(symbol) == "digit" for symbol in symbols) > 1
+    colors = {draft.view.world.blocks[name].color for name in members if name in draft.view.world.blocks}
+    return len(colors) > 1 or any(symbols) and len(colors) > 1
+
+
+def _sort_line(draft: Draft, line: Line, request: r.Reorder) -> None:
+    """Sorting an order that was free adds to the goal; any other one replaces what it asked for."""
+    node = line.node
+    was_free = isinstance(node, Stack | Row) and node.order.by == "any"
+    draft.aim("EXTEND" if was_free else "MODIFY")
+    if request.how == "any":
+        if not isinstance(node, Stack | Row):
+            raise draft.refusal(
+                "edit-unclear",
+                "these places are related one by one, so that their order is the goal",
+                request.span,
+                "remove the relation instead",
+            )
+        draft.do(SetField(at=line.path, field="order", value=Order().model_dump()), request.span)
+        draft.aim("MODIFY")
+        return
+    if request.how in ("even_first", "odd_first", "vowel_first", "consonant_first"):
+        _sort_by_class(draft, line, request)
+        return
+    by, descending = _by(draft, line.members, request)
+    if isinstance(node, Stack | Row):
+        first = request.first or (None if line.kind == "tower" else BEGINS[line.kind])
+        order = Order.model_validate({"by": by, "descending": descending, "first": first})
+        if by in SORTED and draft.view.sequence(node.blocks, order, line.kind) is None:
+            raise draft.refusal(
+                "edit-unclear",
+                f"not every block has what an order by {by} compares",
+                request.span,
+                "list the order you want",
+            )
+        draft.do(SetField(at=line.path, field="order", value=order.model_dump()), request.span)
+        return
+    members = sorted_members(draft, line.members, by, descending)
+    if request.first == ENDS[BEGINS[line.kind]]:
+        members.reverse()
+    _put_in_order(draft, line, members, request.span)
+
+
+def _sort_by_class(draft: Draft, line: Line, request: r.Reorder) -> None:
+    if not isinstance(line.node, Stack | Row):
+        raise draft.refusal("edit-unclear", "this order needs a row or a tower", request.span)
+    ranks = ranks_by_class(draft, line.members, request.how)
+    first = request.first or (None if line.kind == "tower" else BEGINS[line.kind])
+    order = Order.model_validate({"by": "given", "ranks": ranks, "first": first})
+    draft.do(SetField(at=line.path, field="order", value=order.model_dump()), request.span)
+
+
+def _by(draft: Draft, members: Sequence[str], request: r.Reorder) -> tuple[str, bool]:
+    """What the order compares; "ascending" goes by what the blocks have."""
+    if request.how in ("size_up", "size_down"):
+        return "size", request.how == "size_down"
+    if request.how == "ascending":
+        kinds = {kind_of(symbol_of(draft.view.world, name)) for name in members}
+        return ("number" if kinds == {"digit"} else "label" if kinds == {"letter"} else "size"), request.descending
+    if request.how == "color":
+        colors = [draft.view.world.blocks[name].color for name in members]
+        return ("rainbow" if len(set(colors)) == len(colors) else "together"), request.descending
+    return BY.get(request.how, request.how), request.descending
+
+
+def _sort_figure(draft: Draft, figure: Shape, request: r.Reorder) -> None:
+    node = figure.node
+    draft.aim("MODIFY")
+    if isinstance(node, GroupBy):
+        _group(draft, figure.members, request.how, request.span, figure)
+        return
+    if not isinstance(node, Cells):
+        raise draft.refusal(
+            "edit-unclear", "this structure has no order", request.span, "sort a row, a tower or a pyramid"
+        )
+    if request.how == "color":
+        color_pattern(draft, figure, request.span)
+        return
+    by, descending = _by(draft, figure.members, request)
+    pattern = Pattern(kind="reading", order=Order.model_validate({"by": by, "descending": descending}))
+    traits = Traits(draft.view.world)
+    if by in ("number", "label") and not all(traits.symbol(name) for name in figure.members):
+        marked = [name for name in figure.members if traits.symbol(name)]
+        ranks = tuple((name,) for name in sorted_members(draft, marked, by, descending))
+        pattern = Pattern(kind="reading", order=Order(by="given", ranks=ranks))
+    draft.do(SetField(at=figure.path, field="pattern", value=pattern.model_dump()), request.span)
+    if not node.readable and by in ("number", "label"):
+        draft.do(SetField(at=figure.path, field="readable", value=True), request.span)
+
+
+def _group(draft: Draft, members: Sequence[str], attribute: str, span: Span, figure: Shape | None = None) -> None:
+    """Blocks without a line are sorted into groups."""
+    draft.aim("MODIFY")
+    groups = Traits(draft.view.world).by_value(tuple(members), attribute)  # type: ignore[arg-type]
+    if len(groups) < 2:
+        raise draft.refusal(
+            "nothing-to-do",
+            f"all of these blocks have the same {attribute}",
+            span,
+            "sort by something that they differ in",
+        )
+    goal = GroupBy.model_validate({"groups": tuple(tuple(names) for names in groups.values()), "by": attribute})
+    if figure is not None:
+        draft.do(ChangeCondition(at=figure.path, to=goal), span)
+    else:
+        draft.do(SetGoal(goal=goal), span)
+
+
+def trade(draft: Draft, request: r.Trade) -> None:
+    """Two blocks, or two groups of one size, take each other's parts in the goal."""
+    a, b = resolve(draft.view, request.a).names, resolve(draft.view, request.b).names
+    if len(a) != len(b):
+        raise draft.refusal(
+            "edit-unclear",
+            f"{len(a)} blocks cannot change places with {len(b)}",
+            request.span,
+            "name as many blocks on both sides",
+        )
+    before = draft.schema.goal
+    permute(draft, {**dict(zip(a, b, strict=True)), **dict(zip(b, a, strict=True))}, request.span)
+    if draft.schema.goal == before:
+        raise draft.refusal(
+            "nothing-to-do",
+            "the goal does not tell these blocks apart",
+            request.span,
+            "swap blocks that the goal has a place for",
+        )
+    draft.aim("MODIFY")
+    draft.note("swap", [list(a), list(b)])
+    draft.look_at((*a, *b))
+
+
+def move(draft: Draft, request: r.Move) -> None:
+    """Blocks of the task go elsewhere: in their line, or out of it."""
+    names = resolve(draft.view, request.theme).names
+    line = draft.view.line_of(names)
+    draft.aim("MODIFY")
+    draft.note("move", list(names))
+    if line is not None and line.ordered and isinstance(request.place, r.Spot) and request.place.side != "beside":
+        _move_in_line(draft, line, names, request)
+        return
+    landmark = getattr(request.place, "landmark", None)
+    anchor = resolve(draft.view, landmark) if landmark is not None and not isinstance(landmark, m.TableTop) else None
+    goal: g.Goal | None = draft.schema.goal
+    for name in names:
+        goal = close(goal, name) if goal is not None else None
+    goal = without(goal, set(names)) if goal is not None else None
+    if goal is None:
+        raise draft.refusal(
+            "edit-unclear", "the goal is about nothing else", request.span, "say the whole goal instead"
+        )
+    draft.do(SetGoal(goal=goal), request.span)
+    put(draft, names, request.place, anchor, request.span, draft.view.main_line())
+    draft.look_at(names)
+
+
+def _move_in_line(draft: Draft, line: Line, names: Sequence[str], request: r.Move) -> None:
+    assert isinstance(request.place, r.Spot)
+    rest = [name for name in line.members if name not in names]
+    side = request.place.side
+    last = side in ("top", "end", "right", "back")
+    index = len(rest) // 2 if side == "middle" else len(rest) if last else 0
+    fits = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
+    if fits.get(side, line.kind) != line.kind:
+        raise draft.refusal(
+            "edit-unclear", f"a {line.kind} has no {side} end", request.span, "name a block to put it beside"
+        )
+    _put_in_order(draft, line, [*rest[:index], *names, *rest[index:]], request.span)
+    draft.look_at(tuple(names))

@@ -1,0 +1,223 @@
+"""The same blocks in another structure."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.blocks.traits import Traits
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetGoal
+from rpg.ir.order import Order
+from rpg.ir.structures import Figure, Grid, Pyramid, Row, Spells, Stack, Staircase
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+from rpg.steer.language import m
+from rpg.steer.operations.count import like, recount
+from rpg.steer.operations.kinds import listed
+from rpg.steer.operations.make import new_assets
+from rpg.steer.operations.restyle import exchange
+from rpg.steer.refer import resolve
+from rpg.steer.view import Line, View
+
+FIGURES = ("circle", "square", "rectangle", "triangle", "plus", "L", "T", "V", "U", "X")
+LEAST = {"circle": 5, "square": 4, "rectangle": 6, "triangle": 3, "plus": 5, "L": 3, "T": 4, "V": 3, "U": 5, "X": 5}
+
+
+def reshape(draft: Draft, request: r.Reshape) -> None:
+    """Phrases such as "turn the tower into a row", "make it a circle instead", "change the word to DOG"."""
+    wanted = request.structure
+    assert isinstance(wanted, m.Structure)
+    found = resolve(draft.view, request.theme) if request.theme is not None else None
+    names = found.names if found else draft.view.busy
+    line = draft.view.line_of(names)
+    draft.note("structure", {"to": wanted.kind, "dims": list(wanted.dims)})
+    if wanted.kind in ("word",) and wanted.letter:
+        _respell(draft, line, names, wanted.letter, request.span)
+        return
+    if _same_kind(draft.view, names, wanted):
+        recount(
+            draft,
+            r.Recount(
+                theme=request.theme,
+                dims=wanted.dims,
+                amount=wanted.size.low if wanted.size else None,
+                what="height",
+                span=request.span,
+            ),
+        )
+        return
+    blocks = [name for name in listed(draft, names) if name in draft.view.world.blocks]
+    if wanted.members is not None and isinstance(wanted.members, m.Noun) and wanted.members.traits != m.Traits():
+        raise draft.refusal(
+            "edit-unclear", "this describes a whole new structure", request.span, "say it as an instruction of its own"
+        )
+    draft.aim("PIVOT")
+    goal = structure(draft, wanted, blocks, line, request.span)
+    if set(blocks) >= set(draft.view.busy) or line is None or line.node is None:
+        draft.do(SetGoal(goal=goal), request.span)
+    else:
+        draft.do(ChangeCondition(at=line.path, to=goal), request.span)
+
+
+def _same_kind(view: View, names: Sequence[str], wanted: m.Structure) -> bool:
+    figure = next((f for f in view.figures if set(names) <= set(f.members)), None)
+    if figure is not None:
+        kinds = {"grid": ("grid", "square", "cube", "wall"), "pyramid": ("pyramid",), "staircase": ("staircase",)}
+        return wanted.kind in kinds.get(figure.node.kind, ()) and bool(wanted.dims or wanted.size)
+    line = view.line_of(names)
+    return (
+        line is not None
+        and wanted.kind == {"tower": "stack", "row": "row", "column": "column"}[line.kind]
+        and wanted.size is not None
+    )
+
+
+def structure(draft: Draft, wanted: m.Structure, names: Sequence[str], line: Line | None, span: Span) -> g.Goal:
+    """The structure that `names` are to form; a line hands its order on to another line."""
+    blocks = tuple(names)
+    ordered = line is not None and line.ordered and len({draft.view.world.look[n] for n in names}) > 1
+    ranks = tuple((name,) for name in names)
+    match wanted.kind:
+        case "stack":
+            return Stack(blocks=blocks, order=Order(by="given", ranks=ranks) if ordered else Order(), exact=not ordered)
+        case "row" | "column":
+            begin = "left" if wanted.kind == "row" else "front"
+            order = Order.model_validate({"by": "given", "ranks": ranks, "first": begin}) if ordered else Order()
+            return Row(blocks=blocks, axis="y" if wanted.kind == "row" else "x", order=order)
+        case "pyramid":
+            return Pyramid(blocks=blocks, base=_base(draft, len(blocks), wanted, span))
+        case "staircase":
+            steps = next((n for n in range(2, 8) if n * (n + 1) // 2 == len(blocks)), 0)
+            if not steps:
+                raise _unfit(draft, "staircase", len(blocks), "3, 6 or 10", span)
+            return Staircase(blocks=blocks, steps=steps)
+        case "grid" | "wall" | "cube":
+            return _grid(draft, wanted, blocks, span)
+        case kind if kind in FIGURES:
+            if wanted.dims and len(wanted.dims) == 2 and kind in ("square", "rectangle"):
+                return _grid(draft, wanted, blocks, span)
+            if len(blocks) < LEAST[kind]:
+                raise _unfit(draft, kind, len(blocks), f"at least {LEAST[kind]}", span)
+            return Figure.model_validate({"blocks": blocks, "shape": kind})
+    raise draft.refusal(
+        "edit-unclear",
+        f"these blocks cannot be turned into a {wanted.kind}",
+        span,
+        "say it as an instruction of its own",
+    )
+
+
+def _base(draft: Draft, count: int, wanted: m.Structure, span: Span) -> tuple[int, int]:
+    if len(wanted.dims) == 2:
+        flat = next((n for n in range(2, 8) if n * (n + 1) // 2 == count), 0)
+        n, depth = wanted.dims
+        if sum((n - k) * (depth - k) for k in range(min(n, depth))) == count:
+            return n, depth
+        if depth == 1 and flat == n:
+            return n, 1
+        raise _unfit(draft, "pyramid", count, str(sum((n - k) * (depth - k) for k in range(min(n, depth)))), span)
+    for n in range(2, 8):
+        if n * (n + 1) // 2 == count:
+            return n, 1
+        if n * (n + 1) * (2 * n + 1) // 6 == count:
+            return n, n
+    raise _unfit(draft, "pyramid", count, "3, 5, 6, 10 or 14", span)
+
+
+def _grid(draft: Draft, wanted: m.Structure, blocks: tuple[str, ...], span: Span) -> g.Goal:
+    dims = wanted.dims
+    if wanted.kind == "wall":
+        columns, layers = dims if len(dims) == 2 else (len(blocks) // 2, 2)
+        sizes = (1, columns, layers)
+    elif len(dims) == 3:
+        sizes = (dims[0], dims[1], dims[2])
+    else:
+        side = round(len(blocks) ** 0.5)
+        rows, columns = dims if len(dims) == 2 else (side, side)
+        sizes = (rows, columns, 1)
+    needed = sizes[0] * sizes[1] * sizes[2]
+    if needed != len(blocks):
+        raise _unfit(draft, wanted.kind, len(blocks), str(needed), span)
+    return Grid(blocks=blocks, rows=sizes[0], columns=sizes[1], layers=sizes[2])
+
+
+def _unfit(draft: Draft, kind: str, count: int, needed: str, span: Span) -> Exception:
+    return draft.refusal(
+        "breaks-structure",
+        f"a {kind} takes {needed} blocks, and there are {count}",
+        span,
+        "change the number of blocks first",
+    )
+
+
+def _respell(draft: Draft, line: Line | None, names: Sequence[str], word: str, span: Span) -> None:
+    """Another word: cubes that it shares stay, others are relabelled, missing ones are added, spare ones leave."""
+    if line is None or not isinstance(line.node, Spells):
+        draft.aim("PIVOT")
+        _spell_afresh(draft, names, word, span)
+        return
+    draft.aim("MODIFY")
+    traits = Traits(draft.view.world)
+    spare = list(line.members)
+    places: list[str | None] = []
+    for letter in word:
+        name = next((n for n in spare if traits.symbol(n) == letter), None)
+        if name is not None:
+            spare.remove(name)
+        places.append(name)
+    changed = {k: spare.pop(0) for k, name in enumerate(places) if name is None and spare}
+    draft.do(
+        ChangeCondition(
+            at=line.path,
+            to=line.node.model_copy(update={"word": word, "blocks": tuple(n for n in line.members if n not in spare)}),
+        ),
+        span,
+    )
+    for name in spare:
+        draft.do(RemoveAsset(name=name), span)
+    if changed:
+        blocks = {
+            n: draft.view.world.blocks[n].model_copy(update={"label": word[k], "labels": None})
+            for k, n in changed.items()
+        }
+        renamed = exchange(draft, blocks, span)
+        for k, name in changed.items():
+            places[k] = renamed[name]
+    new = [k for k, name in enumerate(places) if name is None]
+    added = (
+        draft.add(
+            new_assets(
+                draft, m.Noun(head="block", plural=True, traits=m.Traits(labels=tuple(word[k] for k in new)), span=span)
+            ),
+            span,
+        )
+        if new
+        else ()
+    )
+    for k, name in zip(new, added, strict=True):
+        places[k] = name
+    final = tuple(name for name in places if name is not None)
+    draft.do(ChangeCondition(at=line.path, to=line.node.model_copy(update={"word": word, "blocks": final})), span)
+    draft.look_at(final)
+
+
+def _spell_afresh(draft: Draft, names: Sequence[str], word: str, span: Span) -> None:
+    """Blocks that spelt nothing become the letters of a word."""
+    blocks = [name for name in listed(draft, names) if name in draft.view.world.blocks]
+    for name in blocks[len(word) :]:
+        draft.do(SetGoal(goal=Spells(blocks=tuple(blocks[: len(word)]), word=word)), span)
+        draft.do(RemoveAsset(name=name), span)
+    blocks = blocks[: len(word)]
+    for asset in like(draft, blocks, len(word) - len(blocks)):
+        draft.do(AddAsset(asset=asset), span)
+        blocks.append(asset.name)
+    draft.do(SetGoal(goal=Spells(blocks=tuple(blocks), word=word)), span)
+    from rpg.ir.assets import SemanticCube
+
+    world = draft.view.world
+    exchange(
+        draft,
+        {n: SemanticCube(name=n, label=letter, size=world.edge[n]) for n, letter in zip(blocks, word, strict=True)},
+        span,
+    )

@@ -1,0 +1,162 @@
+"""Tolerances and gaps: tighter, looser, even, or at a value."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rpg.ir import goal as g
+from rpg.ir import relations as rel
+from rpg.ir.edits import Path, SetField
+from rpg.ir.structures import Cells, GroupBy, Row
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+
+EDGES = {"on": ("offset_edges",), "row": ("line_edges",), "between": ("within_edges",)}
+"""Tolerances in edges, by kind of atom."""
+METRES = {"stayed": ("tolerance",), "swapped": ("tolerance",), "moved": (), "touching": ("gap",), "on_table": ("gap",)}
+"""Tolerances in metres, by kind of atom."""
+DISTANCES = {"near": "distance", "apart": "distance"}
+
+
+def loosen(draft: Draft, request: r.Loosen) -> None:
+    """Change what the request names, wherever the goal has it."""
+    draft.aim("TWEAK")
+    draft.note("tune", {"what": request.what, "factor": request.factor, "value_m": request.value})
+    change = {"tolerance": _tolerance, "even": _even, "touching": _touching}.get(request.what, _gaps)
+    if not change(draft, request):
+        what = {"tolerance": "tolerance", "gap": "gap", "spacing": "spacing"}.get(request.what, "spacing")
+        raise draft.refusal(
+            "edit-unclear",
+            f"nothing in the goal has a {what} that could change",
+            request.span,
+            "a row has a spacing; a stack of named blocks has a tolerance",
+        )
+
+
+def _tolerance(draft: Draft, request: r.Loosen) -> bool:
+    done = False
+    for path, atom in draft.view.atoms:
+        kinds = ("fit_edges",) if isinstance(atom, Cells) else EDGES.get(atom.kind, ())
+        for field in kinds:
+            edge = _edge(draft, atom)
+            value = (
+                request.value / edge if request.value is not None else getattr(atom, field) * (request.factor or 1.0)
+            )
+            done |= _set(draft, path, field, round(value, 6))
+        for field in METRES.get(atom.kind, ()):
+            value = request.value if request.value is not None else getattr(atom, field) * (request.factor or 1.0)
+            done |= _set(draft, path, field, round(value, 6))
+        if isinstance(atom, Row) and (atom.spacing is not None or atom.gap is not None):
+            value = request.value if request.value is not None else atom.tolerance * (request.factor or 1.0)
+            done |= _set(draft, path, "tolerance", round(value, 6))
+    return done
+
+
+def _edge(draft: Draft, atom: g.Goal) -> float:
+    """The largest edge of the blocks of an atom."""
+    from rpg.ir.walk import names
+
+    return max((draft.view.world.edge[name] for name in names(atom) if name in draft.view.world.edge), default=0.04)
+
+
+def _set(draft: Draft, path: Path, field: str, value: Any) -> bool:
+    draft.do(SetField(at=path, field=field, value=value))
+    return True
+
+
+def _even(draft: Draft, request: r.Loosen) -> bool:
+    done = False
+    for path, atom in draft.view.atoms:
+        if isinstance(atom, Row) and not atom.evenly:
+            done |= _set(draft, path, "evenly", True)
+            draft.aim("EXTEND")
+    return done
+
+
+def _touching(draft: Draft, request: r.Loosen) -> bool:
+    done = False
+    for path, atom in draft.view.atoms:
+        if isinstance(atom, Row) and not atom.touching:
+            done |= _set(draft, path, "touching", True)
+            draft.aim("EXTEND")
+    return done
+
+
+def _gaps(draft: Draft, request: r.Loosen) -> bool:
+    done = False
+    for path, atom in draft.view.atoms:
+        match atom:
+            case Row():
+                done |= _row(draft, path, atom, request)
+            case rel.Near() | rel.Apart():
+                value = request.value if request.value is not None else atom.distance * (request.factor or 1.0)
+                done |= _set(draft, path, "distance", round(value, 6))
+            case rel.Distance():
+                done |= _distance(draft, path, atom, request)
+            case rel.Beside() | rel.Adjacent():
+                value = (
+                    request.value / _edge(draft, atom)
+                    if request.value is not None
+                    else atom.gap_edges * (request.factor or 1.0)
+                )
+                done |= _set(draft, path, "gap_edges", round(value, 6))
+            case GroupBy():
+                done |= _set(draft, path, "outer_edges", round(atom.outer_edges * (request.factor or 1.0), 6))
+    return done
+
+
+def _row(draft: Draft, path: Path, atom: Row, request: r.Loosen) -> bool:
+    field = (
+        "spacing" if request.what == "spacing" and (request.value is not None or atom.spacing is not None) else "gap"
+    )
+    other = "gap" if field == "spacing" else "spacing"
+    if request.value is not None:
+        low = request.low if request.low is not None else request.value - atom.tolerance
+        exact = request.low is None
+        middle = request.value if exact else (low + request.value) / 2
+        if not exact:
+            _set(draft, path, "tolerance", round((request.value - low) / 2, 6))
+    else:
+        now = getattr(atom, field)
+        if now is None and (request.factor or 1.0) < 1.0:
+            return _set(draft, path, "gap_edges", round(atom.gap_edges * (request.factor or 1.0), 6))
+        middle = now * (request.factor or 1.0) if now is not None else atom.gap_edges * _edge(draft, atom)
+        if now is None:
+            draft.assume(f"further apart: gaps of {middle * 100:.0f} cm, the widest that a row allows by itself")
+    if getattr(atom, other) is not None:
+        _set(draft, path, other, None)
+    return _set(draft, path, field, round(middle, 6))
+
+
+def _distance(draft: Draft, path: Path, atom: rel.Distance, request: r.Loosen) -> bool:
+    if request.value is not None:
+        _set(draft, path, "minimum", request.low)
+        return _set(draft, path, "maximum", request.value)
+    for field in ("minimum", "maximum"):
+        value = getattr(atom, field)
+        if value is not None:
+            _set(draft, path, field, round(value * (request.factor or 1.0), 6))
+    return True
+
+
+def outliers(draft: Draft, request: r.Outliers) -> None:
+    """Groups trade members: each has so many strangers."""
+    figure = next((f for f in draft.view.figures if isinstance(f.node, GroupBy)), None)
+    if figure is None or not isinstance(figure.node, GroupBy):
+        raise draft.refusal(
+            "no-such-object",
+            "the task has no groups that could trade blocks",
+            request.span,
+            "sort the blocks into groups first",
+        )
+    small = min(len(group) for group in figure.node.groups)
+    if request.count * 2 > small:
+        raise draft.refusal(
+            "breaks-structure",
+            f"with {request.count} strangers among {small} blocks a group is no group of its kind any more",
+            request.span,
+            f"at most {max(0, (small - 1) // 2)}",
+        )
+    draft.aim("MODIFY")
+    draft.note("outliers", request.count)
+    draft.do(SetField(at=figure.path, field="outliers", value=request.count), request.span)

@@ -9,7 +9,8 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import NamedTuple
 
 from rpg.ir.node import Direction
@@ -67,6 +68,17 @@ def ideals(node: Cells, count: int) -> tuple[Ideal, ...]:
         case _:
             raise TypeError(f"no figure of kind {type(node).__name__}")
     return tuple(ideal for ideal in found if len(ideal.cells) == count)
+
+
+@lru_cache(maxsize=64)
+def flat_forms(count: int) -> tuple[Ideal, ...]:
+    """Every flat figure of so many blocks, in any direction, a straight line among them."""
+    found = [Ideal(_numbered((0.0, float(k)) for k in range(count)))]
+    for filled in (False, True):
+        for shape in sorted(FEWEST_FILLED if filled else FEWEST):
+            node = Figure(blocks=("",), shape=shape, filled=filled)  # type: ignore[arg-type]
+            found += [replace(ideal, limit=None) for ideal in ideals(node, count)]
+    return tuple(found)
 
 
 def upright(node: Cells) -> bool:

@@ -125,21 +125,44 @@ def _vertex_distance(p: Polygon, q: Polygon) -> float:
 
 def footprint_gap(state: BlockState, a: str, b: str) -> float:
     """Signed horizontal gap between the footprints of two blocks or patches."""
-    ax, ay, _ = state.where(a)
-    bx, by, _ = state.where(b)
-    if _square(state, a) and _square(state, b):
-        reach = (state.world.edge[a] + state.world.edge[b]) / 2
-        dx, dy = abs(ax - bx) - reach, abs(ay - by) - reach
-        return math.hypot(dx, dy) if dx > 0.0 and dy > 0.0 else max(dx, dy)
-    return polygon_gap(footprint(state, a), footprint(state, b))
+    u, v = heading(state, a), heading(state, b)
+    if u is None or v is None:
+        return polygon_gap(footprint(state, a), footprint(state, b))
+    ax, ay, _ = state.position[a]
+    bx, by, _ = state.position[b]
+    edge = state.world.edge
+    return square_gap((bx - ax, by - ay), u, edge[a] / 2, v, edge[b] / 2)
 
 
-def _square(state: BlockState, name: str) -> bool:
-    """Is this a block whose footprint is a square along the world's axes?"""
-    if name in state.world.patches:
-        return False
-    rows = state.axes(name)
-    return all(max(abs(r[0]), abs(r[1]), abs(r[2])) > 1.0 - 1e-9 for r in (rows[0], rows[2]))
+def heading(state: BlockState, name: str) -> Point | None:
+    """A unit vector along the sides of a block's square footprint; None for patches and blocks that are not level."""
+    if name not in state.position:
+        return None
+    (xx, xy, _), (yx, yy, _), (zx, zy, zz) = state.axes(name)
+    if abs(zz) > 1.0 - LEVEL_EPS or abs(zy) > 1.0 - LEVEL_EPS:
+        return xx, yx
+    return (xy, yy) if abs(zx) > 1.0 - LEVEL_EPS else None
+
+
+def square_gap(offset: Point, u: Point, h: float, v: Point, k: float) -> float:
+    """Signed gap between two squares of half sides `h` and `k` along `u` and `v`, the second at `offset`."""
+    (dx, dy), (ux, uy), (vx, vy) = offset, u, v
+    a, b = dx * ux + dy * uy, dy * ux - dx * uy
+    c, d = dx * vx + dy * vy, dy * vx - dx * vy
+    cos, sin = ux * vx + uy * vy, ux * vy - uy * vx
+    widening = abs(cos) + abs(sin)
+    separation = max(max(abs(a), abs(b)) - h - k * widening, max(abs(c), abs(d)) - k - h * widening)
+    if separation <= 0.0:
+        return separation
+    if widening < 1.0 + 1e-9:
+        return math.hypot(max(0.0, abs(a) - h - k), max(0.0, abs(b) - h - k))
+    return min(_corner_gap(a, b, h, k * cos, k * sin), _corner_gap(c, d, k, h * cos, -h * sin))
+
+
+def _corner_gap(x: float, y: float, h: float, c: float, s: float) -> float:
+    """Least distance to a square of half side `h` at the origin from the corners of one at (x, y) turned by (c, s)."""
+    corners = ((x + c - s, y + s + c), (x - c - s, y - s + c), (x - c + s, y - s - c), (x + c + s, y + s - c))
+    return min(math.hypot(max(0.0, abs(px) - h), max(0.0, abs(py) - h)) for px, py in corners)
 
 
 def body_gap(state: BlockState, a: str, b: str) -> float:

@@ -21,7 +21,7 @@ from rpg.blocks.predicates.common import (
     spin,
     swap,
 )
-from rpg.blocks.predicates.fit import Fit, best_fit
+from rpg.blocks.predicates.fit import EPS, Fit, best_fit, likeness
 from rpg.blocks.predicates.order import fixed_edges
 from rpg.blocks.predicates.pattern import fillings, follows
 from rpg.blocks.predicates.stack import legible, unreadable
@@ -57,15 +57,18 @@ def heights(state: BlockState, names: Sequence[str], edge: float) -> tuple[list[
     return levels, 1.0 - error / SUPPORT_GAP
 
 
-def outdone(fit: Fit, places: Sequence[tuple[float, float, int]], pitches: tuple[float, float]) -> float:
+def outdone(ideal: Ideal, fit: Fit, places: Sequence[tuple[float, float, int]], pitches: tuple[float, float]) -> float:
     """How much better another flat figure fits the blocks than half as badly as `fit` does; negative where none does.
 
     Small figures of different shapes differ by less than the tolerance: blocks that plainly are the one are not the
-    other.
+    other. Only figures that are as near to this one as the blocks are can fit so well.
     """
     limit = fit.deviation / 2
-    rivals = [best_fit(form, places, pitches, limit) for form in flat_forms(len(places))]
-    least = min((rival.deviation for rival in rivals if rival is not None), default=math.inf)
+    least = math.inf
+    for form in flat_forms(len(places)):
+        if EPS < likeness(ideal, form) * fit.pitch < 3.0 * limit + EPS:
+            rival = best_fit(form, places, pitches, limit)
+            least = min(least, rival.deviation if rival is not None else math.inf)
     return max(-1.0, 1.0 - least / limit)
 
 
@@ -94,9 +97,10 @@ class CellsPredicate(Predicate[Cells]):
             fit = best_fit(ideal, places, pitches, tolerance)
             if fit is None:
                 continue
+            slack = min(margin, 1.0 - fit.deviation / tolerance)
             if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance and len(names) > 3:
-                margin = min(margin, -outdone(fit, places, pitches))
-            found = self._judge(node, ideal, fit, min(margin, 1.0 - fit.deviation / tolerance), state)
+                slack = min(slack, -outdone(ideal, fit, places, pitches))
+            found = self._judge(node, ideal, fit, slack, state)
             if best is None or found.verdict.margin > best.verdict.margin:
                 best = found
             if best.verdict.margin > 0.5:

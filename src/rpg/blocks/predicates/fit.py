@@ -120,6 +120,14 @@ def best_fit(
     return min((f for f in (fit, swept) if f is not None), key=lambda f: f.deviation, default=None)
 
 
+@lru_cache(maxsize=2048)
+def likeness(one: Ideal, two: Ideal) -> float:
+    """How near two figures of as many cells come to each other: the worst distance of their best fit, in pitches."""
+    places = tuple((cell.x, cell.y, cell.level) for cell in one.cells)
+    fit = best_fit(two, places, (0.5, 2.0), 0.5)
+    return math.inf if fit is None else fit.deviation
+
+
 def _by_level(template: Template, places: Sequence[tuple[float, float, int]]) -> list[list[int]] | None:
     """Indices of the blocks at each level; None where a level has another number of cells."""
     levels: list[list[int]] = [[] for _ in template.levels]

@@ -1,0 +1,34 @@
+"""The corpus as a regression test: nothing is misread, and the share that is right does not fall."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.corpus.entries import SPLITS, load
+from tests.corpus.judge import Score
+from tests.corpus.run import score, table
+
+FLOOR = {"dev": 0.80, "heldout": 0.80}
+"""The least share of each split that must be right."""
+
+
+@pytest.fixture(scope="module", params=SPLITS)
+def scores(request: pytest.FixtureRequest) -> list[Score]:
+    return score(request.param)
+
+
+def test_nothing_is_misread(scores: list[Score]) -> None:
+    misread = [f"{s.outcome}: {s.entry.text!r}: {s.why}" for s in scores if s.outcome in ("wrong", "crash")]
+    assert not misread, "\n".join(misread)
+
+
+def test_enough_is_right(scores: list[Score]) -> None:
+    share = sum(s.outcome == "right" for s in scores) / len(scores)
+    assert share >= FLOOR[scores[0].entry.split], table(scores)
+
+
+def test_the_corpus_is_large_and_its_refusals_are_many() -> None:
+    entries = [entry for split in SPLITS for entry in load(split)]
+    assert len(entries) >= 400
+    assert sum(bool(entry.refuse) for entry in entries) >= 80
+    assert len({entry.text for entry in entries}) == len(entries)

@@ -22,9 +22,6 @@ class Outline:
     text: str
     parts: tuple[Outline, ...] = ()
 
-    def __str__(self) -> str:
-        return f"{self.text}: {'; '.join(map(str, self.parts))}" if self.parts else self.text
-
 
 def goal_outline(schema: TaskSchema) -> Outline:
     """The goal of a task as a tree of words."""
@@ -33,10 +30,14 @@ def goal_outline(schema: TaskSchema) -> Outline:
 
 def outline(goal: g.Goal, world: World) -> Outline:
     """The tree that the connectives of `goal` make of its conditions."""
-    return Outline(_words(goal, world), tuple(outline(part, world) for part in children(goal)))
+    words = _connective(goal)
+    if words is None:
+        return Outline(clause(goal, world))
+    return Outline(words, tuple(outline(part, world) for part in children(goal)))
 
 
-def _words(goal: g.Goal, world: World) -> str:
+def _connective(goal: g.Goal) -> str | None:
+    """What a connective says of its parts; None for what is read as one condition."""
     match goal:
         case g.All():
             return "all of"
@@ -48,17 +49,7 @@ def _words(goal: g.Goal, world: World) -> str:
             return "at every step"
         case g.Sequence():
             return "one after the other"
-        case g.Count():
-            return f"{_how_many(goal)} of {', '.join(goal.over)} ({goal.var})"
-    return clause(goal, world)
-
-
-def _how_many(goal: g.Count) -> str:
-    if goal.at_most is None:
-        return f"at least {goal.at_least}"
-    if goal.at_most == goal.at_least:
-        return f"exactly {goal.at_least}"
-    return f"{goal.at_least} to {goal.at_most}" if goal.at_least else f"at most {goal.at_most}"
+    return None
 
 
 def explained(task: Task, seed: int) -> dict[str, Any]:
@@ -75,7 +66,7 @@ def explained(task: Task, seed: int) -> dict[str, Any]:
         "goal": plain(schema.goal),
         "goal_text": describe(schema),
         "assumptions": list(schema.assumptions),
-        "stages": [str(outline(stage, state.world)) for stage in _stages(schema.goal)],
+        "stages": [clause(stage, state.world) for stage in _stages(schema.goal)],
     }
 
 

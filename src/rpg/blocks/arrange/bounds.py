@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from rpg.blocks.arrange.pieces import Assembly, Piece
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
+from rpg.blocks.predicates.common import BORDER
 from rpg.blocks.predicates.direction import DIRECTIONS, edge_between, least_offset
 from rpg.blocks.predicates.region import CORNER, EDGE_DEPTH
 from rpg.blocks.state import BlockState
@@ -31,8 +32,6 @@ from rpg.ir.relations import (
     RightOf,
 )
 
-BORDER = 0.01
-"""Goal states keep this far inside of the workspace (m)."""
 WORKSPACE = (WORKSPACE_X, WORKSPACE_Y)
 GROUND = 0
 SPARE = 0.005

@@ -8,6 +8,7 @@ from random import Random
 
 from rpg.blocks.arrange.alternatives import alternatives
 from rpg.blocks.arrange.bounds import Contradiction
+from rpg.blocks.arrange.fit import oversize
 from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.english import clause
 from rpg.blocks.predicates import PREDICATES
@@ -64,7 +65,7 @@ def _solver(parts: list[g.Goal], world: World, start: BlockState | None) -> Solv
 def _diagnostic(parts: list[g.Goal], world: World, start: BlockState | None) -> Diagnostic:
     solver = _solver(parts, world, start)
     solver.solve(Random(0))
-    reason = next((r for r in solver.reasons if r.needed is not None), None)
+    reason = next((r for r in solver.reasons if r.needed is not None), None) or _oversize(parts, world)
     spans = [span for span in map(span_of, parts) if span is not None]
     texts = [clause(part, world) for part in parts]
     labels = tuple(Label(span=s, text=t) for part, t in zip(parts, texts, strict=True) if (s := span_of(part)))[1:]
@@ -91,6 +92,16 @@ def _diagnostic(parts: list[g.Goal], world: World, start: BlockState | None) -> 
         facts={"conditions": texts},
         origin="arrange",
     )
+
+
+def _oversize(parts: list[g.Goal], world: World) -> Contradiction | None:
+    """The first structure that is too large for the workspace."""
+    for part in parts:
+        for atom in atoms(part):
+            reason = oversize(atom, world)
+            if reason is not None:
+                return reason
+    return None
 
 
 def _contradiction(texts: list[str]) -> str:

@@ -36,6 +36,7 @@ WIDTH = 6
 PROPOSALS = 24
 FREE_TRIES = 20
 ANCHORED_TRIES = 8
+MOST_PROPOSED = 48
 PROPOSED = 0.25
 """What it is worth that a condition proposed a place, rather than chance."""
 GOOD_MARGIN = 0.3
@@ -225,6 +226,8 @@ class Search:
         }
         if not found:
             found[round((x0 + x1) / 2, 4), round((y0 + y1) / 2, 4)] = 0.0
+        if len(found) > MOST_PROPOSED:
+            found = dict(self.rng.sample(list(found.items()), MOST_PROPOSED))
         for _ in range(ANCHORED_TRIES if wanted else FREE_TRIES):
             found.setdefault((round(self.rng.uniform(x0, x1), 4), round(self.rng.uniform(y0, y1), 4)), 0.0)
         return found

@@ -19,7 +19,10 @@ PAST = 0.004
 """How far past a tolerance near-misses lie, in metres."""
 TOUCH = 0.002
 """Faces at most this far apart (m) touch."""
-SPANS = {"x": WORKSPACE_X[1] - WORKSPACE_X[0], "y": WORKSPACE_Y[1] - WORKSPACE_Y[0]}
+BORDER = 0.01
+"""Goal states keep this far inside of the workspace (m)."""
+SPANS = {"x": WORKSPACE_X[1] - WORKSPACE_X[0] - 2 * BORDER, "y": WORKSPACE_Y[1] - WORKSPACE_Y[0] - 2 * BORDER}
+"""The longest a structure may be between its outer centres, in metres."""
 
 Poses = dict[str, tuple[Vec3, Quat]]
 

@@ -6,12 +6,13 @@ reported code is known follow from here.
 
 from __future__ import annotations
 
-from rpg.core.codes import feasibility, language, starts, steer, store, validate
+from rpg.core.codes import arrange, feasibility, language, starts, steer, store, validate
 from rpg.core.codes.base import Code
 
 ROOMS: dict[str, tuple[Code, ...]] = {
     "language": language.CODES,
     "feasibility": feasibility.CODES,
+    "arrange": arrange.CODES,
     "starts": starts.CODES,
     "validate": validate.CODES,
     "store": store.CODES,

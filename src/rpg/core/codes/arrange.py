@@ -1,0 +1,38 @@
+"""Codes reported when no arrangement of the blocks satisfies a goal."""
+
+from __future__ import annotations
+
+from rpg.core.codes.base import Code
+
+CODES: tuple[Code, ...] = (
+    Code(
+        id="goal-contradiction",
+        title="conditions that cannot hold together",
+        explanation="No arrangement satisfies these conditions, though one does without any single one of them. "
+        "Directions that run in a ring are proved to clash; other clashes are found by a bounded search.",
+        example="put the red block to the left of the blue block and the blue block to the left of the red block",
+        remedy="put the red block to the left of the blue block and the blue block to the left of the green block",
+    ),
+    Code(
+        id="support-cycle",
+        title="blocks that rest on each other in a ring",
+        explanation="Each of these blocks must rest on the next, and the last one on the first, so that none of them "
+        "reaches the table.",
+        example="put the red block on the blue block and the blue block on the red block",
+        remedy="put the red block on the blue block and the blue block on the green block",
+    ),
+    Code(
+        id="does-not-fit",
+        title="more than the workspace has room for",
+        explanation="Centres of blocks stay within 30 cm from front to back and 50 cm from left to right. What is "
+        "asked for is longer than that even with blocks close together; the lengths are given.",
+        example="put thirteen red blocks in a row from left to right",
+        remedy="put ten red blocks in a row from left to right",
+    ),
+    Code(
+        id="too-many-namings",
+        title="too many look-alike blocks with different duties",
+        explanation="A goal holds if it does for some choice of which of several blocks that look alike is which. "
+        "More than 5,000 such choices are not searched.",
+    ),
+)

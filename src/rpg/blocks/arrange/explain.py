@@ -15,7 +15,7 @@ from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.core.diagnostics import Diagnostic, Label, Refusal
 from rpg.ir import goal as g
-from rpg.ir.walk import children
+from rpg.ir.walk import atoms, children
 
 SMALL = 1500
 """Candidate places judged for each subset of the conditions."""

@@ -12,6 +12,7 @@ from rpg.blocks.predicate import Cluster
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import World
 from rpg.ir import goal as g
+from rpg.ir.assets import GoalPatch
 from rpg.ir.structures import Row
 
 SHRUNK = (0.75, 0.5, 0.25)
@@ -37,7 +38,7 @@ def oversize(atom: g.Atom, world: World) -> Contradiction | None:
 
 def _shrunk(world: World, share: float) -> World:
     assets = [
-        asset.model_copy(update={"size": asset.size * share}) if asset.name in world.blocks else asset
+        asset if isinstance(asset, GoalPatch) else asset.model_copy(update={"size": asset.size * share})
         for asset in world.assets.values()
     ]
     return World(assets)

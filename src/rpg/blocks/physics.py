@@ -16,6 +16,8 @@ SETTLE_STEPS = 100
 QUIET_SPEED = 0.002
 """Speed (m/s) below which every block has settled for good."""
 QUIET_STEPS = 4
+SAME_POSE, SAME_SPEED = 1e-6, 0.01
+"""Poses this close (m, and parts of quaternions) at such speeds (m/s, rad/s) at most count as the same state."""
 
 
 class Physics:
@@ -27,6 +29,8 @@ class Physics:
         self.data = mujoco.MjData(self.model)
         self.names = tuple(world.blocks)
         self.count = len(self.names)
+        self._poses, self._velocities = self.data.qpos[: 7 * self.count], self.data.qvel[: 6 * self.count]
+        self._read = np.zeros(7 * self.count)
         self._reach = tuple(world.edge[name] * math.sqrt(3) / 2 for name in self.names)
         for index, name in enumerate(self.names):
             if self.model.joint(name).qposadr[0] != 7 * index:
@@ -39,14 +43,14 @@ class Physics:
         for name in self.names:
             flat += state.position[name]
             flat += state.orientation[name]
-        self.data.qpos[: 7 * self.count] = flat
+        self._poses[:] = flat
         mujoco.mj_forward(self.model, self.data)
 
     def read(self, start: BlockState | None = None, held: frozenset[str] = frozenset()) -> BlockState:
         """Where every block is now, and which of them move."""
-        count = self.count
-        q: list[float] = self.data.qpos[: 7 * count].tolist()
-        v: list[float] = self.data.qvel[: 6 * count].tolist()
+        self._read[:] = self._poses
+        q: list[float] = self._read.tolist()
+        v: list[float] = self._velocities.tolist()
         position: dict[str, Vec3] = {}
         orientation: dict[str, Quat] = {}
         moving = []
@@ -57,6 +61,11 @@ class Physics:
             if _speed(v[j : j + 6], self._reach[index]) >= REST_SPEED:
                 moving.append(name)
         return BlockState(self.world, position, orientation, frozenset(moving), held, start)
+
+    def unchanged(self) -> bool:
+        """Is every block where it was at the last `read`, to within SAME_POSE, and at rest?"""
+        velocities, way = self._velocities, self._poses - self._read
+        return bool(velocities.dot(velocities) < SAME_SPEED**2 and way.dot(way) < SAME_POSE**2)
 
     def step(self, control_steps: int = 1) -> None:
         """Advance by control steps of 1/20 s."""
@@ -74,7 +83,7 @@ class Physics:
 
     def fastest(self) -> float:
         """Greatest speed (m/s) of any point of any block."""
-        v: list[float] = self.data.qvel[: 6 * self.count].tolist()
+        v: list[float] = self._velocities.tolist()
         return max((_speed(v[6 * k : 6 * k + 6], reach) for k, reach in enumerate(self._reach)), default=0.0)
 
     def sane(self) -> bool:

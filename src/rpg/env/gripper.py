@@ -175,9 +175,10 @@ class BoundGripper:
 
     def proprioception(self, data: mujoco.MjData) -> NDArray[np.float64]:
         """Position and quaternion of the grasp centre in the world, and the opening between the fingers."""
-        pose = data.qpos[self._hand : self._hand + 7]
-        opening = data.qpos[self._fingers[0]] + data.qpos[self._fingers[1]]
-        return np.concatenate([pose, [opening]])
+        sensed = np.empty(self.proprioception_size)
+        sensed[:7] = data.qpos[self._hand : self._hand + 7]
+        sensed[7] = data.qpos[self._fingers[0]] + data.qpos[self._fingers[1]]
+        return sensed
 
     def _move(self, data: mujoco.MjData, delta: tuple[float, float, float]) -> None:
         actual: list[float] = data.qpos[self._hand : self._hand + 3].tolist()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -11,6 +12,7 @@ from gymnasium import spaces
 from numpy.typing import NDArray
 
 from rpg.blocks import camera, opengl, raycast
+from rpg.blocks.judgement import Judgement
 from rpg.env.embodiment import Embodiment
 from rpg.env.gripper import STEP_LIMIT, TURN_LIMIT, FloatingGripper
 from rpg.env.task import BlockTask
@@ -62,6 +64,9 @@ class BlockEnv(gymnasium.Env[Observation, NDArray[np.float32]]):  # type: ignore
         self.block_names = tuple(self.task.world.blocks)
         self._canvas: opengl.Canvas | None = None
         self._ever = False
+        self._told: Judgement | None = None
+        self._facts: dict[str, Any] = {}
+        self._conditions: dict[str, bool] = {}
         limit = np.array([STEP_LIMIT] * 3 + [TURN_LIMIT] * 3 + [1.0], dtype=np.float32)
         self.action_space = spaces.Box(-limit, limit, dtype=np.float32)
         self.observation_space = self._space()
@@ -88,7 +93,7 @@ class BlockEnv(gymnasium.Env[Observation, NDArray[np.float32]]):  # type: ignore
     def step(self, action: NDArray[np.float32]) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """One control step."""
         command = np.asarray(action, dtype=np.float64)
-        if command.shape != (7,) or not np.isfinite(command).all():
+        if command.shape != (7,) or not math.isfinite(command.sum()):
             raise ValueError(f"an action has 7 finite numbers, not {action!r}")
         self.task.step(1, command)
         judgement = self.task.judge()
@@ -120,14 +125,16 @@ class BlockEnv(gymnasium.Env[Observation, NDArray[np.float32]]):  # type: ignore
 
     def _info(self) -> dict[str, Any]:
         judgement = self.task.judge()
-        return {
-            "instruction": self.instruction,
-            "is_success": judgement.success.value,
-            "ever_success": self._ever,
-            "failed": judgement.failed,
-            "stage": judgement.stage,
-            "conditions": {name: verdict.value for name, verdict in judgement.conditions},
-        }
+        if judgement is not self._told:
+            self._told = judgement
+            self._facts = {
+                "instruction": self.instruction,
+                "is_success": judgement.success.value,
+                "failed": judgement.failed,
+                "stage": judgement.stage,
+            }
+            self._conditions = {name: verdict.value for name, verdict in judgement.conditions}
+        return {**self._facts, "ever_success": self._ever, "conditions": dict(self._conditions)}
 
     def _image(self, name: str) -> NDArray[np.uint8]:
         width, height = self.image_size

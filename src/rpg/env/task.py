@@ -31,6 +31,7 @@ ATTEMPTS = 100
 """Starts drawn in search of one where the goal is still ahead."""
 AT_REST = "every block is at rest, released and supported"
 HOLD: Action = np.zeros(ACTION_SIZE)
+NOTHING: frozenset[str] = frozenset()
 
 
 @lru_cache(maxsize=64)
@@ -68,6 +69,8 @@ class BlockTask(Relations, Structures, Setup):
         self._written: BlockState | None = None
         self._rest = FALSE
         self._unread = False
+        self._looks_back: bool | None = None
+        self._hooked = type(self)._on_step is not BlockTask._on_step
         self._names_of_conditions: dict[int, str] = {}
         self.seed = 0
 
@@ -144,9 +147,12 @@ class BlockTask(Relations, Structures, Setup):
             if self._robot is not None:
                 self._robot.command(self.data, action)
             physics.step()
-            held = self._robot.held(self.data) if self._robot is not None else frozenset()
-            self._observe(physics.read(self._start(), held))
-            self._on_step()
+            held = self._robot.held(self.data) if self._robot is not None else NOTHING
+            before = self._state
+            if before is None or before.moving or held != before.held or not physics.unchanged():
+                self._observe(physics.read(before.start if before is not None else None, held))
+            if self._hooked:
+                self._on_step()
 
     def state(self) -> BlockState:
         """Where every block is now."""
@@ -169,10 +175,9 @@ class BlockTask(Relations, Structures, Setup):
             if start is None:
                 start = state
                 self._begin(start)
-            elif not found:
-                self._begin(start)
-                self._observe(replace(state, start=start, _axes={}))
             else:
+                if not found:
+                    self._begin(start)
                 self._observe(replace(state, start=start, _axes={}))
             found.append(self.judge())
         self._state = None
@@ -233,23 +238,19 @@ class BlockTask(Relations, Structures, Setup):
         self._memories = [Memory() for _ in self._namings]
         self._written = start
         self._observe(replace(start, start=start))
-        self.judge()
 
     def _observe(self, state: BlockState) -> None:
         """The episode is now in `state`."""
         if self._written is not None:
             self._written = replace(state, start=None)
         self._state, self._judgement, self._unread = state, None, False
-        if self._memories[0].used:
+        if self._looks_back is not False:
             self.judge()
+            self._looks_back = self._memories[0].used
 
     def _nobody_looks(self) -> bool:
         """May steps pass without a look at each of them? The state is then read when somebody asks for it."""
-        hooked = type(self)._on_step is not BlockTask._on_step
-        return self._robot is None and not hooked and self._state is not None and not self._memories[0].used
-
-    def _start(self) -> BlockState | None:
-        return self._state.start if self._state is not None else None
+        return self._robot is None and not self._hooked and self._state is not None and not self._looks_back
 
     def _judged(self, state: BlockState) -> Judgement:
         """The judgement under the naming of look-alikes that comes closest to success."""

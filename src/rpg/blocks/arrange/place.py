@@ -39,6 +39,8 @@ ANCHORED_TRIES = 8
 MOST_PROPOSED = 48
 PROPOSED = 0.25
 """What it is worth that a condition proposed a place, rather than chance."""
+LEAST_MARGIN = 0.02
+"""What is placed later must leave conditions that any block can break this share of their tolerance."""
 GOOD_MARGIN = 0.3
 """More slack than this share of a tolerance is not worth anything."""
 GOOD_CLEARANCE = 0.02
@@ -166,7 +168,7 @@ class Search:
     def _undisturbed(self) -> bool:
         """Do the conditions that any block can break hold, as far as they can be judged?"""
         return all(
-            rule.slack(self.state) is not None
+            (rule.slack(self.state) or 0.0) > LEAST_MARGIN
             for rule in self.rules
             if (rule.open_ended or not rule.per_place) and all(n in self.position for n in rule.blocks)
         )

@@ -18,7 +18,7 @@ from rpg.blocks.figures import Ideal
 
 ROUNDS = 6
 """How often a match is improved at most."""
-SWEEP = 12
+SWEEP = 6
 """Rotations that are tried where the moments mislead."""
 MOMENTS = (1, 2, 3, 4, 5, 6)
 EPS = 1e-9
@@ -114,7 +114,7 @@ def best_fit(
     fit = task.best(task.starts())
     if fit is not None and fit.deviation <= tolerance:
         return fit
-    if fit is not None and fit.deviation > 3.0 * tolerance:
+    if fit is not None and fit.deviation > 2.0 * tolerance:
         return fit
     swept = task.best([(2 * math.pi * k / (SWEEP * template.symmetry), False) for k in range(SWEEP)])
     return min((f for f in (fit, swept) if f is not None), key=lambda f: f.deviation, default=None)

@@ -227,9 +227,12 @@ def gap_too_large(node: Row, line: Line, state: BlockState) -> NearMiss:
 
 
 def room_along(yaw: float) -> float:
-    """How long a row turned by `yaw` from left to right may be between its outer centres, in metres."""
-    across, along = abs(math.sin(yaw)), abs(math.cos(yaw))
-    return min(SPANS["y"] / along if along > 1e-9 else 1.0, SPANS["x"] / across if across > 1e-9 else 1.0)
+    """How long a row turned by `yaw` from left to right may be between its outer centres, in metres.
+
+    A slanting one may be no longer than one along y, though the diagonal of the workspace is.
+    """
+    across = abs(math.sin(yaw))
+    return min(SPANS["y"], SPANS["x"] / across if across > 1e-9 else SPANS["y"])
 
 
 def row_steps(edges: list[float], room: float, node: Row) -> list[float] | None:

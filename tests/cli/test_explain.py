@@ -28,7 +28,7 @@ def test_connectives_are_branches_and_conditions_leaves() -> None:
 
 def test_stages_follow_each_other() -> None:
     goal = Sequence(stages=(Stage(goal=ON, undone=True), Stage(goal=OnTable(a="red_block"))))
-    assert [part.text for part in outline(goal, WORLD).parts][0] == "the red block is on the blue block"
+    assert outline(goal, WORLD).parts[0].text == "the red block is on the blue block"
 
 
 def test_a_count_is_one_condition() -> None:

@@ -56,7 +56,7 @@ def placed(source: Program, **moves: tuple[float, float, float]) -> Program:
 RED_ON_YELLOW = task(
     "red-on-yellow",
     (cube("red"), cube("yellow")),
-    On(a=("red_block",), b=("yellow_block",), span=(15, 34)),
+    On(a=("red_block",), b=("yellow_block",), span=(14, 44)),
     "I want you to put the red block onto the yellow one",
 )
 WORD = task(

@@ -29,6 +29,11 @@ def failure(
     return Diagnostic(code=code, message=message, span=span, hint=hint, facts={"class": kind, **shown}, origin=gate)
 
 
+def refused(gate: str, diagnostic: Diagnostic, kind: FailureClass = "runtime") -> Diagnostic:
+    """The diagnostic of a refusal that came up while `gate` ran the task."""
+    return diagnostic.model_copy(update={"facts": {"class": kind, **diagnostic.facts}, "origin": gate})
+
+
 def note(gate: str, code: str, message: str, span: Span | None = None, **facts: Any) -> Diagnostic:
     """Something worth knowing that fails nothing."""
     return Diagnostic(code=code, severity="note", message=message, span=span, facts=facts, origin=gate)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import product
 
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import World
 from rpg.core.diagnostics import Diagnostic, Label, Span
 from rpg.ir import goal as g
 from rpg.ir.artifact import GateReport, Program
+from rpg.ir.node import Operand
 from rpg.ir.relations import Above
 from rpg.passes.validate.bench import Bench
 from rpg.passes.validate.findings import failure, note
@@ -111,10 +113,16 @@ def conjuncts(goal: g.Goal) -> Iterator[g.Goal]:
 
 def _edges(parts: Iterable[g.Goal], world: World) -> Iterator[Edge]:
     for part in parts:
-        predicate = PREDICATES.get(part.kind)
-        if predicate is not None:
-            for top, under in predicate.supports(part, world):
-                yield Edge(top, under, not isinstance(part, Above), part.span)
+        if isinstance(part, Above):
+            pairs = product(_names(part.a), _names(part.b))
+            yield from (Edge(top, under, False, part.span) for top, under in pairs)
+        elif part.kind in PREDICATES:
+            yield from (Edge(*pair, True, part.span) for pair in PREDICATES[part.kind].supports(part, world))
+
+
+def _names(operand: Operand) -> tuple[str, ...]:
+    """The blocks an operand is sure to stand for."""
+    return operand if isinstance(operand, tuple) else ()
 
 
 def find_cycle(below: dict[str, set[str]]) -> list[str]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from random import Random
 from typing import Any
 
+from rpg.blocks.evaluate import evaluate, settled
 from rpg.blocks.near_miss import near_misses
 from rpg.blocks.predicate import NearMiss
-from rpg.blocks.state import BlockState
+from rpg.blocks.state import BlockState, Quat
 from rpg.blocks.waypoints import waypoints
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.env import BlockTask
@@ -17,6 +19,9 @@ from rpg.passes.validate.bench import Bench
 from rpg.passes.validate.findings import failure, poses, told
 from rpg.passes.validate.subgoals import subgoals
 
+SHAKES = (0.008, 0.004, 0.002)
+"""How far (m) the blocks of a goal state are moved when it is shaken; they turn by ten times that in radians."""
+SLACK = 0.05
 MOST_NAMED = 5
 """Survivors listed in a failure."""
 
@@ -42,7 +47,7 @@ class MutationGate:
         assert bench.trace is not None
         rng = Random(f"near-misses of {program.task.name}")
         goal = bench.trace.authored
-        misses = near_misses(program.task.goal, goal, rng)
+        misses = [*near_misses(program.task.goal, goal, rng), *unsettled(goal)]
         survivors = [miss for miss in misses if holds(bench.task, (*bench.trace.history, miss.state))]
         others = other_goals(program, bench)
         rejected = [path[-1] for path in others if not holds(bench.task, path)]
@@ -85,14 +90,54 @@ def holds(task: BlockTask, path: tuple[BlockState, ...]) -> bool:
     return bool(task.judge_states(path[1:], start)[-1].success)
 
 
+def unsettled(goal: BlockState) -> list[NearMiss]:
+    """The goal state while a block still moves, and while one is held."""
+    last = max(goal.position, key=lambda name: (goal.position[name][2], name))
+    block = frozenset({last})
+    return [
+        NearMiss(f"{last} still moves", replace(goal, moving=block)),
+        NearMiss(f"{last} is still held", replace(goal, held=block)),
+    ]
+
+
 def other_goals(program: Program, bench: Bench) -> list[tuple[BlockState, ...]]:
-    """Paths to further goal states, drawn apart from the one that the program has."""
+    """Paths to further goal states: arranged apart from the one that the program has, and each a little shaken."""
+    assert bench.trace is not None
     found = []
+    start = bench.trace.history[0] if bench.trace.history else None
     for number in range(bench.measures.other_goals):
         rng = Random(f"other goal {number} of {program.task.name}")
-        start = bench.trace.history[0] if bench.trace and bench.trace.history else None
         try:
-            found.append(tuple(waypoints(program.task.goal, program.task.init, bench.world, rng, start)))
+            path = waypoints(program.task.goal, program.task.init, bench.world, rng, start)
         except Refusal:
             continue
+        found.append(tuple(path))
+        shaken = shake(program, path[-1], rng)
+        if shaken is not None:
+            found.append((*path[:-1], shaken))
     return found
+
+
+def shake(program: Program, state: BlockState, rng: Random) -> BlockState | None:
+    """`state` with every block moved and turned a little, as far as the schema's goal still holds with some slack."""
+    moves = {name: [rng.uniform(-1.0, 1.0) for _ in range(3)] for name in state.position}
+    for reach in SHAKES:
+        poses = {
+            name: (
+                (x + reach * moves[name][0], y + reach * moves[name][1], z),
+                turned(state.orientation[name], 10 * reach * moves[name][2]),
+            )
+            for name, (x, y, z) in state.position.items()
+        }
+        shaken = state.moved(poses)
+        verdict = evaluate(program.task.goal, shaken) & settled(shaken)
+        if verdict.value and verdict.margin > SLACK:
+            return shaken
+    return None
+
+
+def turned(orientation: Quat, angle: float) -> Quat:
+    """An orientation turned further about the vertical (radians)."""
+    c, s = math.cos(angle / 2), math.sin(angle / 2)
+    w, x, y, z = orientation
+    return (c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w)

@@ -2,18 +2,45 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
+from rpg.blocks.evaluate import evaluate
+from rpg.blocks.initial import sample_start
 from rpg.blocks.physics import QUIET_SPEED
 from rpg.blocks.state import BlockState
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.env import BlockTask
 from rpg.ir.artifact import GateReport, Program
 from rpg.passes.validate.bench import Bench
-from rpg.passes.validate.findings import failure, poses, told
+from rpg.passes.validate.findings import failure, poses, refused, told
 from rpg.passes.validate.gates.bounds import ROUNDING, room
 from rpg.passes.validate.prints import print_of
+
+MOVING = 10 * QUIET_SPEED
+"""Speed (m/s) from which a start counts as moving."""
+
+
+@dataclass
+class _Starts:
+    """What was measured over the sampled starts; findings by code, the first of each."""
+
+    found: dict[str, Diagnostic] = field(default_factory=dict)
+    resets: int = 0
+    solved: int = 0
+    overlap: float = 0.0
+    speed: float = 0.0
+
+    def report(self, gate: str) -> GateReport:
+        """The figures in the units of the log."""
+        return GateReport.of(
+            gate,
+            self.found.values(),
+            resets=self.resets,
+            solved=self.solved,
+            overlap_mm=round(self.overlap * 1000, 3),
+            speed_mm_s=round(self.speed * 1000, 2),
+        )
 
 
 @dataclass(frozen=True)
@@ -25,56 +52,76 @@ class UnsolvedGate:
 
     def check(self, program: Program, bench: Bench) -> GateReport:
         """Reset with the first N seeds."""
-        found: dict[str, Diagnostic] = {}
-        figures: dict[str, Any] = {"resets": bench.measures.resets, "solved": 0, "overlap_mm": 0.0, "speed_mm_s": 0.0}
-        task = bench.task
+        starts = _Starts()
         for seed in range(bench.measures.resets):
+            starts.resets += 1
             try:
-                start = task.reset(seed)
-                judged = task.judge()
-                overlap, speed = deepest_overlap(task), task.physics.fastest()
+                self._look(starts, bench, seed)
             except Refusal as refusal:
-                for d in refusal.diagnostics:
-                    kind = "goal" if d.code == "start-solves-goal" else "bounds"
-                    found.setdefault(d.code, d.model_copy(update={"facts": {"class": kind, **d.facts}}))
+                for diagnostic in refusal.diagnostics:
+                    starts.found.setdefault(diagnostic.code, self._refused(program, bench, diagnostic))
                 break
             except Exception as error:
                 message = f"reset with seed {seed} fails: {type(error).__name__}: {error}"
                 trace = told(error, bench.sources)
-                found["crash"] = failure(self.name, "task-crashes", "runtime", message, traceback=trace, seed=seed)
+                crash = failure(self.name, "task-crashes", "runtime", message, traceback=trace, seed=seed)
+                starts.found["crash"] = crash
                 break
-            bench.prints[f"reset {seed}"] = print_of(task)
-            figures["solved"] += bool(judged.success)
-            figures["overlap_mm"] = max(figures["overlap_mm"], round(overlap * 1000, 3))
-            figures["speed_mm_s"] = max(figures["speed_mm_s"], round(speed * 1000, 2))
-            for problem in self._problems(bench, seed, start, judged.success.value, judged.failed, overlap, speed):
-                found.setdefault(problem.code, problem)
-        return GateReport.of(self.name, found.values(), **figures)
+        return starts.report(self.name)
 
-    def _problems(
-        self, bench: Bench, seed: int, start: BlockState, solved: bool, lost: bool, overlap: float, speed: float
-    ) -> list[Diagnostic]:
+    def _look(self, starts: _Starts, bench: Bench, seed: int) -> None:
+        task = bench.task
+        start = task.reset(seed)
+        judged = task.judge()
+        bench.prints[f"reset {seed}"] = print_of(task)
+        overlap, speed = deepest_overlap(task), task.physics.fastest()
+        starts.solved += judged.success.value
+        starts.overlap, starts.speed = max(starts.overlap, overlap), max(starts.speed, speed)
         facts: dict[str, Any] = {"seed": seed, "poses": poses(start)}
         found = []
-        if solved:
+        if judged.success:
             message = f"the goal holds already at the start of seed {seed}"
             found.append(failure(self.name, "reset-solved", "goal", message, **facts))
-        if lost:
+        if judged.failed:
             message = f"the episode of seed {seed} is lost at its start"
             found.append(failure(self.name, "reset-lost", "goal", message, **facts))
+        found += self._physical(bench, start, overlap, speed, facts)
+        for diagnostic in found:
+            starts.found.setdefault(diagnostic.code, diagnostic)
+
+    def _physical(
+        self, bench: Bench, start: BlockState, overlap: float, speed: float, facts: dict[str, Any]
+    ) -> list[Diagnostic]:
+        found, seed = [], facts["seed"]
         if overlap > bench.measures.overlap_m:
             message = f"blocks overlap by {overlap * 1000:.1f} mm at the start of seed {seed}"
-            found.append(
-                failure(self.name, "reset-overlap", "instability", message, overlap_m=round(overlap, 5), **facts)
-            )
+            measured = {"overlap_m": round(overlap, 5), **facts}
+            found.append(failure(self.name, "reset-overlap", "instability", message, **measured))
         outside = [name for name in start.position if room(start, name) < -ROUNDING]
         if outside:
             message = f"{', '.join(outside)} starts outside of the workspace with seed {seed}"
             found.append(failure(self.name, "reset-out-of-bounds", "bounds", message, blocks=outside, **facts))
-        if speed > 10 * QUIET_SPEED:
+        if speed > MOVING:
             message = f"blocks move at {speed * 1000:.0f} mm/s at the start of seed {seed}"
-            found.append(failure(self.name, "reset-moves", "instability", message, speed_m_s=round(speed, 4), **facts))
+            measured = {"speed_m_s": round(speed, 4), **facts}
+            found.append(failure(self.name, "reset-moves", "instability", message, **measured))
         return found
+
+    def _refused(self, program: Program, bench: Bench, diagnostic: Diagnostic) -> Diagnostic:
+        """Why there is no start: where only the code's goal holds in all of them, that goal is vacuous."""
+        if diagnostic.code != "start-solves-goal":
+            return refused(self.name, diagnostic, "bounds")
+        if self._really_solved(program, bench):
+            return refused(self.name, diagnostic, "goal")
+        message = "the success check is true at every start, though the goal of task.yaml does not hold there"
+        return failure(self.name, "goal-vacuous", "goal", message, hint="compare _success with the goal of task.yaml")
+
+    def _really_solved(self, program: Program, bench: Bench) -> bool:
+        for seed in range(bench.measures.resets):
+            start = sample_start(program.task.init, bench.world, seed)
+            if not evaluate(program.task.goal, start):
+                return False
+        return True
 
 
 def deepest_overlap(task: BlockTask) -> float:

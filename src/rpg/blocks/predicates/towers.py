@@ -100,7 +100,8 @@ class TowersPredicate(Predicate[Towers]):
             if k == MAX_SPLITS:
                 return
             turn = yaw_quat(YAWS[k % len(YAWS)])
-            yield [column(sorted(tower, key=lambda n: -world.edge[n]), world, turn) for tower in towers]
+            clusters = [column(sorted(tower, key=lambda n: -world.edge[n]), world, turn) for tower in towers]
+            yield _on_patches(clusters, towers, node.matching, world) if node.matching else clusters
 
     def _divisions(self, node: Towers, world: World, rng: Random) -> Iterator[list[list[str]]]:
         """Ways to deal the blocks to towers: the even ones first."""
@@ -165,6 +166,24 @@ class TowersPredicate(Predicate[Towers]):
 
     def _past_edge(self, name: str, state: BlockState) -> BlockState:
         return shift(state, [name], 0.0, state.world.edge[name] * 0.5 + 0.006)
+
+
+def _on_patches(
+    clusters: list[Cluster], towers: Sequence[Sequence[str]], patches: Sequence[str], world: World
+) -> list[Cluster]:
+    """Towers that have a patch of their colour to themselves put in its middle; the others as they are."""
+    free = [world.patches[name] for name in patches if world.patches[name].position is not None]
+    found = []
+    for cluster, tower in zip(clusters, towers, strict=True):
+        patch = next((p for p in free if p.color == world.blocks[tower[0]].color), None)
+        if patch is None or patch.position is None:
+            found.append(cluster)
+            continue
+        free.remove(patch)
+        px, py = patch.position
+        poses = {name: ((x + px, y + py, z), turn) for name, ((x, y, z), turn) in cluster.poses.items()}
+        found.append(Cluster(poses, fixed=True))
+    return found
 
 
 def _split_sizes(groups: list[int], node: Towers) -> Iterator[list[list[int]]]:

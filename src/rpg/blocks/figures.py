@@ -54,6 +54,7 @@ class Ideal:
     room: float | None = None
 
 
+@lru_cache(maxsize=512)
 def ideals(node: Cells, count: int) -> tuple[Ideal, ...]:
     """The figures that `node` accepts for so many blocks, the most natural first."""
     match node:

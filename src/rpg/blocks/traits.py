@@ -52,7 +52,8 @@ class Traits:
 
     def symbol(self, name: str) -> str:
         """The symbol that is read on a block; empty for plain ones."""
-        return self.shown.get(name) or symbol_of(self.world, name)
+        shown = self.shown.get(name)
+        return symbol_of(self.world, name) if shown is None else shown
 
     def of(self, name: str, attribute: Attribute) -> Trait:
         """The value of `attribute`; for vowels and parity, blocks that are neither have their kind."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
@@ -12,6 +12,7 @@ from rpg.ir.relations import (
     Apart,
     Behind,
     Clear,
+    Empty,
     InFrontOf,
     InRegion,
     LeftOf,
@@ -36,24 +37,29 @@ class Literal(NamedTuple):
 Conjunction = tuple[Literal, ...]
 
 
-def alternatives(goal: g.Goal, wanted: bool = True) -> Iterator[Conjunction]:
-    """Every conjunction of literals that makes `goal` true (or, where not `wanted`, false), most natural first."""
+def alternatives(goal: g.Goal, blocks: Sequence[str], wanted: bool = True) -> Iterator[Conjunction]:
+    """Every conjunction of literals that makes `goal` true (or, where not `wanted`, false), most natural first.
+
+    `blocks`: all blocks of the task, for conditions that some block or other must spoil.
+    """
     match goal:
         case g.All():
-            yield from _all(goal.goals, wanted) if wanted else _any(goal.goals, wanted)
+            yield from _all(goal.goals, blocks, wanted) if wanted else _any(goal.goals, blocks, wanted)
         case g.Any():
-            yield from _any(goal.goals, wanted) if wanted else _all(goal.goals, wanted)
+            yield from _any(goal.goals, blocks, wanted) if wanted else _all(goal.goals, blocks, wanted)
         case g.Not():
-            yield from alternatives(goal.goal, not wanted)
+            yield from alternatives(goal.goal, blocks, not wanted)
         case g.Always():
-            yield from alternatives(goal.goal, wanted)
+            yield from alternatives(goal.goal, blocks, wanted)
         case g.Sequence():
             final = g.All(goals=tuple(stage.goal for stage in goal.stages if not stage.undone))
-            yield from alternatives(final, wanted)
+            yield from alternatives(final, blocks, wanted)
         case g.Count():
-            yield from _count(goal, wanted)
+            yield from _count(goal, blocks, wanted)
         case On() if wanted:
             yield from _pairings(goal)
+        case Clear() | Empty() | OnTable() if not wanted:
+            yield from _spoilt(goal, blocks)
         case _:
             yield (Literal(goal, wanted),)
 
@@ -92,21 +98,21 @@ def _parts(atom: g.Atom) -> Iterator[g.Atom]:
             return
 
 
-def _all(goals: tuple[g.Goal, ...], wanted: bool) -> Iterator[Conjunction]:
+def _all(goals: tuple[g.Goal, ...], blocks: Sequence[str], wanted: bool) -> Iterator[Conjunction]:
     if not goals:
         yield ()
         return
-    for first in alternatives(goals[0], wanted):
-        for rest in _all(goals[1:], wanted):
+    for first in alternatives(goals[0], blocks, wanted):
+        for rest in _all(goals[1:], blocks, wanted):
             yield first + rest
 
 
-def _any(goals: tuple[g.Goal, ...], wanted: bool) -> Iterator[Conjunction]:
+def _any(goals: tuple[g.Goal, ...], blocks: Sequence[str], wanted: bool) -> Iterator[Conjunction]:
     for goal in goals:
-        yield from alternatives(goal, wanted)
+        yield from alternatives(goal, blocks, wanted)
 
 
-def _count(count: g.Count, wanted: bool) -> Iterator[Conjunction]:
+def _count(count: g.Count, blocks: Sequence[str], wanted: bool) -> Iterator[Conjunction]:
     total = len(count.over)
     low, high = count.at_least, total if count.at_most is None else min(count.at_most, total)
     allowed = range(low, high + 1)
@@ -117,7 +123,17 @@ def _count(count: g.Count, wanted: bool) -> Iterator[Conjunction]:
     for size in sizes:
         for chosen in combinations(range(total), size):
             parts = tuple(each[k] if k in chosen else g.Not(goal=each[k]) for k in range(total))
-            yield from _all(parts, True)
+            yield from _all(parts, blocks, True)
+
+
+def _spoilt(atom: Clear | Empty | OnTable, blocks: Sequence[str]) -> Iterator[Conjunction]:
+    """Ways to spoil a condition that takes another block to spoil: it is on what must not be clear, or empty."""
+    if isinstance(atom, Empty):
+        yield from ((Literal(OnPatch(a=(name,), patch=atom.patch)),) for name in blocks)
+        return
+    for name in members(atom.a):
+        pairs = (((name,), (other,)) if isinstance(atom, OnTable) else ((other,), (name,)) for other in blocks)
+        yield from ((Literal(On(a=a, b=b)),) for a, b in pairs if a != b)
 
 
 def _pairings(on: On) -> Iterator[Conjunction]:

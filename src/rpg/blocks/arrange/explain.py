@@ -129,7 +129,7 @@ def _does_not_fit(
 def support_cycle(parts: list[g.Goal], world: World) -> list[str]:
     """Blocks each of which must rest on the next, the last on the first; empty where there is no such ring."""
     goal = g.All(goals=tuple(parts))
-    for literals in islice(alternatives(goal), 1):
+    for literals in islice(alternatives(goal, tuple(world.blocks)), 1):
         edges: dict[str, list[str]] = {}
         for atom, holds, _ in literals:
             if holds:

@@ -30,7 +30,7 @@ def oversize(atom: g.Atom, world: World) -> Contradiction | None:
         for clusters in islice(predicate.build(atom, small, Random(0)), 1):
             lengths = [_extent(clusters, axis, small) / share for axis in (0, 1)]
             if isinstance(atom, Row):
-                lengths = [max(length, _side_by_side(atom, world)) if length > 0.1 else length for length in lengths]
+                lengths[lengths.index(max(lengths))] = _side_by_side(atom, world)
             axis = max((0, 1), key=lambda k: lengths[k] - LENGTHS[k])
             return Contradiction((atom,), axis, lengths[axis], LENGTHS[axis])
     return None

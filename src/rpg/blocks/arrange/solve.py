@@ -40,7 +40,7 @@ class Solver:
     def solve(self, rng: Random, vary: bool = False) -> BlockState | None:
         """A goal state; None where none is found. `vary`: any one rather than the most natural one."""
         left = self.tries
-        ways = list(islice(alternatives(self.goal), MAX_ALTERNATIVES))
+        ways = list(islice(alternatives(self.goal, tuple(self.world.blocks)), MAX_ALTERNATIVES))
         if vary:
             rng.shuffle(ways)
         for literals in map(single, ways):

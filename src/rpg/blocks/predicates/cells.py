@@ -24,7 +24,7 @@ from rpg.blocks.predicates.common import (
 from rpg.blocks.predicates.fit import EPS, Fit, best_fit, likeness
 from rpg.blocks.predicates.order import fixed_edges
 from rpg.blocks.predicates.pattern import fillings, follows
-from rpg.blocks.predicates.stack import legible, unreadable
+from rpg.blocks.predicates.stack import alone, legible, unreadable
 from rpg.blocks.predicates.vertical import GROUND
 from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.blocks.traits import AWAY, TO_VIEWER, UP, Traits, symbols_shown
@@ -123,7 +123,7 @@ class CellsPredicate(Predicate[Cells]):
         if upright(node):
             return legible(state, blocks, TO_VIEWER, UP, node.excused)
         if max(cell.level for cell in ideal.cells) == 0:
-            return legible(state, blocks, UP, AWAY, node.excused)
+            return legible(state, blocks, UP, AWAY, node.excused) & alone(state, blocks)
         exterior = [name for name, hidden in zip(blocks, hidden_cells(ideal), strict=True) if not hidden]
         margins = [1.0]
         for name in exterior:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
 from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z, WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.geometry import footprint_gap
+from rpg.blocks.geometry import carried, footprint_gap
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, yaw_quat
 from rpg.ir.assets import EDGE
 
@@ -51,6 +51,15 @@ def shift(state: BlockState, names: Iterable[str], dx: float, dy: float, dz: flo
         x, y, z = state.position[name]
         poses[name] = ((x + dx, y + dy, z + dz), state.orientation.get(name, IDENTITY))
     return state.moved(poses)
+
+
+def place_beside(state: BlockState, a: str, b: str, dx: float, dy: float) -> BlockState:
+    """`state` with `a` at an offset from `b`, and what it carries; `b` is moved where `a` cannot be, or carries it."""
+    (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
+    load = carried(state, a) if a in state.position else []
+    if load and b not in load:
+        return shift(state, load, bx + dx - ax, by + dy - ay)
+    return shift(state, carried(state, b), ax - dx - bx, ay - dy - by)
 
 
 def swap(state: BlockState, a: str, b: str) -> BlockState:

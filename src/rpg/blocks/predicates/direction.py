@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
-from rpg.blocks.geometry import carried, footprint_gap, reach
+from rpg.blocks.geometry import footprint_gap, reach
 from rpg.blocks.predicate import NearMiss, Predicate
-from rpg.blocks.predicates.common import PAST, shift
+from rpg.blocks.predicates.common import PAST, place_beside
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict, at_most, every, holds
 from rpg.ir.node import members
@@ -106,12 +106,8 @@ class DirectionalPredicate(Predicate[Directional]):
         """`a` (or, where it is a patch, `b`) moved so that their offset is as given."""
         ux, uy = DIRECTIONS[self.kind]
         dx, dy = along * ux + across * uy, along * uy + across * ux
-        (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
-        if a in state.position:
-            return NearMiss(what, shift(state, carried(state, a), bx + dx - ax, by + dy - ay))
-        if b in state.position:
-            return NearMiss(what, shift(state, carried(state, b), ax - dx - bx, ay - dy - by))
-        return NearMiss(what, state)
+        movable = a in state.position or b in state.position
+        return NearMiss(what, place_beside(state, a, b, dx, dy) if movable else state)
 
     def _steps(self, node: Directional, a: str, b: str, state: BlockState) -> Iterator[tuple[float, float]]:
         edge = edge_between(state, a, b)

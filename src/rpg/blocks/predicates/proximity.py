@@ -9,7 +9,7 @@ from typing import Any
 
 from rpg.blocks.geometry import body_gap, carried, footprint_gap, plane_distance, reach, rests_on, riders
 from rpg.blocks.predicate import NearMiss, Predicate
-from rpg.blocks.predicates.common import PAST, set_aside, shift, stand_on
+from rpg.blocks.predicates.common import PAST, place_beside, set_aside, shift, stand_on
 from rpg.blocks.predicates.direction import edge_between
 from rpg.blocks.state import BlockState
 from rpg.blocks.verdict import Verdict, at_least, at_most, every, holds, some
@@ -51,7 +51,7 @@ def apart_by(what: str, a: str, b: str, gap: float, state: BlockState) -> NearMi
         dx, dy = math.copysign(sizes[0] + gap, ax - bx), 0.0
     else:
         dx, dy = 0.0, math.copysign(sizes[1] + gap, ay - by)
-    return _displaced(what, a, b, dx, dy, state)
+    return NearMiss(what, place_beside(state, a, b, dx, dy))
 
 
 def centres_apart_by(what: str, a: str, b: str, distance: float, state: BlockState) -> NearMiss:
@@ -59,14 +59,7 @@ def centres_apart_by(what: str, a: str, b: str, distance: float, state: BlockSta
     (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
     now = math.hypot(ax - bx, ay - by)
     ux, uy = ((ax - bx) / now, (ay - by) / now) if now > 1e-6 else (0.0, 1.0)
-    return _displaced(what, a, b, distance * ux, distance * uy, state)
-
-
-def _displaced(what: str, a: str, b: str, dx: float, dy: float, state: BlockState) -> NearMiss:
-    (ax, ay, _), (bx, by, _) = state.where(a), state.where(b)
-    if a in state.position:
-        return NearMiss(what, shift(state, carried(state, a), bx + dx - ax, by + dy - ay))
-    return NearMiss(what, shift(state, carried(state, b), ax - dx - bx, ay - dy - by))
+    return NearMiss(what, place_beside(state, a, b, distance * ux, distance * uy))
 
 
 def single_pair(node: Any, state: BlockState) -> tuple[str, str] | None:

@@ -24,7 +24,7 @@ from rpg.blocks.predicates.common import (
     swap,
 )
 from rpg.blocks.predicates.order import ordered, sequences, swaps
-from rpg.blocks.predicates.stack import legible, unreadable
+from rpg.blocks.predicates.stack import alone, legible, unreadable
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
 from rpg.blocks.traits import AWAY, UP, Traits, symbols_shown
 from rpg.blocks.verdict import Verdict, every, holds
@@ -147,7 +147,7 @@ class RowPredicate(Predicate[Row]):
             either = node.order.first is None
             parts.append(ordered(node.order, from_first(node.order, line.sequence), traits, either))
         if node.readable:
-            parts.append(legible(state, line.sequence, UP, AWAY, node.excused))
+            parts.append(legible(state, line.sequence, UP, AWAY, node.excused) & alone(state, line.sequence))
         return every(parts)
 
     def build(self, node: Row, world: World, rng: Random) -> Iterator[list[Cluster]]:

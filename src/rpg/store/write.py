@@ -1,28 +1,21 @@
 """Putting versions into a workspace: whole or not at all, by any number of processes at once.
 
-A version is written into a hidden directory beside its destination, synced, and renamed. Numbers and names are given
-out under one lock per workspace, which is held for renames only; the kernel drops it when its holder dies. A hidden
-directory that nobody holds a lock on was left by a writer that was killed, and is removed by the next one.
+Numbers and names are given out under one lock per workspace, which is held for renames only.
 """
 
 from __future__ import annotations
 
-import fcntl
-import os
 import shutil
-import tempfile
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from rpg.core.diagnostics import UsageError
 from rpg.core.digest import digest_of, sha256
+from rpg.store.disk import LOCK, aside, locked, replace_file, sync, write_file
 from rpg.store.layout import HEAD, Family, Version, Workspace, version_name
 from rpg.store.records import CODE, HASHED, PICTURES, SNAPSHOT, Snapshot, SteeringMeta, TaskSnapshot, seal
 
-LOCK = ".lock"
-ASIDE = ".new-"
 Files = Mapping[str, bytes]
 
 
@@ -72,16 +65,16 @@ def write_base(workspace: Workspace, name: str, content: Content, *, explicit: b
     _make_root(workspace)
     if _find_base(workspace, name, snapshot, explicit).directories():
         return _found_again(workspace, name, content, snapshot)
-    with _aside(workspace.root, workspace) as draft:
+    with aside(workspace.root, workspace) as draft:
         _fill(draft / version_name(0, snapshot.hash), content, snapshot)
-        _write(draft / HEAD, (version_name(0, snapshot.hash) + "\n").encode())
-        _sync(draft)
-        with _locked(workspace):
+        write_file(draft / HEAD, (version_name(0, snapshot.hash) + "\n").encode())
+        sync(draft)
+        with locked(workspace):
             family = _find_base(workspace, name, snapshot, explicit)
             fresh = not family.directories()
             if fresh:
                 draft.rename(family.directory)
-                _sync(workspace.root)
+                sync(workspace.root)
     if not fresh:
         return _found_again(workspace, name, content, snapshot)
     return Written(_version(family, snapshot), existed=False)
@@ -93,7 +86,7 @@ def write_version(family: Family, content: Content) -> Written:
     The very same snapshot is found again rather than written, and becomes the current one.
     """
     workspace = Workspace(family.directory.parent)
-    with _aside(family.directory, workspace) as draft, _locked(workspace):
+    with aside(family.directory, workspace) as draft, locked(workspace):
         versions = family.versions()
         number = max((version.number for version in versions), default=-1) + 1
         snapshot = content.sealed(number)
@@ -102,7 +95,7 @@ def write_version(family: Family, content: Content) -> Written:
             _fill(draft, content, snapshot)
             target = family.directory / version_name(number, snapshot.hash)
             draft.rename(target)
-            _sync(family.directory)
+            sync(family.directory)
             twin = _version(family, snapshot)
             existed = False
         else:
@@ -114,7 +107,7 @@ def write_version(family: Family, content: Content) -> Written:
 def set_head(version: Version) -> None:
     """Make `version` the current one of its family."""
     family = Family(version.directory.parent)
-    with _locked(Workspace(family.directory.parent)):
+    with locked(Workspace(family.directory.parent)):
         _write_head(family, version)
 
 
@@ -124,10 +117,10 @@ def write_rejected(workspace: Workspace, name: str, files: Files) -> Path:
     workspace.rejected.mkdir(exist_ok=True)
     digest = digest_of({file: sha256(data) for file, data in files.items()})
     target = workspace.rejected / f"{name}-{digest[:7]}"
-    with _aside(workspace.rejected, workspace) as draft:
+    with aside(workspace.rejected, workspace) as draft:
         for file, data in files.items():
-            _write(draft / file, data)
-        with _locked(workspace):
+            write_file(draft / file, data)
+        with locked(workspace):
             if target.exists():
                 shutil.rmtree(target)
             draft.rename(target)
@@ -167,7 +160,7 @@ def _occupied(family: Family) -> bool:
 
 def _found_again(workspace: Workspace, name: str, content: Content, snapshot: Snapshot) -> Written:
     """The version that is there already, with pictures added that it lacks."""
-    with _locked(workspace):
+    with locked(workspace):
         version = _version(_find_base(workspace, name, snapshot, False), snapshot)
         for file, data in content.pictures.items():
             if not (version.directory / file).exists():
@@ -187,75 +180,9 @@ def _fill(directory: Path, content: Content, snapshot: Snapshot) -> None:
     if unknown:
         raise ValueError(f"not a picture of a version: {unknown[0]}")
     for name, data in {**content.files, **content.pictures, SNAPSHOT: snapshot.text().encode()}.items():
-        _write(directory / name, data)
-    _sync(directory)
+        write_file(directory / name, data)
+    sync(directory)
 
 
 def _write_head(family: Family, version: Version) -> None:
     replace_file(family.directory / HEAD, (version.directory.name + "\n").encode())
-
-
-def replace_file(path: Path, data: bytes) -> None:
-    """Put `data` at `path` in one step."""
-    descriptor, name = tempfile.mkstemp(prefix=ASIDE, dir=path.parent)
-    os.close(descriptor)
-    draft = Path(name)
-    try:
-        draft.chmod(0o644)
-        _write(draft, data)
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)
-    _sync(path.parent)
-
-
-def _write(path: Path, data: bytes) -> None:
-    with path.open("wb") as file:
-        file.write(data)
-        file.flush()
-        os.fsync(file.fileno())
-
-
-def _sync(directory: Path) -> None:
-    """Make renames and new names in `directory` last."""
-    descriptor = os.open(directory, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
-
-
-@contextmanager
-def _locked(workspace: Workspace) -> Iterator[None]:
-    """Hold the workspace's lock."""
-    with (workspace.root / LOCK).open("ab") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield
-
-
-@contextmanager
-def _aside(parent: Path, workspace: Workspace) -> Iterator[Path]:
-    """A hidden directory to write in; its lock says that its writer lives. It is removed unless it was renamed."""
-    with _locked(workspace):
-        _sweep(parent)
-        draft = Path(tempfile.mkdtemp(prefix=ASIDE, dir=parent))
-        descriptor = os.open(draft, os.O_RDONLY)
-        fcntl.flock(descriptor, fcntl.LOCK_EX)
-    try:
-        draft.chmod(0o755)
-        yield draft
-    finally:
-        os.close(descriptor)
-        shutil.rmtree(draft, ignore_errors=True)
-
-
-def _sweep(parent: Path) -> None:
-    """Remove what killed writers left in `parent`. The workspace's lock must be held."""
-    for path in parent.glob(ASIDE + "*"):
-        with suppress(OSError):
-            descriptor = os.open(path, os.O_RDONLY)
-            try:
-                fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                shutil.rmtree(path) if path.is_dir() else path.unlink()
-            finally:
-                os.close(descriptor)

@@ -95,8 +95,8 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
     start = p.opt(j, "the")
     if k := p.one(start, _VERSION):
         k = p.opt(k, "number", "no", "#")
-        for n, end in count(p, k):
-            yield Reference(span=p.span(i, end), number=n), end
+        for number, end in count(p, k):
+            yield Reference(span=p.span(i, end), number=number), end
     token = p.token(start)
     if token is not None and token.kind == "word" and token.word == "v" and (n := p.number(start + 1)) is not None:
         yield Reference(span=p.span(i, start + 2), number=n), start + 2

@@ -164,7 +164,7 @@ class Bank:
 
 
 def _starts(side: Side, count: int) -> list[BlockState]:
-    return [sample_start(side.schema, side.world, seed) for seed in range(count)]
+    return [sample_start(side.schema.init, side.world, seed) for seed in range(count)]
 
 
 def _sizes(identity: Identity) -> dict[str, float]:

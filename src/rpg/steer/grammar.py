@@ -133,13 +133,7 @@ def _replace(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in REPLACE:
         j = p.seq(i, phrase)
         for old, k in noun_phrase(p, j) if j else ():
-            links = (
-                ("with", "by", "for", "out for")
-                if phrase not in ("swap", "switch", "trade", "exchange")
-                else ("for", "with", "out for", "by")
-            )
-            if phrase == "substitute":
-                links = ("with", "by")
+            links: tuple[str, ...] = ("with", "by") if phrase == "substitute" else ("with", "by", "for", "out for")
             if n := p.any_of(k, links):
                 for new, end in noun_phrase(p, n):
                     if _fresh(new) or _plural_kind(new):
@@ -220,14 +214,15 @@ def _pair(both: m.Meaning) -> tuple[m.Noun, m.Noun] | None:
     """Phrases such as "the red and blue blocks": two phrases in one."""
     if not isinstance(both, m.Noun) or both.det not in ("the", "bare", "both", "its"):
         return None
-    for field in ("colors", "labels"):
-        values = getattr(both.traits, field)
-        if len(values) == 2:
-            parts = [
-                m.Noun(head=both.head, det="the", traits=m.Traits(**{field: (v,)}), span=both.span) for v in values
-            ]
-            return parts[0], parts[1]
-    return None
+    colored, labelled = both.traits.colors, both.traits.labels
+    if len(colored) == 2 and not labelled:
+        each = [m.Traits(colors=(color,)) for color in colored]
+    elif len(labelled) == 2 and not colored:
+        each = [m.Traits(labels=(label,)) for label in labelled]
+    else:
+        return None
+    one, two = (m.Noun(head=both.head, det="the", traits=traits, span=both.span) for traits in each)
+    return one, two
 
 
 def _keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:

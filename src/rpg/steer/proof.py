@@ -82,8 +82,8 @@ def _positions(identity: Identity) -> Positions:
     moved: set[str] = set()
     identical = 0
     for seed in range(SEEDS):
-        before = sample_start(identity.old, worlds[0], seed)
-        after = sample_start(identity.new, worlds[1], seed)
+        before = sample_start(identity.old.init, worlds[0], seed)
+        after = sample_start(identity.new.init, worlds[1], seed)
         elsewhere = {k for k in identity.untouched if _pose(before, identity, k, old=True) != _pose(after, identity, k)}
         identical += not elsewhere
         moved |= elsewhere

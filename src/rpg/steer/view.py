@@ -204,20 +204,20 @@ class View:
             names = operand.highest if isinstance(operand, Highest) else operand.lowest
             line = next((line for line in lines if set(names) <= set(line.members) and line.ordered), None)
             return None if line is None else line.members[-1 if isinstance(operand, Highest) else 0]
-        return operand[0] if isinstance(operand, tuple) and len(operand) == 1 else None
+        return _single(operand)
 
     def _rows(self) -> Iterator[Line]:
         """Chains of "a left of b" and the like."""
-        for kind in ("row", "column"):
+        kinds: tuple[LineKind, ...] = ("row", "column")
+        for kind in kinds:
             after: dict[str, list[str]] = {}
             before: dict[str, list[str]] = {}
             for _, atom in self.atoms:
                 step = STEPS.get(atom.kind)
-                a, b = getattr(atom, "a", ()), getattr(atom, "b", ())
-                single = isinstance(a, tuple) and isinstance(b, tuple) and len(a) == len(b) == 1
-                if step is None or step[0] != kind or not single:
+                a, b = _single(getattr(atom, "a", ())), _single(getattr(atom, "b", ()))
+                if step is None or step[0] != kind or a is None or b is None:
                     continue
-                first, second = (a[0], b[0]) if step[1] else (b[0], a[0])
+                first, second = (a, b) if step[1] else (b, a)
                 after.setdefault(first, []).append(second)
                 before.setdefault(second, []).append(first)
             for first in self.world.blocks:
@@ -226,7 +226,7 @@ class View:
                 members = [first]
                 while len(after.get(members[-1], ())) == 1 and len(before.get(after[members[-1]][0], ())) == 1:
                     members.append(after[members[-1]][0])
-                yield Line(kind, tuple(members), True)  # type: ignore[arg-type]
+                yield Line(kind, tuple(members), True)
 
 
 def members_of(node: g.Goal) -> tuple[str, ...]:
@@ -234,6 +234,11 @@ def members_of(node: g.Goal) -> tuple[str, ...]:
     if isinstance(node, GroupBy):
         return tuple(name for group in node.groups for name in group)
     return tuple(getattr(node, "blocks", ()))
+
+
+def _single(operand: object) -> str | None:
+    """The name in an operand of one name."""
+    return str(operand[0]) if isinstance(operand, tuple) and len(operand) == 1 else None
 
 
 def _required(goal: g.Goal, path: Path) -> Iterator[tuple[Path, g.Goal]]:
@@ -244,7 +249,7 @@ def _required(goal: g.Goal, path: Path) -> Iterator[tuple[Path, g.Goal]]:
         yield path, goal
 
 
-NOUNS: dict[type[g.Goal], str] = {  # type: ignore[valid-type]
+NOUNS: dict[type[g.Goal], str] = {
     Stack: "tower", Towers: "towers", Row: "row", Grid: "grid", Pyramid: "pyramid", Staircase: "staircase",
     Figure: "figure", GroupBy: "groups", Spells: "word", Equation: "equation",
 }  # fmt: skip

@@ -176,8 +176,9 @@ def _by_lines(draft: Draft, figure: Shape, changed: Cells, number: int) -> list[
     missing: list[str] = []
     for color, length in zip(known, lengths, strict=False):
         missing += [color] * max(0, length - colors.count(color))
-    for color, length in zip(unused_colors(draft, len(lengths) - len(known)), lengths[len(known) :], strict=True):
-        missing += [color] * length
+    more = unused_colors(draft, len(lengths) - len(known))
+    for new, length in zip(more, lengths[len(known) :], strict=True):
+        missing += [new] * length
     if len(missing) != number:
         raise draft.refusal(
             "breaks-structure",

@@ -65,11 +65,9 @@ def _with_ranks(line: Line, members: Sequence[str], ranks: Sequence[tuple[str, .
     begin = BEGINS[line.kind]
     first = line.node.order.first
     turned = first == ENDS[begin]
-    order = Order(
-        by="given",
-        ranks=tuple(reversed(ranks) if turned else ranks),
-        first=first or (None if line.kind == "tower" else begin),
-    )
+    listed = tuple(reversed(ranks) if turned else ranks)
+    begins = first or (None if line.kind == "tower" else begin)
+    order = Order.model_validate({"by": "given", "ranks": listed, "first": begins})
     return line.node.model_copy(update={"blocks": tuple(members), "order": order})
 
 

@@ -1,0 +1,155 @@
+"""Requests that are sentences of the instruction language: whole instructions, and clauses about the task at hand."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from rpg.blocks.english import describe
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.ir import goal as g
+from rpg.ir.assets import Asset
+from rpg.ir.edits import AddAsset, AddCondition, SetGoal, SetStart
+from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import names as mentions
+from rpg.ir.walk import rename, transform
+from rpg.steer.draft import Draft
+from rpg.steer.identity import look
+from rpg.steer.shape import conjuncts
+
+_FRESH = re.compile(
+    r"^\W*(?:ok(?:ay)?,?\s+|now,?\s+|actually,?\s+|please,?\s+)*"
+    r"(?:(?:(?:new|different|another|other|fresh)\s+(?:task|instruction|scene|problem)(?:\s+instead)?)"
+    r"|start(?:ing)?\s+(?:over|afresh|again|from\s+scratch)|from\s+scratch"
+    r"|forget\s+(?:all\s+(?:of\s+)?(?:that|this)|everything|about\s+(?:that|this|it|everything))"
+    r"|(?:something|a)\s+(?:completely|totally|entirely|quite)\s+(?:different|new)(?:\s+task)?"
+    r"|throw\s+(?:it\s+all|everything)\s+away|clear\s+everything)"
+    r"\s*(?:[:.,;!-]|and|with|then)*\s+(?:(?:and|then|instead|now)\s+)?",
+    re.IGNORECASE,
+)
+_ADDS = re.compile(
+    r"\b(?:also|too|as well|must|should|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning|still|in addition)\b",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True)
+class Fresh:
+    """The instruction after "new task:", and where it begins in the request."""
+
+    text: str
+    offset: int
+
+    @staticmethod
+    def adds(request: str) -> bool:
+        """Whether a sentence says something more about the task at hand rather than giving another one."""
+        return bool(_ADDS.search(request))
+
+
+def fresh_start(request: str) -> Fresh | None:
+    """The new task in a request that gives up the old one."""
+    found = _FRESH.match(request)
+    if found is None or found.end() >= len(request.rstrip()):
+        return None
+    return Fresh(request[found.end() :], found.end())
+
+
+def extended(
+    draft: Draft, request: str, begin: int, read: Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
+) -> None:
+    """Read the words of `request` from `begin` on as one more sentence about the task, and take over what they add."""
+    said = request[begin:].strip(" ,;")
+    known = describe(draft.schema)
+    whole = f"{known} {said[:1].upper()}{said[1:]}"
+    schema, diagnostics = read(whole)
+    if schema is None:
+        errors = [d for d in diagnostics if d.severity == "error"]
+        raise Refusal(
+            [_placed(error, len(known) + 1, begin, len(request)) for error in errors] or [_vague(begin, len(request))]
+        )
+    names = _counterparts(draft.schema, schema)
+    if names is None:
+        raise Refusal([_vague(begin, len(request))])
+    _take_over(draft, schema, names, (begin, len(request)))
+
+
+def _placed(error: Diagnostic, known: int, begin: int, end: int) -> Diagnostic:
+    """A finding about the whole text, at the words of the request."""
+    span = (begin, end)
+    if error.span is not None and error.span[0] >= known:
+        span = (error.span[0] - known + begin, min(end, error.span[1] - known + begin))
+    return error.model_copy(update={"span": span, "labels": ()})
+
+
+def _vague(begin: int, end: int) -> Diagnostic:
+    message = "this could not be joined to the task"
+    return Diagnostic(
+        code="edit-unclear", message=message, span=(begin, end), hint="give the whole instruction", origin="steer"
+    )
+
+
+def _counterparts(old: TaskSchema, new: TaskSchema) -> dict[str, str] | None:
+    """Names in `new` -> names in `old` of the objects that both have by look; None where one of `old` is missing."""
+    free = list(new.assets)
+    found: dict[str, str] = {}
+    for asset in old.assets:
+        twin = next((a for a in free if a.name == asset.name and _look(a) == _look(asset)), None)
+        twin = twin or next((a for a in free if _look(a) == _look(asset)), None)
+        if twin is None:
+            return None
+        free.remove(twin)
+        found[twin.name] = asset.name
+    taken = set(found.values())
+    for asset in free:
+        name, number = asset.name, 2
+        while name in taken:
+            name, number = f"{asset.name}_{number}", number + 1
+        taken.add(name)
+        found[asset.name] = name
+    return found
+
+
+def _look(asset: Asset) -> dict[str, object]:
+    found = look(asset)
+    if asset.type == "GoalPatch":
+        found.pop("size", None)
+    return found
+
+
+def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]) -> None:
+    """New objects, conditions and starts of the longer text."""
+    kept = {asset.name for asset in draft.schema.assets}
+    for asset in schema.assets:
+        name = names[asset.name]
+        if name not in kept:
+            draft.do(AddAsset(asset=asset.model_copy(update={"name": name})), span)
+    before = [_bare(part) for part in conjuncts(draft.schema.goal)]
+    parts = [rename(part, names) for part in conjuncts(schema.goal)]
+    new = [part for part in parts if _bare(part) not in before]
+    if all(text in [_bare(part) for part in parts] for text in before):
+        for part in new:
+            draft.do(AddCondition(goal=part), span)
+    elif new:
+        draft.do(SetGoal(goal=rename(schema.goal, names)), span)
+    init = schema.init.model_copy(
+        update={
+            "arranged": tuple(rename(goal, names) for goal in schema.init.arranged),
+            "heaps": tuple(tuple(names[n] for n in heap) for heap in schema.init.heaps),
+            "poses": tuple(s.model_copy(update={"block": names[s.block]}) for s in schema.init.poses),
+            "vacant": draft.schema.init.vacant,
+        }
+    )
+    if init != draft.schema.init:
+        draft.do(SetStart(init=init), span)
+    draft.aim("EXTEND" if new else "TWEAK")
+    draft.note("clause", new[0].kind if new else "start")
+    draft.look_at(tuple(n for n in names.values() if n not in kept) or _mentioned(draft, new))
+
+
+def _mentioned(draft: Draft, new: Sequence[g.Goal]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(n for part in new for n in mentions(part) if n in draft.view.world.blocks))
+
+
+def _bare(goal: g.Goal) -> str:
+    return transform(goal, lambda node: node.model_copy(update={"span": None})).model_dump_json()

@@ -1,0 +1,251 @@
+"""A request -> the version it starts from, typed edits, and the class of change that its words call for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from pydantic import ValidationError
+
+from rpg.blocks.english import describe, describe_goal
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.ir.edits import Edit, Overwrite, SetText, apply
+from rpg.ir.schema import TaskSchema
+from rpg.steer import requests as r
+from rpg.steer.afresh import Fresh, extended, fresh_start
+from rpg.steer.backrefs import Reference
+from rpg.steer.classify import Category
+from rpg.steer.draft import Draft
+from rpg.steer.history import History, Past
+from rpg.steer.identity import look
+from rpg.steer.operations.add import add
+from rpg.steer.operations.count import recount
+from rpg.steer.operations.order import move, reorder, trade
+from rpg.steer.operations.remove import remove
+from rpg.steer.operations.reshape import reshape
+from rpg.steer.operations.restyle import replace, restyle
+from rpg.steer.operations.tune import loosen, outliers
+from rpg.steer.parse import Parsed, parse
+from rpg.steer.refer import resolve
+
+Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
+"""The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
+
+OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
+    r.Add: add,
+    r.Remove: remove,
+    r.Replace: replace,
+    r.Restyle: restyle,
+    r.Recount: recount,
+    r.Reorder: reorder,
+    r.Trade: trade,
+    r.Move: move,
+    r.Reshape: reshape,
+    r.Loosen: loosen,
+    r.Outliers: outliers,
+}
+KIND_OF = {"label": "letter", "number": "digit"}
+TRIES = 12
+"""Readings of a request that are carried out in turn until one can be."""
+
+
+@dataclass(frozen=True)
+class Interpretation:
+    """What a request means. `task` is the reference with `edits` applied; a pure return to a version has no edits.
+
+    `reference` is None for a task that keeps nothing. `focus`: what later requests mean by "it".
+    """
+
+    request: str
+    reference: int | None
+    edits: tuple[Edit, ...]
+    task: TaskSchema
+    intent: Category
+    parameters: dict[str, Any] = field(default_factory=dict)
+    focus: tuple[str, ...] = ()
+
+    @property
+    def reverts(self) -> bool:
+        """Whether the request only goes back to a version."""
+        return not self.edits
+
+
+def interpret(request: str, history: History, read: Reader) -> Interpretation:
+    """Understand `request` in the light of a family; raises Refusal with the reasons where that fails."""
+    fresh = fresh_start(request)
+    if fresh is not None:
+        return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
+    readings = parse(request)
+    refusals: list[Refusal] = []
+    for parsed in [reading for reading in readings if reading.whole][:TRIES]:
+        try:
+            return _carried_out(request, parsed, history)
+        except Refusal as refusal:
+            refusals.append(refusal)
+    return _otherwise(request, readings, refusals, history, read)
+
+
+def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretation:
+    past = _reference(parsed.reference, parsed.requests, history)
+    if not parsed.requests:
+        if past.number == history.head:
+            told = f"version {past.number} is the current one already"
+            raise Refusal([Diagnostic(code="nothing-to-do", message=told, span=(0, len(request)), origin="steer")])
+        return Interpretation(request, past.number, (), past.schema, "TWEAK", {"revert": past.number}, past.focus)
+    draft = Draft(past.schema, past.focus)
+    if past.number != history.head:
+        draft.parameters["revert"] = past.number
+    carry_out(draft, parsed.requests)
+    return finish(request, draft, past)
+
+
+def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
+    """Apply requests in turn; what is to be kept counts for all of them."""
+    for request in requests:
+        if isinstance(request, r.Keep):
+            draft.kept += resolve(draft.view, request.theme).names
+    for request in requests:
+        if not isinstance(request, r.Keep):
+            OPERATIONS[type(request)](draft, request)
+
+
+def _reference(reference: Reference | None, requests: Sequence[r.Request], history: History) -> Past:
+    """The version that the changes apply to: the one named, else the current one, unless it lacks what is needed."""
+    if reference is not None:
+        return history.find(reference)
+    current = history.current
+    for request in requests:
+        kind = KIND_OF.get(request.how) if isinstance(request, r.Reorder) else None
+        if kind is not None and all(_plain(block) for block in current.schema.blocks):
+            return history.latest_with(kind) or current
+    return current
+
+
+def _plain(block: Any) -> bool:
+    return bool(block.type == "ColoredCube")
+
+
+def finish(request: str, draft: Draft, past: Past) -> Interpretation:
+    """The draft as a checked task with words of its own."""
+    if draft.schema == past.schema:
+        message = "this changes nothing"
+        raise Refusal([Diagnostic(code="nothing-to-do", message=message, span=(0, len(request)), origin="steer")])
+    kept = tuple(text for text in past.schema.assumptions if text not in draft.assumptions)
+    draft.do(SetText(instruction=worded(draft.schema), assumptions=(*kept, *draft.assumptions)))
+    try:
+        task = apply(past.schema, draft.edits)
+    except ValidationError as error:
+        message = f"this does not give a task: {error.errors()[0]['msg']}"
+        raise Refusal(
+            [Diagnostic(code="edit-unclear", message=message, span=(0, len(request)), origin="steer")]
+        ) from error
+    return Interpretation(
+        request=request,
+        reference=past.number,
+        edits=tuple(draft.edits),
+        task=task,
+        intent=draft.intent,
+        parameters=draft.parameters,
+        focus=draft.focus,
+    )
+
+
+def worded(schema: TaskSchema) -> str:
+    """A canonical instruction for a task, from its data alone."""
+    from rpg.steer.view import View
+
+    init = schema.init
+    special = init.arranged or init.heaps or init.poses or View(schema).idle
+    return describe(schema) if special else describe_goal(schema)
+
+
+def _otherwise(
+    request: str, readings: Sequence[Parsed], refusals: Sequence[Refusal], history: History, read: Reader
+) -> Interpretation:
+    """No edit grammar covers the request, or none could be carried out: an instruction, or a clause of one."""
+    longest = next((reading for reading in readings if not reading.whole), None)
+    if refusals and not _about_new_things(request, history, read):
+        raise refusals[0]
+    reasons: list[Diagnostic] = []
+    if longest is not None and (longest.requests or longest.reference):
+        try:
+            return _with_clause(request, longest, history, read)
+        except Refusal as refusal:
+            reasons += refusal.diagnostics
+    adds = Fresh.adds(request)
+    steps = (_clause, _standalone) if adds else (_standalone, _clause)
+    for step in steps:
+        try:
+            return step(request, history, read)
+        except Refusal as refusal:
+            reasons += refusal.diagnostics
+    raise refusals[0] if refusals else _not_understood(request, longest, reasons)
+
+
+def _about_new_things(request: str, history: History, read: Reader) -> bool:
+    """Whether a request that failed as an edit is an instruction of its own, about blocks the task does not have."""
+    schema, _ = read(request)
+    if schema is None:
+        return False
+    known = [look(asset) for asset in history.current.schema.blocks]
+    shared = [look(asset) in known for asset in schema.blocks]
+    return not any(shared)
+
+
+def _with_clause(request: str, parsed: Parsed, history: History, read: Reader) -> Interpretation:
+    """Edits, then words that only the instruction language has: those are read as a sentence about the task."""
+    assert parsed.rest is not None
+    past = _reference(parsed.reference, parsed.requests, history)
+    draft = Draft(past.schema, past.focus)
+    if past.number != history.head:
+        draft.parameters["revert"] = past.number
+    carry_out(draft, parsed.requests)
+    extended(draft, request, parsed.rest[0], read)
+    return finish(request, draft, past)
+
+
+def _clause(request: str, history: History, read: Reader) -> Interpretation:
+    past = history.current
+    draft = Draft(past.schema, past.focus)
+    extended(draft, request, 0, read)
+    return finish(request, draft, past)
+
+
+def _standalone(request: str, history: History, read: Reader) -> Interpretation:
+    return _whole(request, request, 0, history, read, "PIVOT")
+
+
+def _whole(request: str, text: str, offset: int, history: History, read: Reader, intent: Category) -> Interpretation:
+    """An instruction that stands for itself takes the place of the goal (or of everything)."""
+    schema, diagnostics = read(text)
+    if schema is None:
+        raise Refusal([_moved(diagnostic, offset) for diagnostic in diagnostics if diagnostic.severity == "error"])
+    past = history.current
+    task = schema.model_copy(update={"name": past.schema.name, "author": past.schema.author, "seed": past.schema.seed})
+    return Interpretation(
+        request=request,
+        reference=None if intent == "FRESH" else past.number,
+        edits=(Overwrite(task=task),),
+        task=apply(past.schema, [Overwrite(task=task)]),
+        intent=intent,
+        parameters={"instruction": [text]},
+        focus=(),
+    )
+
+
+def _moved(diagnostic: Diagnostic, offset: int) -> Diagnostic:
+    span = diagnostic.span
+    return diagnostic if span is None else diagnostic.model_copy(update={"span": (span[0] + offset, span[1] + offset)})
+
+
+def _not_understood(request: str, longest: Parsed | None, reasons: Sequence[Diagnostic]) -> Refusal:
+    """What was not understood: the words that no reading covers, and what the front end says of the sentence."""
+    errors = [reason for reason in reasons if reason.severity == "error"]
+    if errors:
+        return Refusal([errors[0]])
+    rest = longest.rest if longest is not None and longest.rest is not None else (0, len(request))
+    hint = "say what changes: add, remove, replace, recolour, reverse, sort, undo; or give a whole instruction"
+    return Refusal(
+        [Diagnostic(code="edit-unclear", message="this was not understood", span=rest, hint=hint, origin="steer")]
+    )

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 import pytest
-from structure_states import E, check_built, cubes, letters, patch, plain, state, value, world
 
 from rpg.blocks.state import BlockState, yaw_quat
 from rpg.ir.order import Order
 from rpg.ir.structures import Equation, Row, Spells, Stack, Towers
+from tests.blocks.structure_states import E, check_built, cubes, letters, patch, plain, state, value, world
 
 RGB = world(plain(red="red", green="green", blue="blue"), plain(other="yellow"))
 THREE = ("red", "green", "blue")

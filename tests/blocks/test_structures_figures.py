@@ -6,7 +6,6 @@ import math
 from random import Random
 
 import pytest
-from structure_states import E, check_built, cubes, letters, placed, plain, state, value, world
 
 from rpg.blocks.figures import (
     FEWEST,
@@ -24,6 +23,7 @@ from rpg.blocks.state import BlockState, World, yaw_quat
 from rpg.ir.assets import Asset, ColoredCube
 from rpg.ir.order import Order, Pattern
 from rpg.ir.structures import Cells, Figure, Grid, GroupBy, Pyramid, Staircase
+from tests.blocks.structure_states import E, check_built, cubes, letters, placed, plain, state, value, world
 
 YAWS = (0.0, 0.3, 1.0, 2.4, 4.0)
 PITCH = 0.05

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.ir.artifact import FailureClass, Program
-from rpg.passes.repair.record import Case, Proposal, Tools, relowered
+from rpg.passes.repair.record import Case, Proposal, Tools
 from rpg.passes.repair.sources import CODE, method_lines, regenerated, sources, with_method, with_source
 
 HOOKS = ("_initialize_env", "_on_reset", "_on_step", "_success", "_fail")
@@ -15,7 +15,7 @@ HOOKS = ("_initialize_env", "_on_reset", "_on_step", "_success", "_fail")
 
 @dataclass(frozen=True)
 class RuntimeFixAgent:
-    """Lowers the method that broke down again, then whole files; where no start was found, asks less of the start."""
+    """Lowers the method that broke down again, then whole files."""
 
     name: str = "RuntimeFixAgent"
     handles: FailureClass = "runtime"
@@ -24,8 +24,6 @@ class RuntimeFixAgent:
         """From the smallest rewrite to the largest."""
         yield from self._methods(case.program, failures, tools)
         yield from regenerated(case.program, tools)
-        if any(failure.code in ("start-unstable", "start-no-room") for failure in failures):
-            yield from self._starts(case.program, tools)
 
     def _methods(self, program: Program, failures: tuple[Diagnostic, ...], tools: Tools) -> Iterator[Proposal]:
         fresh = tools.lower(program.task)
@@ -38,12 +36,3 @@ class RuntimeFixAgent:
                 text = with_method(sources(program)[CODE], fresh, hook)
                 if lines and lines[0] <= line <= lines[1] and text not in (None, program.code):
                     yield Proposal(f"lower {hook} again", with_source(program, CODE, str(text)))
-
-    def _starts(self, program: Program, tools: Tools) -> Iterator[Proposal]:
-        """Blocks at fixed places that leave no room or stand on each other are scattered instead."""
-        init = program.task.init
-        if init.poses:
-            task = program.task.model_copy(update={"init": init.model_copy(update={"poses": ()})})
-            yield Proposal(
-                "scatter the blocks that were to start at fixed places", relowered(program, tools, task=task)
-            )

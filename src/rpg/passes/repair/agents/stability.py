@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from random import Random
 
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.state import BlockState, World
-from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.core.diagnostics import Diagnostic
 from rpg.ir.artifact import FailureClass, Program
+from rpg.passes.repair.arranging import rearranged
 from rpg.passes.repair.placing import centred, levelled, spread, state_of, with_last
 from rpg.passes.repair.record import Case, Proposal, Tools, relowered
 from rpg.passes.repair.sources import regenerated
 from rpg.passes.repair.starts import parted
 
-SEEDS = 3
 GAPS = (1.05, 1.15, 1.3)
 
 
@@ -36,12 +35,7 @@ class StructureStabilityFixAgent:
             yield from regenerated(program, tools)
             return
         yield from self._moved(program, tools)
-        for seed in range(1, SEEDS + 1):
-            try:
-                path = tools.arrange(program.task, Random(f"repair {seed}"))
-            except Refusal:
-                return
-            yield Proposal(f"arrange another goal state ({seed})", relowered(program, tools, path=path))
+        yield from rearranged(program, tools)
 
     def _moved(self, program: Program, tools: Tools) -> Iterator[Proposal]:
         """Only where the goal still holds as placed: spacing is relaxed within what was asked."""

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from random import Random
 
-from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.core.diagnostics import Diagnostic
 from rpg.ir.artifact import FailureClass
-from rpg.passes.repair.record import Case, Proposal, Tools, relowered
+from rpg.passes.repair.arranging import rearranged
+from rpg.passes.repair.record import Case, Proposal, Tools
 from rpg.passes.repair.sources import CODE, regenerated, with_method, with_source
-
-SEEDS = 3
 
 
 @dataclass(frozen=True)
@@ -34,9 +32,4 @@ class SuccessCheckFixAgent:
         if text != program.code:
             yield Proposal("write the success check anew", with_source(program, CODE, text))
         yield from regenerated(program, tools)
-        for seed in range(1, SEEDS + 1):
-            try:
-                path = tools.arrange(program.task, Random(f"repair {seed}"))
-            except Refusal:
-                return
-            yield Proposal(f"arrange another goal state ({seed})", relowered(program, tools, path=path))
+        yield from rearranged(program, tools)

@@ -10,7 +10,7 @@ from typing import Any
 from rpg.core.diagnostics import Diagnostic
 from rpg.passes.validate.findings import failure
 from rpg.passes.validate.gates import grammar
-from rpg.passes.validate.gates.surface import attributes, fields, methods, nearest
+from rpg.passes.validate.gates.surface import attributes, fields, methods, nearest, public_names
 from rpg.passes.validate.load import ALLOWED_BUILTINS
 
 
@@ -51,6 +51,8 @@ class _Checker:
                 continue
             if node.id.startswith("__"):
                 yield self._found("code-forbidden", node, node.id, f"{node.id} is not for tasks", ())
+            elif node.id not in known and node.id in public_names():
+                yield self._found("code-unknown-name", node, node.id, f"{node.id} is not imported from rpg.env", ())
             elif node.id not in known:
                 yield self._found("code-unknown-name", node, node.id, f"the name {node.id!r} is not defined", known)
             elif isinstance(node.ctx, ast.Store) and (node.id in ALLOWED_BUILTINS or node.id == "self"):

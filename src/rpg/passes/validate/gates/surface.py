@@ -50,5 +50,5 @@ def fields() -> dict[str, tuple[frozenset[str], frozenset[str]]]:
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
     """The known name closest to `word`, if any is close."""
-    matches = difflib.get_close_matches(word, sorted(known), n=1, cutoff=0.6)
+    matches = difflib.get_close_matches(word, sorted(known), n=1, cutoff=0.75)
     return matches[0] if matches else None

@@ -7,6 +7,7 @@ from itertools import chain
 import numpy as np
 import pytest
 
+from rpg.env import ColoredCube
 from rpg.env.gripper import HOME, OPENING, REACH_Z, FloatingGripper
 from tests.env.drive import CLOSE, grip, move, over, pick, put_on
 from tests.env.sample_tasks import RedOnYellow
@@ -107,6 +108,29 @@ def test_the_fingers_open_and_close_all_the_way() -> None:
     for _ in grip(task, CLOSE, 15):
         pass
     assert task.robot.proprioception(task.data)[7] < 0.003
+
+
+def test_the_fingers_open_by_steps_and_stay_where_they_are_left() -> None:
+    task = task_with_gripper()
+    assert task.robot is not None
+    for _ in grip(task, CLOSE / 2, 3):
+        pass
+    task.step(20)
+    assert task.robot.proprioception(task.data)[7] == pytest.approx(OPENING - 0.03, abs=2e-3)
+
+
+@pytest.mark.parametrize("edge", [0.015, 0.03, 0.06, 0.08])
+def test_blocks_of_all_sizes_are_stacked(edge: float) -> None:
+    class Sized(RedOnYellow):
+        def _initialize_env(self) -> None:
+            self.add(ColoredCube(name="red_block", color="red", size=edge))
+            self.add(ColoredCube(name="yellow_block", color="yellow", size=edge))
+
+    task = Sized(FloatingGripper())
+    task.reset(1)
+    for _ in chain(pick(task, "red_block"), put_on(task, "yellow_block")):
+        pass
+    assert task.judge().success
 
 
 def test_the_same_actions_give_the_same_states_to_the_bit() -> None:

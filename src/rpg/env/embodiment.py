@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Action = NDArray[np.float64]
-"""End-effector delta: dx, dy, dz (m), rotation vector (rad), gripper (positive opens, negative closes, 0 as it is)."""
+"""End-effector delta: dx, dy, dz (m), rotation vector (rad), gripper in [-1, 1] (positive opens, negative closes)."""
 ACTION_SIZE = 7
 
 

@@ -18,15 +18,17 @@ from rpg.env.embodiment import Action
 
 HOME = (0.33, 0.0, 1.40)
 """Where the grasp centre, between the finger tips, is at the start."""
-OPENING = 0.10
-"""Greatest distance between the fingers (m)."""
+OPENING, WIDE = 0.10, 0.098
+"""Greatest distance between the fingers (m), and from where on they hold nothing."""
 REACH_X, REACH_Y, REACH_Z = (0.15, 0.95), (-0.60, 0.60), (0.964, 2.40)
 """The grasp centre's target stays within these bounds."""
 STEP_LIMIT, TURN_LIMIT = 0.03, 0.25
 """Greatest translation (m, along each axis) and rotation (rad, about each axis) of one action."""
 LEAD = 0.04
 """The target keeps within this distance (m) of the hand, so that pushing against something does not wind up."""
-GRIP_FORCE = 12.0
+GRIP_STEP = 0.02
+"""By how much (m) an action of +1 or -1 opens or closes the fingers in one step."""
+GRIP_FORCE = 20.0
 FINGER_LENGTH, FINGER_WIDTH, FINGER_THICKNESS = 0.07, 0.018, 0.012
 GRASP_DEPTH = 0.012
 """The grasp centre lies this far (m) above the finger tips."""
@@ -75,7 +77,7 @@ class FloatingGripper:
             objtype=mujoco.mjtObj.mjOBJ_BODY,
             name1="hand_target",
             name2="hand",
-            solref=[0.012, 1.0],
+            solref=[0.016, 1.0],
             solimp=[0.95, 0.99, 0.001, 0.5, 2.0],
         )
         weld.data[:11] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
@@ -140,18 +142,18 @@ class BoundGripper:
         self._blocks = {int(model.geom(name).id): name for name in blocks}
         self._target: list[float] = list(HOME)
         self._quat: Quat = (1.0, 0.0, 0.0, 0.0)
-        self._open = True
+        self._opening = OPENING
 
     def reset(self, data: mujoco.MjData) -> None:
         """Home, fingers open."""
-        self._target, self._quat, self._open = list(HOME), (1.0, 0.0, 0.0, 0.0), True
+        self._target, self._quat, self._opening = list(HOME), (1.0, 0.0, 0.0, 0.0), OPENING
         for adr in self._fingers:
             data.qpos[adr] = OPENING / 2
         data.ctrl[self._actuator] = OPENING / 2
         mujoco.mj_forward(data.model, data)
 
     def command(self, data: mujoco.MjData, action: Action) -> None:
-        """Move the target by a delta, clipped to the limits of one step and of the reach; open or close."""
+        """Move the target by a delta, clipped to the limits of one step and of the reach; open or close a little."""
         dx, dy, dz, rx, ry, rz, grip = action.tolist()
         if dx or dy or dz or rx or ry or rz:
             self._move(data, (dx, dy, dz))
@@ -159,12 +161,13 @@ class BoundGripper:
             data.mocap_pos[self._mocap] = self._target
             data.mocap_quat[self._mocap] = self._quat
         if grip:
-            self._open = grip > 0.0
-            data.ctrl[self._actuator] = OPENING / 2 if self._open else 0.0
+            change = GRIP_STEP * max(-1.0, min(1.0, grip))
+            self._opening = max(0.0, min(OPENING, self._opening + change))
+            data.ctrl[self._actuator] = self._opening / 2
 
     def held(self, data: mujoco.MjData) -> frozenset[str]:
         """Blocks that both fingers touch."""
-        if data.ncon == 0 or (self._open and data.qpos[self._fingers[0]] > 0.98 * OPENING / 2):
+        if data.ncon == 0 or data.qpos[self._fingers[0]] > WIDE / 2:
             return frozenset()
         touched: dict[int, int] = {}
         for a, b in data.contact.geom.tolist():

@@ -27,7 +27,7 @@ class BlockEnv(gymnasium.Env[Observation, NDArray[np.float32]]):  # type: ignore
     """One task, one robot.
 
     Action: Box(7): translation (m) and rotation vector (rad) of the gripper in the world frame over one control step,
-    and the gripper (positive opens, negative closes, zero leaves it). All zeros holds the robot where it is.
+    and the gripper (+1 opens by 2 cm, -1 closes by as much). All zeros holds the robot where it is.
 
     Observation: `proprioception`; with `cameras` an RGB image each; with `privileged` the poses of all blocks
     (position, quaternion), in the order of `block_names`.

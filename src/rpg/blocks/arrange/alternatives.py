@@ -11,6 +11,7 @@ from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.relations import (
     Apart,
     Behind,
+    Between,
     Clear,
     Empty,
     InFrontOf,
@@ -58,6 +59,9 @@ def alternatives(goal: g.Goal, blocks: Sequence[str], wanted: bool = True) -> It
             yield from _count(goal, blocks, wanted)
         case On() if wanted:
             yield from _pairings(goal)
+        case Between() if wanted:
+            yield (Literal(goal),)
+            yield from _sandwiched(goal)
         case Clear() | Empty() | OnTable() if not wanted:
             yield from _spoilt(goal, blocks)
         case _:
@@ -134,6 +138,14 @@ def _spoilt(atom: Clear | Empty | OnTable, blocks: Sequence[str]) -> Iterator[Co
     for name in members(atom.a):
         pairs = (((name,), (other,)) if isinstance(atom, OnTable) else ((other,), (name,)) for other in blocks)
         yield from ((Literal(On(a=a, b=b)),) for a, b in pairs if a != b)
+
+
+def _sandwiched(between: Between) -> Iterator[Conjunction]:
+    """Between in a tower: one of the ends below, the other one above."""
+    if any(isinstance(end, Lowest | Highest) or len(end) > 1 for end in (between.a, between.b, between.c)):
+        return
+    for low, high in ((between.b, between.c), (between.c, between.b)):
+        yield Literal(On(a=between.a, b=low)), Literal(On(a=high, b=between.a))
 
 
 def _pairings(on: On) -> Iterator[Conjunction]:

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import islice, product
 from random import Random
+from typing import NamedTuple
 
 from rpg.blocks.arrange.alternatives import Conjunction, alternatives, single
 from rpg.blocks.arrange.bounds import Bounds, Contradiction
+from rpg.blocks.arrange.builds import builds_of
 from rpg.blocks.arrange.fixed import Poses, fixed_poses
 from rpg.blocks.arrange.pieces import Assembly, Clash
 from rpg.blocks.arrange.place import Budget, Exhausted, Search, rules_of
@@ -15,19 +17,29 @@ from rpg.blocks.arrange.turning import orientation_for
 from rpg.blocks.evaluate import evaluate, settled
 from rpg.blocks.geometry import is_level
 from rpg.blocks.predicate import Cluster
-from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.relations import Above, Facing, On, Turned
 
 MAX_ALTERNATIVES = 200
-MAX_BUILDS = 12
-MAX_LAYOUTS = 60
-LAYOUT_TRIES = 3000
-"""Candidates judged for one way to lay out the structures."""
 LEAVES = 12
 """Arrangements of one layout that are checked against the whole goal."""
+
+
+class Effort(NamedTuple):
+    """How hard one sweep over the alternatives of a goal tries.
+
+    `layouts` of the structures are tried for each alternative, `tries` candidate places judged for each layout.
+    """
+
+    layouts: int
+    tries: int
+    thorough: bool
+
+
+EFFORTS = (Effort(12, 400, False), Effort(80, 3000, True))
+"""A quick look at every alternative comes before a long one at any."""
 
 
 class Solver:
@@ -43,13 +55,14 @@ class Solver:
         ways = list(islice(alternatives(self.goal, tuple(self.world.blocks)), MAX_ALTERNATIVES))
         if vary:
             rng.shuffle(ways)
-        for literals in map(single, ways):
-            for assembly in islice(self._assemblies(literals, rng, vary), MAX_LAYOUTS):
-                budget = Budget(min(LAYOUT_TRIES, left))
-                state = self._placed(assembly, literals, rng, budget, vary)
-                left -= min(LAYOUT_TRIES, left) - max(budget.left, 0)
-                if state is not None or left <= 0:
-                    return state
+        for effort in EFFORTS:
+            for literals in map(single, ways):
+                for assembly in islice(self._assemblies(literals, rng, vary, effort.thorough), effort.layouts):
+                    budget = Budget(min(effort.tries, left))
+                    state = self._placed(assembly, literals, rng, budget, vary)
+                    left -= min(effort.tries, left) - max(budget.left, 0)
+                    if state is not None or left <= 0:
+                        return state
         return None
 
     def _placed(
@@ -72,13 +85,13 @@ class Solver:
             pass
         return None
 
-    def _assemblies(self, literals: Conjunction, rng: Random, vary: bool) -> Iterator[Assembly]:
+    def _assemblies(self, literals: Conjunction, rng: Random, vary: bool, thorough: bool) -> Iterator[Assembly]:
         """Every way to lay out the structures of a conjunction and what stands on what."""
         wanted = [atom for atom, holds, _ in literals if holds]
         fixed = fixed_poses(wanted, self.world, self.start)
         if fixed is None:
             return
-        builds = [list(islice(PREDICATES[atom.kind].build(atom, self.world, rng), MAX_BUILDS)) for atom in wanted]
+        builds = [builds_of(atom, self.world, rng, thorough) for atom in wanted]
         layouts = [clusters for clusters in builds if clusters]
         if vary:
             for clusters in layouts:

@@ -9,7 +9,7 @@ import numpy as np
 
 from rpg.blocks.state import Vec3
 from rpg.env import BlockTask
-from rpg.env.gripper import STEP_LIMIT, TURN_LIMIT
+from rpg.env.gripper import GRIP_STEP, OPENING, STEP_LIMIT, TURN_LIMIT
 
 OPEN, CLOSE, KEEP = 1.0, -1.0, 0.0
 HOVER = 0.12
@@ -52,9 +52,10 @@ def over(place: Vec3, height: float = HOVER) -> Vec3:
 
 
 def pick(task: BlockTask, name: str) -> Iterator[None]:
-    """Grasp a block from above and lift it."""
+    """Grasp a block from above, fingers opened little more than it needs, and lift it."""
     place, yaw = task.state().position[name], yaw_of(task, name)
     yield from move(task, over(place), yaw)
+    yield from grip(task, CLOSE, int((OPENING - task.world.edge[name] - 0.02) / GRIP_STEP))
     yield from move(task, place, yaw)
     yield from grip(task, CLOSE)
     yield from move(task, over(place))

@@ -7,6 +7,7 @@ from typing import Any
 
 from rpg.steer import requests as r
 from rpg.steer.amounts import loosening, recount
+from rpg.steer.grouping import group, mixture, outliers
 from rpg.steer.language import Parser, Results, adjectives, colors, label_list, length, m, noun_phrase, rule, simple
 from rpg.steer.places import place, places
 from rpg.steer.sorting import reorder
@@ -71,7 +72,9 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from reorder(p, i)
     yield from recount(p, i)
     yield from loosening(p, i)
-    yield from _outliers(p, i)
+    yield from outliers(p, i)
+    yield from mixture(p, i)
+    yield from group(p, i)
     yield from _change(p, i)
     yield from _paint(p, i)
     yield from _resize(p, i)
@@ -348,81 +351,6 @@ def _resize(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                     yield r.Restyle(theme=theme, traits=m.Traits(edge=metres), span=p.span(i, end)), end
             if factor:
                 yield r.Restyle(theme=theme, scale=factor, span=p.span(i, k)), k
-
-
-def _outliers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
-    """Phrases such as "swap one block from each pile into another so each has one outlier"."""
-    j = p.any_of(i, ("swap", "move", "exchange", "switch", "trade", "put", "mix"))
-    if not j:
-        return
-    for n, k in p_counts(p, j):
-        k = p.any_of(k, ("block", "blocks", "cube", "cubes", "item", "items", "member", "members", "of them")) or k
-        of = p.any_of(k, ("from each", "of each", "from every", "of every", "in each", "between the", "between"))
-        group = p.one(of, _GROUPS) if of else 0
-        if not group:
-            continue
-        group = p.any_of(group, _ELSEWHERE) or group
-        end = _so_each(p, group, n)
-        yield r.Outliers(count=n, span=p.span(i, end)), end
-
-
-_GROUPS = frozenset({"pile", "piles", "group", "groups", "bunch", "bunches", "cluster", "clusters", "stack", "stacks"})
-_ELSEWHERE = ("into another one", "into another pile", "into another group", "into another", "to another one", "to another pile", "to another group",
-              "to another", "into the other", "to the other", "into the next", "with another", "into a different one", "into a different pile",
-              "with the others", "into the others", "to a different pile", "into the wrong one", "into the wrong pile")  # fmt: skip
-
-
-def p_counts(p: Parser, i: int) -> Iterator[tuple[int, int]]:
-    from rpg.steer.language import count
-
-    yield from count(p, i)
-    if j := p.one(i, frozenset({"a", "an"})):
-        yield 1, j
-
-
-def _so_each(p: Parser, i: int, n: int) -> int:
-    """The position after "so that each has one outlier"."""
-    j = p.any_of(i, ("so that", "such that", "so", ", so that", ", so"))
-    j = (
-        p.any_of(
-            j,
-            (
-                "each pile",
-                "each group",
-                "each one",
-                "each",
-                "every pile",
-                "every group",
-                "every one",
-                "all of them",
-                "they",
-            ),
-        )
-        if j
-        else 0
-    )
-    j = p.any_of(j, ("has", "have", "contains", "will have", "gets", "ends up with")) if j else 0
-    if not j:
-        return i
-    j = p.opt(j, "exactly")
-    for found, k in p_counts(p, j):
-        k = p.any_of(
-            k,
-            (
-                "outlier",
-                "outliers",
-                "odd one out",
-                "stranger",
-                "strangers",
-                "misfit",
-                "wrong block",
-                "foreign block",
-                "different block",
-            ),
-        )
-        if k and found == n:
-            return k
-    return i
 
 
 def _fresh(phrase: m.Meaning) -> bool:

@@ -21,7 +21,8 @@ from rpg.steer.history import History, Past
 from rpg.steer.identity import look
 from rpg.steer.operations.add import add
 from rpg.steer.operations.count import recount
-from rpg.steer.operations.order import move, reorder, trade
+from rpg.steer.operations.kinds import mixed
+from rpg.steer.operations.order import group, move, reorder, trade
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace, restyle
@@ -44,6 +45,8 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Reshape: reshape,
     r.Loosen: loosen,
     r.Outliers: outliers,
+    r.Kinds: mixed,
+    r.Group: group,
 }
 KIND_OF = {"label": "letter", "number": "digit"}
 TRIES = 12

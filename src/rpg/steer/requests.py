@@ -131,8 +131,16 @@ class Outliers(Request):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Sentence(Request):
-    """A clause of the instruction language, to be read in the task's context. `also`: in addition to the goal."""
+class Kinds(Request):
+    """Blocks become a mixture of kinds in equal shares."""
 
-    text: str
-    also: bool = False
+    kinds: tuple[str, ...]
+    theme: m.Meaning | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Group(Request):
+    """Blocks are sorted into groups; `by` is None where the request leaves what tells them apart to the blocks."""
+
+    by: str | None = None
+    theme: m.Meaning | None = None

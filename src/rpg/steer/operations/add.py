@@ -30,6 +30,9 @@ SIDES = {
 }
 
 
+_RELATIONS = {"top": "on", "bottom": "under", "front": "front", "back": "behind", "left": "left", "right": "right"}
+
+
 def add(draft: Draft, request: r.Add) -> None:
     """New objects where the request wants them, or where the task leaves only one place."""
     anchors = {id(place): _anchor(draft, place) for place in request.places}
@@ -119,7 +122,10 @@ def put(
     draft: Draft, names: Sequence[str], place: r.Place, anchor: Found | None, span: Span, line: Line | None = None
 ) -> None:
     """Put blocks that have no duty yet at one place."""
-    if isinstance(place, r.Spot):
+    if isinstance(place, r.Spot) and anchor is not None and not anchor.whole:
+        beside = m.Loc(rel=_RELATIONS.get(place.side, "beside"), landmark=place.whole, span=span)
+        _at_landmark(draft, names, beside, anchor, span, line)
+    elif isinstance(place, r.Spot):
         _at_spot(draft, names, place.side, anchor.line if anchor else line, anchor, span)
     elif isinstance(place, m.In):
         draft.do(AddCondition(goal=InRegion.model_validate({"a": tuple(names), "region": place.region})), span)
@@ -185,9 +191,7 @@ def _beside_last(draft: Draft, names: Sequence[str], side: str, anchor: Found | 
             span,
             "say by which one: on top of the red block",
         )
-    rel = {"top": "on", "bottom": "under", "front": "front", "back": "behind", "left": "left", "right": "right"}.get(
-        side, "beside"
-    )
+    rel = _RELATIONS.get(side, "beside")
     for name in names:
         draft.do(AddCondition(goal=relation(draft, rel, (name,), (others[0],), (), span)), span)
         others = [name]

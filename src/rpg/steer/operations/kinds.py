@@ -15,8 +15,10 @@ from rpg.ir.order import Order, Pattern
 from rpg.ir.schema import MAX_DIGITS, MAX_LETTERS
 from rpg.ir.structures import GroupBy, Towers
 from rpg.ir.walk import atoms, transform
+from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.make import PALETTE
+from rpg.steer.refer import resolve
 
 SYMBOLS = {"letter": string.ascii_uppercase, "digit": "123456789", "symbol": string.ascii_uppercase}
 MOST = {"letter": MAX_LETTERS, "digit": MAX_DIGITS, "symbol": MAX_LETTERS}
@@ -141,6 +143,12 @@ def mix(draft: Draft, names: Sequence[str], kinds: Sequence[str | None], span: S
             new[name] = SemanticCube(name=name, label=SYMBOLS[kind][place], size=block.size)
     renamed = exchange(draft, new, span)
     _regroup(draft, [renamed[name] for name in order], share)
+
+
+def mixed(draft: Draft, request: r.Kinds) -> None:
+    """The blocks of the request, or of the whole task, become a mixture."""
+    names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
+    mix(draft, names, request.kinds, request.span)
 
 
 def _regroup(draft: Draft, names: Sequence[str], share: int) -> None:

@@ -262,6 +262,23 @@ def _group(draft: Draft, members: Sequence[str], attribute: str, span: Span, fig
         draft.do(SetGoal(goal=goal), span)
 
 
+def group(draft: Draft, request: r.Group) -> None:
+    """Blocks are sorted into groups by what the request says, else by what they differ in: kind before colour."""
+    names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
+    figure = next((f for f in draft.view.figures if isinstance(f.node, GroupBy)), None)
+    members = figure.members if figure is not None and request.theme is None else names
+    by = request.by
+    if by is None:
+        kinds = {kind_of(symbol_of(draft.view.world, name)) for name in members}
+        by = "kind" if len(kinds) > 1 else "label" if kinds != {"plain"} else "color"
+    draft.note("group", by)
+    groups = Traits(draft.view.world).by_value(tuple(members), by)  # type: ignore[arg-type]
+    if figure is not None and isinstance(figure.node, GroupBy) and figure.node.by == by:
+        if {frozenset(group) for group in figure.node.groups} == {frozenset(group) for group in groups.values()}:
+            return
+    _group(draft, members, by, request.span, figure)
+
+
 def trade(draft: Draft, request: r.Trade) -> None:
     """Two blocks, or two groups of one size, take each other's parts in the goal."""
     a, b = resolve(draft.view, request.a).names, resolve(draft.view, request.b).names

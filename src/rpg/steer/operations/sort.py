@@ -35,8 +35,10 @@ def sorted_members(draft: Draft, members: Sequence[str], by: str, descending: bo
     """`members` in the order that `by` gives; equal ones stay as they are."""
     order = Order.model_validate({"by": by})
     traits = Traits(draft.view.world)
-    keyed = [(sort_key(order, name, traits), name) for name in members]
-    return [name for _, name in sorted(keyed, key=lambda item: (item[0] is None, item[0] or ""), reverse=descending)]
+    keys = {name: sort_key(order, name, traits) for name in members}
+    known = [name for name in members if keys[name] is not None]
+    known.sort(key=lambda name: keys[name], reverse=descending)  # type: ignore[arg-type, return-value]
+    return [*known, *(name for name in members if keys[name] is None)]
 
 
 def ranks_by_class(draft: Draft, members: Sequence[str], how: str) -> tuple[tuple[str, ...], ...]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from rpg.blocks.state import Vec3
 from rpg.env import BlockTask
-from rpg.env.gripper import GRIP_STEP, OPENING, STEP_LIMIT, TURN_LIMIT
+from rpg.env.gripper import GRIP_STEP, OPENING, REACH_Z, STEP_LIMIT, TURN_LIMIT
 
 OPEN, CLOSE, KEEP = 1.0, -1.0, 0.0
 HOVER = 0.12
@@ -53,20 +53,24 @@ def over(place: Vec3, height: float = HOVER) -> Vec3:
 
 def pick(task: BlockTask, name: str) -> Iterator[None]:
     """Grasp a block from above, fingers opened little more than it needs, and lift it."""
-    place, yaw = task.state().position[name], yaw_of(task, name)
-    yield from move(task, over(place), yaw)
+    (x, y, z), yaw = task.state().position[name], yaw_of(task, name)
+    grasp = (x, y, max(z, REACH_Z[0] + 0.001))
+    yield from move(task, over(grasp), yaw)
     yield from grip(task, CLOSE, int((OPENING - task.world.edge[name] - 0.02) / GRIP_STEP))
-    yield from move(task, place, yaw)
+    yield from move(task, grasp, yaw)
     yield from grip(task, CLOSE)
-    yield from move(task, over(place))
+    yield from move(task, over(grasp))
 
 
-def put_on(task: BlockTask, name: str) -> Iterator[None]:
-    """Put what is held on a block, let go, and withdraw."""
-    place, yaw = task.state().position[name], yaw_of(task, name)
-    edge = task.world.edge[name]
-    yield from move(task, over(place), yaw)
-    yield from move(task, over(place, edge + 0.001))
+def put_on(task: BlockTask, name: str, onto: str) -> Iterator[None]:
+    """Put the held block on another one, let go, and withdraw."""
+    assert task.robot is not None
+    hand = task.robot.proprioception(task.data)[2] - task.state().position[name][2]
+    x, y, z = task.state().position[onto]
+    yaw = yaw_of(task, onto)
+    rest = (x, y, z + hand + (task.world.edge[name] + task.world.edge[onto]) / 2)
+    yield from move(task, over(rest, HOVER / 2), yaw)
+    yield from move(task, over(rest, 0.001), yaw)
     yield from grip(task, OPEN)
-    yield from move(task, over(place, edge + HOVER))
+    yield from move(task, over(rest))
     yield from grip(task, KEEP)

@@ -307,7 +307,7 @@ def test_sizes() -> None:
         Figure(blocks=named(6), shape="T", pointing="left"),
         Figure(blocks=named(7), shape="V"),
         Figure(blocks=named(12), shape="square"),
-        Figure(blocks=named(20), shape="circle"),
+        Figure(blocks=named(18), shape="circle"),
     ],
 )
 def test_built_figures_hold_and_their_near_misses_do_not(node: Cells) -> None:

@@ -18,8 +18,6 @@ from rpg.blocks.figures import Ideal
 
 ROUNDS = 6
 """How often a match is improved at most."""
-SWEEP = 6
-"""Rotations that are tried where the moments mislead."""
 MOMENTS = (1, 2, 3, 4, 5, 6)
 EPS = 1e-9
 
@@ -111,13 +109,7 @@ def best_fit(
     if not pitches[0] * size - slack <= spread <= pitches[1] * size + slack:
         return None
     task = _Task(ideal, template, points, levels, pitches, spread / size, 0.4 * tolerance)
-    fit = task.best(task.starts())
-    if fit is not None and fit.deviation <= tolerance:
-        return fit
-    if fit is not None and fit.deviation > 2.0 * tolerance:
-        return fit
-    swept = task.best([(2 * math.pi * k / (SWEEP * template.symmetry), False) for k in range(SWEEP)])
-    return min((f for f in (fit, swept) if f is not None), key=lambda f: f.deviation, default=None)
+    return task.best(task.starts())
 
 
 @lru_cache(maxsize=2048)

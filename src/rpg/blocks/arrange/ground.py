@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from rpg.blocks.arrange.pieces import Assembly, Piece
-from rpg.blocks.geometry import Polygon, footprint, patch_outline, polygon_gap
+from rpg.blocks.geometry import Polygon, footprint, polygon_gap
 from rpg.blocks.state import BlockState
 from rpg.ir import goal as g
 from rpg.ir.node import members
@@ -41,7 +41,11 @@ class Ground:
         self.placed: dict[int, list[Column]] = {}
         self.gaps: dict[frozenset[str], float] = {}
         self.welcome: dict[str, set[str]] = {name: set() for name in assembly.world.patches}
-        self.outlines = {n: patch_outline(p) for n, p in assembly.world.patches.items() if p.position is not None}
+        self.patches = {
+            name: (*patch.position, patch.size[0] / 2, patch.size[1] / 2)
+            for name, patch in assembly.world.patches.items()
+            if patch.position is not None
+        }
         for atom in wanted:
             self._note(atom, assembly)
 
@@ -90,10 +94,13 @@ class Ground:
     def trespass(self, piece: Piece, origin: tuple[float, float]) -> float:
         """The price of lying on patches that say nothing about this piece."""
         price = 0.0
-        for name, outline in self.outlines.items():
+        for name, (px, py, hx, hy) in self.patches.items():
             if self.welcome[name].isdisjoint(piece.position):
-                on_it = any(polygon_gap(_at(c, origin).outline, outline) < MIN_GAP for c in self.columns[id(piece)])
-                price += TRESPASS * on_it
+                dx, dy = origin[0] - px, origin[1] - py
+                price += TRESPASS * any(
+                    abs(c.x + dx) < c.half + hx + MIN_GAP and abs(c.y + dy) < c.half + hy + MIN_GAP
+                    for c in self.columns[id(piece)]
+                )
         return price
 
 

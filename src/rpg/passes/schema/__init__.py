@@ -1,0 +1,1 @@
+"""Pass 1: from an instruction to a task schema."""

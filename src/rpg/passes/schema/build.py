@@ -1,0 +1,119 @@
+"""Readings -> the task: resolve the cheapest readings that make sense; two that differ are an ambiguity."""
+
+from __future__ import annotations
+
+from itertools import product
+
+from rpg.core.diagnostics import Refusal
+from rpg.ir import goal as g
+from rpg.ir.schema import InitialState, TaskSchema
+from rpg.passes.schema.meaning import Chain, Clause, cost_of
+from rpg.passes.schema.names import family_name
+from rpg.passes.schema.read import Sentence
+from rpg.passes.schema.resolve import finish
+from rpg.passes.schema.resolve.chains import chain_goals, join
+from rpg.passes.schema.resolve.contradictions import check
+from rpg.passes.schema.resolve.premises import keep_premises
+from rpg.passes.schema.resolve.tidy import tidy
+from rpg.passes.schema.resolve.world import Scene, refuse
+
+MAX_COMBINATIONS = 48
+
+
+def build(sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None) -> TaskSchema:
+    """The task that the sentences state."""
+    first: Refusal | None = None
+    best: tuple[int, TaskSchema] | None = None
+    for cost, chosen in _combinations(sentences):
+        if best is not None and cost > best[0]:
+            break
+        try:
+            schema = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
+        except Refusal as refusal:
+            first = first or refusal
+            continue
+        if best is None:
+            best = (cost, schema)
+        elif not _same(best[1], schema):
+            raise _ambiguous(best[1], schema, text)
+    if best is None:
+        raise first or refuse("incomplete", "nothing is said that could be done", (0, len(text)))
+    return best[1]
+
+
+def _combinations(sentences: list[Sentence]) -> list[tuple[int, tuple[Chain, ...]]]:
+    found = []
+    for chosen in product(*(s.readings for s in sentences)):
+        found.append((sum(cost_of(c) for c in chosen), chosen))
+        if len(found) > 4000:
+            break
+    found.sort(key=lambda item: item[0])
+    return found[:MAX_COMBINATIONS]
+
+
+def _same(a: TaskSchema, b: TaskSchema) -> bool:
+    return _bare(a) == _bare(b)
+
+
+def _bare(schema: TaskSchema) -> str:
+    data = schema.model_dump(exclude={"name", "assumptions", "paraphrases"}, mode="json")
+    return repr(_unspanned(data))
+
+
+def _unspanned(data: object) -> object:
+    if isinstance(data, dict):
+        return {k: _unspanned(v) for k, v in data.items() if k != "span"}
+    if isinstance(data, list):
+        return [_unspanned(v) for v in data]
+    return data
+
+
+def _ambiguous(a: TaskSchema, b: TaskSchema, text: str) -> Refusal:
+    from rpg.passes.schema.sketch import sketch
+
+    return refuse(
+        "ambiguous", f"this can be read in two ways: {sketch(a.goal)}; or {sketch(b.goal)}", (0, len(text)), "say it in two sentences",
+        readings=[sketch(a.goal), sketch(b.goal)],
+    )  # fmt: skip
+
+
+def resolve(
+    links: list[str], chains: tuple[Chain, ...], text: str, notes: list[str], name: str | None, seed: int, author: str | None
+) -> TaskSchema:
+    """One reading of every sentence -> the task, or a refusal."""
+    scene = Scene()
+    for note in notes:
+        scene.assume(note)
+    order = sorted(range(len(chains)), key=lambda n: (not _sets_scene(chains[n]), n))
+    stated: dict[int, list[g.Goal]] = {}
+    for n in order:
+        stated[n] = chain_goals(chains[n], scene)
+    goal = join([(links[n], stated[n]) for n in range(len(chains))], scene, (0, len(text)))
+    if isinstance(goal, g.All) and not goal.goals:
+        raise _no_goal(scene, text)
+    goal = keep_premises(goal, scene)
+    finish.choose(scene)
+    goal = tidy(goal, scene)
+    check(goal, scene)
+    names = finish.naming(scene)
+    start = InitialState(
+        arranged=tuple(dict.fromkeys(finish.renamed(x, names) for x in scene.start_goals)),
+        heaps=tuple(tuple(names[n] for n in heap) for heap in scene.heaps),
+    )  # fmt: skip
+    final = finish.renamed(goal, names)
+    made = finish.assets(scene, names)
+    return TaskSchema(
+        name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start, goal=final,
+        assumptions=tuple(scene.assumptions),
+    )  # fmt: skip
+
+
+def _sets_scene(chain: Chain) -> bool:
+    """Whether a sentence only says what there is or how it starts: it is read first."""
+    return all(isinstance(c, Clause) and c.mode == "given" for c in chain.clauses)
+
+
+def _no_goal(scene: Scene, text: str) -> Refusal:
+    if scene.picked:
+        return refuse("no-goal", "a block that is held has no place at the end", scene.picked, "say where to put it down")
+    return refuse("no-goal", "it is not said what should be done", (0, len(text)), "say where the blocks should be at the end")

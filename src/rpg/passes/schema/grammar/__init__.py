@@ -1,0 +1,1 @@
+"""The grammar: tokens -> meanings, every reading of every stretch of words."""

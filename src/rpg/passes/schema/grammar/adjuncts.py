@@ -1,0 +1,315 @@
+"""Whatever may follow a verb and its theme: places, orders, structures to form, what to use, conditions."""
+
+from __future__ import annotations
+
+from rpg.passes.schema.grammar.amounts import length
+from rpg.passes.schema.grammar.core import Parser, Results, rule
+from rpg.passes.schema.grammar.labels import label_list, literal
+from rpg.passes.schema.grammar.nouns import noun_phrase, simple
+from rpg.passes.schema.grammar.orders import at, listed, order
+from rpg.passes.schema.grammar.relations import loc
+from rpg.passes.schema.grammar.structures import size_phrase
+from rpg.passes.schema.meaning import (
+    Absolute,
+    Into,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Spacing,
+    Structure,
+    That,
+    Toward,
+    Using,
+)
+
+_INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "forming", "making", "creating", "like", "to be", "so as to form",
+         "so they form", "so that they form", "such that they form", "so that it forms", "in such a way that they form", "to become", "in the form of",
+         "in the shape of", "so it forms", "so as to make", "so that they make", "to construct", "and form", "to spell", "to get", "so you get",
+         "so that you get", "along")  # fmt: skip
+_USING = ("using", "with", "from", "out of", "by using", "made of", "made from", "made out of", "consisting of", "of", "composed of", "built from",
+          "made up of", "use", "made with")  # fmt: skip
+
+
+@rule
+def adjunct(p: Parser, i: int) -> Results[Meaning]:
+    """One adjunct."""
+    if i >= p.end:
+        return
+    yield from loc(p, i)
+    yield from order(p, i)
+    yield from at(p, i)
+    yield from _into(p, i)
+    yield from _using(p, i)
+    yield from _absolute(p, i)
+    yield from _that(p, i)
+    yield from manner(p, i)
+    for size, j in size_phrase(p, i):
+        yield size, j
+
+
+@rule
+def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """Any number of adjuncts, the longest run first; commas and "and" may stand between them."""
+    for first, j in adjunct(p, i):
+        for rest, k in adjuncts(p, j):
+            yield (first, *rest), k
+        for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but")} - {j}:
+            for rest, k in adjuncts(p, joined):
+                if rest:
+                    yield (first, *rest), k
+    yield (), i
+
+
+def _into(p: Parser, i: int) -> Results[Meaning]:
+    for lead in _INTO:
+        if j := p.seq(i, lead):
+            for target, k in simple(p, j):
+                if isinstance(target, Structure):
+                    yield Into(structure=target, span=p.span(i, k)), k
+            for target, k in noun_phrase(p, j):
+                if not isinstance(target, Structure) and isinstance(getattr(target, "items", (None,))[0], Structure):
+                    yield Into(structure=target, span=p.span(i, k)), k
+
+
+def _using(p: Parser, i: int) -> Results[Meaning]:
+    for lead in _USING:
+        if j := p.seq(i, lead):
+            for members, k in noun_phrase(p, j):
+                if not isinstance(members, Structure):
+                    yield Using(members=members, span=p.span(i, k), cost=1 if lead == "with" else 0), k
+
+
+def _absolute(p: Parser, i: int) -> Results[Meaning]:
+    """ "with the red block on top and the blue one below it"; "the green one on top" after a comma."""
+    j = p.any_of(i, ("with", "having", "where", "keeping")) or p.one(i, ",")
+    if not j:
+        return
+    for theme, k in noun_phrase(p, j):
+        k = p.opt(k, "is", "are", "being", "goes", "should")
+        k = p.opt(k, "be")
+        k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put")
+        for found, end in _places(p, k):
+            yield Absolute(theme=theme, adjuncts=found, span=p.span(i, end)), end
+            yield from _absolute_more(p, i, end, (Absolute(theme=theme, adjuncts=found, span=p.span(i, end)),))
+
+
+def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Results[Meaning]:
+    """ "... and blue on top": one more absolute after the first, wrapped in a "list" manner."""
+    from rpg.passes.schema.meaning import Coord
+
+    j = p.opt(at_, ",")
+    j = p.any_of(j, ("and then", "and", "then")) or j
+    if j == at_ or len(had) > 12:
+        return
+    for theme, k in simple(p, j):
+        k = p.opt(k, "is", "are", "being", "goes")
+        for found, end in _places(p, k):
+            whole = (*had, Absolute(theme=theme, adjuncts=found, span=p.span(j, end)))
+            yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
+            yield from _absolute_more(p, i, end, whole)
+
+
+def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    for found, k in loc(p, i):
+        yield (found,), k
+    for found, k in at(p, i):
+        yield (found,), k
+
+
+def _that(p: Parser, i: int) -> Results[Meaning]:
+    from rpg.passes.schema.grammar.clauses import chain, gerund_clause
+
+    j = p.any_of(i, (", so that", "so that", "such that", "in such a way that", "so as", ", such that", "making sure that", "making sure", "ensuring that", "ensuring",
+                     "where", ", where", "in a way that", "until", "on the condition that", "with the condition that", "and make sure that", "and ensure that",
+                     "in which", "on which", "so", "provided that", ", making sure", ", ensuring that", ", ensuring", "while making sure", "while ensuring", "if"))  # fmt: skip
+    if j:
+        for clauses, k in chain(p, j):
+            yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
+    comma = p.opt(i, ",")
+    if j := p.any_of(comma, ("without", "while not", "while never", "but without", "and without", "but not")):
+        for clauses, k in gerund_clause(p, j):
+            yield That(kind="without", clauses=clauses, span=p.span(i, k)), k
+    if j := p.any_of(comma, ("while keeping", "while leaving", "keeping", "leaving", "but keep", "but leave")):
+        for clauses, k in gerund_clause(p, j - 1):
+            yield That(kind="while", clauses=clauses, span=p.span(i, k)), k
+
+
+_FACE_WORDS = {"up": "up", "upward": "up", "upwards": "up", "down": "down", "downward": "down", "downwards": "down", "left": "left",
+               "right": "right", "front": "front", "forward": "back", "back": "back", "backward": "front", "camera": "viewer", "viewer": "viewer", "me": "viewer",
+               "robot": "front", "us": "viewer"}  # fmt: skip
+
+
+@rule
+def direction(p: Parser, i: int) -> Results[str]:
+    """ "up", "to the left", "towards the camera"."""
+    j = p.any_of(i, ("to the", "toward the", "towards the", "to", "towards", "toward", "the")) or i
+    if j < p.end and p.words[j] in _FACE_WORDS:
+        yield _FACE_WORDS[p.words[j]], p.reach(j + 1)
+
+
+@rule
+def manner(p: Parser, i: int) -> Results[Meaning]:
+    """How something is turned, spelt, spaced or counted."""
+    if j := p.any_of(
+        i,
+        (
+            "upside down",
+            "flipped upside down",
+            "inverted",
+            "in an inverted orientation",
+            "turned upside down",
+            "rotated upside down",
+        ),
+    ):
+        yield Manner(kind="turn", value=180.0, span=p.span(i, j)), j
+    if j := p.any_of(
+        i, ("upright", "right side up", "right way up", "the right way up", "the right way round", "right side upward")
+    ):
+        yield Manner(kind="turn", value=0.0, span=p.span(i, j)), j
+    if j := p.any_of(i, ("sideways", "on its side")):
+        yield Manner(kind="turn", value=90.0, span=p.span(i, j)), j
+    comma = p.opt(i, ",")
+    k = p.any_of(
+        comma,
+        (
+            "facing",
+            "faces",
+            "face",
+            "to face",
+            "pointing",
+            "points",
+            "pointed",
+            "showing",
+            "turned",
+            "so that it faces",
+            "visible from",
+        ),
+    )
+    if k:
+        for side, end in direction(p, k):
+            yield Manner(kind="facing", value=side, span=p.span(i, end)), end
+    if (j := p.any_of(comma, ("with its", "with the", "its", "with", "the"))) or True:
+        start = j or comma
+        end = p.any_of(
+            start,
+            (
+                "corner",
+                "foot",
+                "opening",
+                "open side",
+                "open end",
+                "tip",
+                "apex",
+                "point",
+                "top",
+                "stem",
+                "base",
+                "tail",
+                "ends",
+            ),
+        )
+        if end and j:
+            k = (
+                p.any_of(
+                    end,
+                    (
+                        "pointing",
+                        "facing",
+                        "points",
+                        "faces",
+                        "to",
+                        "towards",
+                        "toward",
+                        "on",
+                        "at",
+                        "directed",
+                        "going",
+                        "is",
+                        "extending",
+                    ),
+                )
+                or end
+            )
+            for side, e in direction(p, k):
+                yield Manner(kind="pointing:" + p.words[end - 1], value=side, span=p.span(i, e)), e
+    if j := p.any_of(i, ("rising to the", "going up to the", "ascending to the", "climbing to the", "rising towards the", "going up towards the", "that goes up to the",
+                         "rising toward the", "leading up to the", "climbing towards the", "going upward to the", "going upwards to the", "that rises to the", "up to the", "ascending towards the",
+                         "going up from left to", "rising from left to", "ascending from left to", "climbing from left to")):  # fmt: skip
+        if p.words[j : j + 1] and p.words[j] in ("left", "right", "front", "back"):
+            yield Manner(kind="rising", value=p.words[j], span=p.span(i, j + 1)), p.reach(j + 1)
+    if j := p.any_of(
+        i,
+        (
+            "going up from right to left",
+            "rising from right to left",
+            "ascending from right to left",
+            "climbing from right to left",
+        ),
+    ):
+        yield Manner(kind="rising", value="left", span=p.span(i, j)), j
+    for n, j in _degrees(p, i):
+        turned = p.any_of(j, ("clockwise",))
+        counter = p.any_of(
+            j, ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise", "to the left")
+        )
+        end = turned or counter or j
+        sign = -1.0 if turned else 1.0
+        kind = "by" if turned or counter else "by?"
+        yield Manner(kind=kind, value=sign * n, span=p.span(i, end)), end
+    for phrase, kind, value in _LITTLE:
+        if j := p.seq(i, phrase):
+            yield Manner(kind=kind, value=value, span=p.span(i, j)), j
+
+
+_LITTLE = (
+    ("respectively", "respectively", None), ("backwards", "backwards", None), ("in reverse", "backwards", None), ("backward", "backwards", None),
+    ("at the end", "finally", None), ("in the end", "finally", None), ("at once", "idle", None), ("one by one", "idle", None),
+    ("one at a time", "idle", None), ("carefully", "idle", None), ("gently", "idle", None), ("neatly", "idle", None), ("exactly", "idle", None),
+    ("again", "idle", None), ("precisely", "idle", None), ("somewhere", "idle", None), ("anywhere", "idle", None), ("instead", "idle", None),
+    ("together", "idle", None), ("in order", "idle", None), ("for me", "idle", None), ("slowly", "idle", None), ("quickly", "idle", None),
+    ("in any way", "idle", None), ("in any arrangement", "idle", None), ("in the picture", "idle", None), ("at all times", "always", None),
+    ("the whole time", "always", None), ("throughout", "always", None), ("always", "always", None), ("in the scene", "idle", None), ("side up", "idle", None),
+    ("where it is", "stay", None), ("where they are", "stay", None), ("in place", "stay", None), ("as it is", "stay", None), ("as they are", "stay", None),
+    ("untouched", "stay", None), ("alone", "stay", None), ("still", "stay", None), ("where they were", "stay", None), ("unmoved", "stay", None),
+    ("in its place", "stay", None), ("in their places", "stay", None), ("at its place", "stay", None), ("where it was", "stay", None), ("undisturbed", "stay", None),
+    ("in its current position", "stay", None), ("in its original position", "stay", None), ("where it started", "stay", None), ("as is", "stay", None),
+    ("in the same place", "stay", None), ("where it currently is", "stay", None), ("in their current positions", "stay", None), ("in the same position", "stay", None),
+    ("in its initial position", "stay", None), ("in its starting position", "stay", None), ("where they started", "stay", None), ("at its current position", "stay", None),
+    ("left to right", "idle2", None), ("in a single file", "idle", None), ("apart", "idle2", None), ("in a loop", "idle2", None), ("by hand", "idle2", None),
+)  # fmt: skip
+
+
+def _degrees(p: Parser, i: int) -> Results[float]:
+    from rpg.passes.schema import lexicon
+
+    j = p.one(i, "by") or i
+    j = p.opt(j, "about")
+    if (n := p.figure(j)) is not None and j + 1 < p.end and p.words[j + 1] in lexicon.DEGREES.split():
+        yield n, p.reach(j + 2)
+    for phrase, n in (("a quarter turn", 90.0), ("a half turn", 180.0), ("half a turn", 180.0), ("a quarter of a turn", 90.0), ("halfway around", 180.0),
+                      ("quarter turn", 90.0), ("half turn", 180.0), ("around", 180.0)):  # fmt: skip
+        if phrase != "around" and (k := p.seq(j, phrase)):
+            yield n, k
+
+
+def spelt_word(p: Parser, i: int) -> str | None:
+    """The word after "spell"."""
+    return literal(p, i)
+
+
+__all__ = [
+    "Loc",
+    "Noun",
+    "OrderBy",
+    "Spacing",
+    "Toward",
+    "adjunct",
+    "adjuncts",
+    "direction",
+    "label_list",
+    "length",
+    "listed",
+    "manner",
+]

@@ -1,0 +1,491 @@
+"""Clauses: commands, states, descriptions, what there is; and chains of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.passes.schema import lexicon
+from rpg.passes.schema.grammar.adjectives import adjectives, of_quality
+from rpg.passes.schema.grammar.adjuncts import adjuncts, direction
+from rpg.passes.schema.grammar.core import Parser, Results, rule
+from rpg.passes.schema.grammar.frames import AFTER, COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG, THEN
+from rpg.passes.schema.grammar.labels import label_list, literal
+from rpg.passes.schema.grammar.nouns import noun_phrase
+from rpg.passes.schema.meaning import (
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+    Using,
+)
+
+_PARTICLES = ("up", "out", "down", "together", "over", "around", "apart", "back", "off", "away", "aside")
+_MODALS = frozenset(
+    {
+        "should",
+        "must",
+        "shall",
+        "will",
+        "would",
+        "can",
+        "could",
+        "may",
+        "might",
+        "need",
+        "needs",
+        "has",
+        "have",
+        "ought",
+        "does",
+        "do",
+    }
+)
+_NOT = frozenset({"not", "never"})
+_BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
+
+
+@rule
+def chain(p: Parser, i: int) -> Results[Chain]:
+    """Clauses joined by "and", "then", "or", "before", commas."""
+    for first, j in clause(p, i):
+        yield Chain(clauses=(first,), links=("and",), span=p.span(i, j)), j
+        yield from _more(p, i, (first,), ("and",), j)
+
+
+def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
+    if len(had) > 16:
+        return
+    for link, j in _link(p, at):
+        previous = had[-1] if isinstance(had[-1], Clause) else None
+        for item, k in clause(p, j):
+            whole = (*had, item)
+            yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+            yield from _more(p, i, whole, (*links, link), k)
+        if previous is not None and link != "before":
+            for item, k in gapped(p, j, previous):
+                whole = (*had, item)
+                yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+                yield from _more(p, i, whole, (*links, link), k)
+
+
+def _link(p: Parser, i: int) -> Results[str]:
+    j = p.opt(i, ",", ";")
+    if k := p.any_of(j, THEN):
+        yield "then", p.opt(k, ",")
+    elif k := p.any_of(j, ("before",)):
+        yield "before", k
+    elif k := p.any_of(j, ("after",)):
+        yield "after", k
+    elif k := p.any_of(j, ("or else", "or")):
+        yield "or", k
+    elif k := p.any_of(
+        j,
+        (
+            "and also",
+            "and",
+            "while also",
+            "while",
+            "but also",
+            "but",
+            "as well as",
+            "also",
+            "with",
+            "and make sure that",
+            "whereas",
+            "plus",
+        ),
+    ):
+        k = p.opt(k, "also", "both")
+        yield "and", k
+    elif j > i:
+        yield "and", j
+
+
+@rule
+def clause(p: Parser, i: int) -> Results[Meaning]:
+    """One clause with whatever frame stands before it."""
+    for start, mode in _frames(p, i):
+        if mode in ("command", "any"):
+            yield from _command(p, start)
+        yield from _state(p, start, "start" if mode == "start" else "goal")
+        yield from _exists(p, start)
+        yield from _describe(p, start, "start" if mode == "start" else "goal")
+
+
+def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
+    """Positions after the polite and framing words at i, with what they leave open."""
+    found = [(i, "any")]
+    seen = {i}
+    for start, mode in found:
+        for table, kind in (
+            (COMMAND_FRAMES, "command"),
+            (STATE_FRAMES, "state"),
+            (START_FRAMES, "start"),
+            (FIRST, mode),
+        ):
+            for j in table.matches(p, start):
+                j = p.opt(j, ",") if table in (FIRST, START_FRAMES) else j
+                if j not in seen and len(found) < 40:
+                    seen.add(j)
+                    found.append((j, kind if mode != "start" else "start"))
+    return found
+
+
+@rule
+def _command(p: Parser, i: int) -> Results[Meaning]:
+    """ "stack the red block on ...", "do not move ...", "never touch ..."."""
+    j, negated = i, False
+    if k := p.any_of(i, ("do not", "never", "avoid", "do n't", "not")):
+        j, negated = k, True
+        j = p.opt(j, "ever")
+    for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
+        yield replace(found, negated=negated, span=p.span(i, k)), k
+
+
+@rule
+def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Results[Clause]:
+    """A verb in one of `forms`, its particle, theme and adjuncts."""
+    senses = p.lex(i, lexicon.VERB)
+    if senses is None or p.tokens[i].kind != "word":
+        return
+    for sense, lemma, form in senses:
+        if form in forms:
+            for particle in dict.fromkeys((p.opt(i + 1, *_PARTICLES), i + 1)):
+                yield from _with_theme(p, i, particle, sense, lemma)
+
+
+def _with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+    word = p.span(i, i + 1)
+    if sense == "spell":
+        yield from _spell(p, i, j, lemma)
+        return
+    if sense == "turn":
+        yield from _turn(p, i, j, lemma)
+    for theme, k in noun_phrase(p, j):
+        k = p.opt(
+            k, *(("up", "out", "down", "back") if sense in ("pick", "stack", "arrange", "place", "unstack") else ())
+        )
+        if sense == "use":
+            yield from _use(p, i, k, theme)
+        for found, end in adjuncts(p, k):
+            yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=word), end
+    if sense in ("stack", "build", "arrange", "sort", "place"):
+        for found, end in adjuncts(p, j):
+            if found:
+                yield Clause(verb=sense, lemma=lemma, adjuncts=found, span=p.span(i, end), word=word, cost=1), end
+
+
+def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+    """ "use eight blocks to form a circle"."""
+    j = p.any_of(k, ("to", "and", "in order to", "for"))
+    if not j:
+        return
+    for inner, end in verb_phrase(p, j, ("base", "ing")):
+        using = Using(members=theme, span=theme.span)
+        yield replace(inner, adjuncts=(using, *inner.adjuncts), span=p.span(i, end)), end
+
+
+def _spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "spell CAT with letter blocks", "spell the word 'ROBOT'", "spell a word"."""
+    j = p.opt(j, "out")
+    text = literal(p, j)
+    themes: list[tuple[Meaning, int]] = []
+    if text is not None:
+        themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
+    themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind == "word"]
+    for theme, k in themes:
+        for found, end in adjuncts(p, k):
+            clause_ = Clause(
+                verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=p.span(i, i + 1)
+            )
+            yield clause_, end
+
+
+def _turn(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "turn the A block to face left"."""
+    for theme, k in noun_phrase(p, j):
+        for side, end in direction(p, k):
+            faced = Manner(kind="facing", value=side, span=p.span(k, end))
+            for found, last in adjuncts(p, end):
+                yield (
+                    Clause(
+                        verb="turn",
+                        lemma=lemma,
+                        theme=theme,
+                        adjuncts=(faced, *found),
+                        span=p.span(i, last),
+                        word=p.span(i, i + 1),
+                    ),
+                    last,
+                )
+
+
+@rule
+def gerund_clause(p: Parser, i: int) -> Results[Chain]:
+    """ "moving the red block", "touching anything else" after "without" and "while"."""
+    for found, j in verb_phrase(p, i, ("ing", "base")):
+        yield Chain(clauses=(found,), links=("and",), span=p.span(i, j)), j
+        for joint in ("or", "and"):
+            if k := p.one(j, joint):
+                for more, end in verb_phrase(p, k, ("ing", "base")):
+                    yield Chain(clauses=(found, more), links=("and", "and"), span=p.span(i, end)), end
+
+
+@rule
+def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
+    """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
+    for theme, j in noun_phrase(p, i):
+        for found, k in adjuncts(p, j):
+            if found:
+                yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=0), k
+    if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
+        for found, k in adjuncts(p, i):
+            if found and isinstance(found[0], Loc):
+                it = Pronoun(word="same", span=before.theme.span)
+                yield replace(before, theme=it, adjuncts=found, span=p.span(i, k), cost=0), k
+
+
+@rule
+def _state(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
+    inverted = p.one(i, _BE)
+    for theme, j in noun_phrase(p, inverted or i):
+        j = p.opt(j, "all", "each", "both")
+        k, negated = _auxiliaries(p, j)
+        if inverted:
+            yield from _predicate(p, i, j, theme, mode, False)
+            continue
+        yield from _predicate_after_be(p, i, k, theme, mode, negated)
+        yield from _subject_verb(p, i, k, theme, mode, negated)
+        for phrase in (
+            "starts off",
+            "starts out",
+            "starts",
+            "start",
+            "begins",
+            "begin",
+            "started",
+            "starting",
+            "start off",
+            "start out",
+            "initially is",
+            "initially sits",
+        ):
+            if s := p.seq(k, phrase):
+                s = p.opt(s, "being", "in")
+                yield from _predicate(p, i, s, theme, "start", negated)
+
+
+def _auxiliaries(p: Parser, j: int) -> tuple[int, bool]:
+    negated = False
+    while j < p.end and p.words[j] in _MODALS | {"to", "also", "only", "all", "always", "both", "each"} | _NOT:
+        negated = negated or p.words[j] in _NOT
+        j = p.reach(j + 1)
+    return j, negated
+
+
+def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+    if j := p.one(k, _BE):
+        if p.words[k] in ("was", "were"):
+            mode = "start"
+        while n := p.one(
+            j,
+            _NOT
+            | {
+                "all",
+                "both",
+                "each",
+                "also",
+                "still",
+                "now",
+                "currently",
+                "already",
+                "initially",
+                "being",
+                "originally",
+            },
+        ):
+            negated = negated or p.words[j] in _NOT
+            if p.words[j] in ("currently", "already", "initially", "originally"):
+                mode = "start"
+            j = n
+        yield from _predicate(p, i, j, theme, mode, negated)
+    elif k < p.end and p.words[k] in lexicon.POSTURE and p.words[k] not in _BE:
+        yield from _predicate(p, i, p.reach(k + 1), theme, mode, negated)
+
+
+def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+    senses = p.lex(j, lexicon.VERB)
+    for sense, lemma, form in senses or ():
+        if form == "past" or (form == "base" and lemma in ("put", "set", "spread", "split")):
+            end_particle = p.opt(j + 1, *_PARTICLES) if p.words[j] not in ("put", "placed") else j + 1
+            for at_ in dict.fromkeys((j + 1, end_particle)):
+                for found, k in adjuncts(p, at_):
+                    if found or sense in ("swap", "stack", "keep"):
+                        yield (
+                            Clause(
+                                verb=sense,
+                                lemma=lemma,
+                                theme=theme,
+                                adjuncts=found,
+                                negated=negated,
+                                mode=mode,
+                                span=p.span(i, k),
+                                word=p.span(j, j + 1),
+                            ),
+                            k,
+                        )
+    start = j
+    if j < p.end and p.words[j] in lexicon.POSTURE:
+        start = p.reach(j + 1)
+    for found, k in adjuncts(p, start):
+        if found:
+            yield (
+                Clause(
+                    verb="be",
+                    theme=theme,
+                    adjuncts=found,
+                    negated=negated,
+                    mode=mode,
+                    span=p.span(i, k),
+                    word=p.span(j, j + 1),
+                ),
+                k,
+            )
+    head = theme.head if isinstance(theme, Noun) else "block"
+    for marks, k in adjectives(p, j):
+        if marks:
+            quality = Quality(traits=Traits(**marks), span=p.span(j, k))
+            yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+    for marks, k in of_quality(p, j, head):
+        quality = Quality(traits=Traits(**marks), span=p.span(j, k))
+        yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+
+
+def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+    """ "the blocks form a ring", "the cubes spell CAT", "the red block touches the blue one", "it faces left"."""
+    using = Using(members=theme, span=theme.span)
+    for sense, lemma, form in p.lex(k, lexicon.VERB) or ():
+        if form in ("base", "s") and lemma in ("form", "make", "spell", "build", "create", "compose"):
+            if sense == "spell":
+                readings = list(_spell(p, i, k + 1, lemma))
+            else:
+                readings = [
+                    r for r in _with_theme(p, i, k + 1, sense, lemma) if isinstance(r[0].theme, Structure | Coord)
+                ]
+            for found, end in readings:
+                yield replace(found, adjuncts=(using, *found.adjuncts), negated=negated, mode=mode), end
+    if j := p.one(k, frozenset({"touch", "touches"})):
+        for other, end in noun_phrase(p, j):
+            touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
+            yield (
+                Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end)),
+                end,
+            )
+        touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
+        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
+    if j := p.one(k, frozenset({"face", "faces", "point", "points"})):
+        for side, end in direction(p, j):
+            faced = Manner(kind="facing", value=side, span=p.span(k, end))
+            yield (
+                Clause(verb="be", theme=theme, adjuncts=(faced,), negated=negated, mode=mode, span=p.span(i, end)),
+                end,
+            )
+    if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says"})):
+        yield from _reads(p, i, j, theme, mode)
+    if j := p.one(k, frozenset({"have", "has"})):
+        for traits, end in ((m, e) for m, e in of_quality(p, j - 1, "block")):
+            quality = Quality(traits=Traits(**traits), span=p.span(k, end))
+            yield Clause(verb="be", theme=theme, adjuncts=(quality,), mode=mode, span=p.span(i, end)), end
+
+
+def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
+    using = Using(members=theme, span=theme.span)
+    text = literal(p, j)
+    if text is not None and len(text) > 1:
+        word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
+        for found, end in adjuncts(p, j + 1):
+            yield Clause(verb="spell", theme=word, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+    for (labels, more), k in label_list(p, j, True):
+        named = Noun(
+            head="block", plural=len(labels) > 1, traits=Traits(labels=labels, open_ended=more), span=p.span(j, k)
+        )
+        for found, end in adjuncts(p, k):
+            yield Clause(verb="read", theme=named, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+    for other, k in noun_phrase(p, j):
+        if isinstance(other, Structure) and other.kind in ("word", "equation"):
+            for found, end in adjuncts(p, k):
+                yield Clause(verb="spell", theme=other, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+
+
+@rule
+def _exists(p: Parser, i: int) -> Results[Meaning]:
+    """ "there are three red blocks", "there should be a tower ..."."""
+    j = p.any_of(
+        i,
+        (
+            "there should be",
+            "there must be",
+            "there has to be",
+            "there will be",
+            "there shall be",
+            "there needs to be",
+            "there should only be",
+        ),
+    )
+    mode = "goal"
+    if not j:
+        j = p.any_of(i, ("there are already", "there is already", "there are", "there is", "you have", "we have", "i have", "you are given", "we are given", "you get",
+                         "given are", "here are", "the scene has", "the scene contains", "the table has", "the workspace contains", "the table holds", "there also are",
+                         "you start with", "there were", "there was", "the table contains", "on the table there are", "on the table are", "on the table there is"))  # fmt: skip
+        mode = "given"
+    if not j:
+        return
+    j = p.opt(j, "also", "exactly", "now", "currently", "initially")
+    for theme, k in noun_phrase(p, j):
+        for found, end in adjuncts(p, k):
+            yield Clause(verb="exist", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)), end
+
+
+@rule
+def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "a tower of three green blocks", "red block on blue block": a picture of the end."""
+    for theme, j in noun_phrase(p, i):
+        if isinstance(theme, Pronoun):
+            continue
+        for found, k in adjuncts(p, j):
+            shaped = isinstance(theme, Structure) or (
+                isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items)
+            )
+            if found or shaped:
+                yield (
+                    Clause(
+                        verb="build" if shaped else "be",
+                        theme=theme,
+                        adjuncts=found,
+                        mode=mode,
+                        span=p.span(i, k),
+                        cost=1,
+                    ),
+                    k,
+                )
+
+
+def tail(p: Parser, i: int) -> int:
+    """The position after closing words that carry nothing ("please", "thanks")."""
+    while True:
+        j = p.opt(i, ",")
+        k = max((m for m in TAG.matches(p, j)), default=0)
+        if not k:
+            return i
+        i = k
+
+
+__all__ = ["AFTER", "chain", "clause", "gapped", "gerund_clause", "tail", "verb_phrase"]

@@ -1,0 +1,249 @@
+"""Noun phrases: any description of blocks, patches or structures, alone, in lists, in parts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from rpg.passes.schema import lexicon
+from rpg.passes.schema.grammar import amounts
+from rpg.passes.schema.grammar.adjectives import EMPTY, Marks, adjectives, clash, merge, of_quality
+from rpg.passes.schema.grammar.amounts import Quantity
+from rpg.passes.schema.grammar.core import Parser, Results, rule
+from rpg.passes.schema.grammar.labels import label_list, literal
+from rpg.passes.schema.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
+
+_JOIN = frozenset({"and", "or", "plus", "&", "nor"})
+_PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
+_SINGLE = Quantity("bare")
+
+
+@rule
+def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
+    """One noun phrase or a list of them."""
+    start = p.one(i, frozenset({"both", "either"})) or i
+    for item, j in simple(p, start) if start > i else ():
+        yield from (
+            (replace(found, cost=0), k) for found, k in _list(p, i, (item,), j, None) if isinstance(found, Coord)
+        )
+    for item, j in simple(p, i):
+        yield item, j
+        yield from _list(p, i, (item,), j, None)
+
+
+def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord]:
+    """Lists that go on from `items`; with commas only ("red, blue, green") they cost a little."""
+    comma = p.opt(at, ",", ";")
+    joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
+    word = p.words[comma] if joined else ""
+    now = {"or": "or", "nor": "or"}.get(word, "and") if joined else op
+    if comma == at and not joined:
+        return
+    if joined and p.words[joined - 1] == "then":
+        now = "then"
+    if op is not None and now != op and op != "comma":
+        return
+    nxt = joined or comma
+    for item, j in simple(p, nxt):
+        whole = (*items, item)
+        if joined:
+            yield Coord(op="and" if now == "then" else str(now), items=whole, span=p.span(i, j)), j
+            yield from _list(p, i, whole, j, now)
+        else:
+            yield Coord(op="and", items=whole, span=p.span(i, j), cost=1), j
+            yield from _list(p, i, whole, j, op or "comma")
+
+
+@rule
+def simple(p: Parser, i: int) -> Results[Meaning]:
+    """A noun phrase that is no list."""
+    if i >= p.end:
+        return
+    yield from _pronoun(p, i)
+    yield from _table(p, i)
+    from rpg.passes.schema.grammar.structures import structure
+
+    yield from structure(p, i)
+    yield from _part(p, i)
+    for found, j in amounts.quantity(p, i):
+        if found.partitive:
+            yield from _partitive(p, i, j, found)
+        else:
+            yield from _noun(p, i, j, found)
+    yield from _noun(p, i, i, _SINGLE)
+
+
+def _pronoun(p: Parser, i: int) -> Results[Meaning]:
+    if j := p.one(i, _PRONOUNS):
+        yield Pronoun(word=p.words[i], span=p.span(i, j)), j
+    for phrase in ("each other", "one another", "the other ones", "the other one", "the others", "the rest", "others",
+                   "the other two", "the latter", "the former", "everything else", "both of them", "all of them", "everything", "both",
+                   "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
+                   "the other", "one", "nothing else", "nothing", "either of them", "neither of them", "each of them",
+                   "none of them", "that", "this", "those", "these", "each one", "each", "all others", "all the others", "all the rest",
+                   "all"):  # fmt: skip
+        if j := p.seq(i, phrase):
+            yield Pronoun(word=phrase, span=p.span(i, j)), j
+
+
+def _table(p: Parser, i: int) -> Results[Meaning]:
+    j = p.opt(i, "the", "a", "this", "your", "my")
+    j = p.opt(j, "work", "wooden")
+    if p.lex(j, lexicon.TABLE) is False:
+        end = j + 1
+        end = p.opt(end, "top", "surface")
+        yield TableTop(span=p.span(i, end)), end
+
+
+_PARTS = {
+    "top": "top", "bottom": "bottom", "middle": "middle", "base": "bottom", "foot": "bottom", "center": "middle",
+    "centre": "middle", "left end": "left", "right end": "right", "end": "end", "front": "front", "back": "back",
+}  # fmt: skip
+
+
+def _part(p: Parser, i: int) -> Results[Meaning]:
+    """ "the top of the tower", "its top"."""
+    if j := p.one(i, "its"):
+        for phrase, part in _PARTS.items():
+            if k := p.seq(j, phrase):
+                yield PartOf(part=part, whole=Pronoun(word="it", span=p.span(i, j)), span=p.span(i, k)), k
+    j = p.one(i, "the")
+    if not j:
+        return
+    for phrase, part in _PARTS.items():
+        if (k := p.seq(j, phrase)) and (k := p.one(k, "of")):
+            for whole, end in simple(p, k):
+                yield PartOf(part=part, whole=whole, span=p.span(i, end)), end
+
+
+def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
+    """ "two of the four red blocks", "none of them"."""
+    for whole, end in simple(p, j):
+        if (
+            isinstance(whole, Noun)
+            and whole.det in ("the", "bare", "its", "other", "all")
+            and (whole.plural or whole.amount)
+        ):
+            plain = whole.det == "bare" and whole.amount is None
+            if plain and found.det != "some":
+                continue
+            yield (
+                Noun(
+                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
+                ),
+                end,
+            )
+        elif isinstance(whole, Pronoun) and whole.word in (
+            "them",
+            "these",
+            "those",
+            "the others",
+            "the rest",
+            "others",
+        ):
+            yield (
+                Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)),
+                end,
+            )
+
+
+def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
+    """The noun itself: (head, plural, traits it brings)."""
+    for table, head in ((lexicon.BLOCK, "block"), (lexicon.LOOSE_BLOCK, "block")):
+        plural = p.lex(i, table)
+        if plural is not None:
+            yield (head, plural, {}), i + 1
+    j = i
+    while p.lex(j, lexicon.PATCH) is not None:
+        j += 1
+    if j > i:
+        yield ("patch", bool(p.lex(j - 1, lexicon.PATCH)), {}), j
+    for table, kind in ((lexicon.LETTER, "letter"), (lexicon.DIGIT, "digit"), (lexicon.SYMBOL, "symbol")):
+        plural = p.lex(i, table)
+        if plural is not None:
+            yield ("block", plural, {"kind": kind}), i + 1
+    for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
+        if j := p.one(i, frozenset({words, words + "s"})):
+            yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
+    if j := p.one(i, frozenset({"one", "ones"})):
+        yield ("any", p.words[i] == "ones", {}), j
+
+
+def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]:
+    for marks, j in adjectives(p, start):
+        for (head, plural, brings), k in _head(p, j):
+            both = merge(marks, brings)
+            if both is not None:
+                yield from _finish(p, i, k, quantity, head, plural, both)
+        yield from _headless(p, i, start, j, quantity, marks)
+
+
+def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: Marks) -> Results[Meaning]:
+    """ "red on blue", "the other two", "A", "a red and a blue block"."""
+    if j > start and (marks.get("colors") or marks.get("size") or marks.get("rank") or marks.get("edge")):
+        plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
+        yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1)
+    counted = quantity.amount is not None and quantity.det in ("the", "bare", "other", "another", "both", "some")
+    if j == start and (counted or quantity.det in ("other", "another")):
+        yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=2)
+    if (quantity.det in ("bare", "the", "all", "both") and quantity.amount is None) or quantity.det == "a":
+        for (labels, more), k in label_list(p, j):
+            held = merge(marks, {"labels": labels, "open_ended": more})
+            if held is not None and (len(labels) == 1 or quantity.det != "a"):
+                yield from _finish(p, i, k, quantity, "block", len(labels) > 1, held, cost=1)
+
+
+def _finish(
+    p: Parser, i: int, j: int, quantity: Quantity, head: str, plural: bool, marks: Marks, cost: int = 0
+) -> Results[Meaning]:
+    """The noun with what may follow it: labels, "of ...", "that ..."."""
+    low = quantity.amount
+    many = plural or bool(low and low.high != 1)
+    if (quantity.det == "each" and plural) or (quantity.det == "a" and plural and not low):
+        return
+    if low is not None and low == Amount(1, 1) and plural and quantity.det in ("a", "bare"):
+        return
+    if low is not None and low.low > 1 and not plural and head not in ("any",) and quantity.det != "each":
+        cost += 1
+    if len(marks.get("colors", ())) > 1 and not many and not marks.get("either"):
+        cost += 1
+        many = True
+    noun = Noun(
+        head=head, det=quantity.det, amount=low, plural=many, traits=Traits(**marks), span=p.span(i, j), cost=cost
+    )  # fmt: skip
+    yield from _after(p, i, j, noun, marks)
+
+
+@rule
+def _after(p: Parser, i: int, j: int, noun: Noun, marks: Any) -> Results[Meaning]:
+    from rpg.passes.schema.grammar.relatives import relative
+
+    yield noun, j
+    tried = [(noun, j, dict(EMPTY))]
+    for update, k in of_quality(p, j, noun.head):
+        changed = _with(noun, update, p.span(i, k))
+        if changed is not None:
+            yield changed, k
+            tried.append((changed, k, update))
+    for base, at, _ in tried:
+        for condition, k in relative(p, at, base.head):
+            if isinstance(condition, Traits):
+                more = {n: getattr(condition, n) for n in Traits.__dataclass_fields__}
+                changed = _with(base, {n: v for n, v in more.items() if v != getattr(Traits(), n)}, p.span(i, k))
+                if changed is not None:
+                    yield changed, k
+            else:
+                yield replace(base, conditions=(*base.conditions, *condition), span=p.span(i, k)), k
+
+
+def _with(noun: Noun, update: Marks, span: tuple[int, int]) -> Noun | None:
+    """`noun` with more traits, unless they contradict those it has."""
+    if clash(noun.traits, update):
+        return None
+    plural = noun.plural or len(update.get("labels", ())) > 1
+    return replace(noun, traits=replace(noun.traits, **update), span=span, plural=plural)
+
+
+def spelt(p: Parser, i: int) -> str | None:
+    """A word to be spelt at i."""
+    return literal(p, i)

@@ -1,0 +1,223 @@
+"""The words of the language: plain tables from what people write to what it stands for.
+
+Each table maps a sense to the words that have it; `LEXICON[category][word]` is the way back. Words that only the grammar
+names (prepositions, determiners) are listed in `FUNCTION_WORDS`, so that a misspelt one is recognised too.
+"""
+
+from __future__ import annotations
+
+COLORS = {
+    "red": "red crimson scarlet maroon ruby",
+    "orange": "orange",
+    "yellow": "yellow gold golden",
+    "green": "green lime emerald olive",
+    "cyan": "cyan teal turquoise aqua",
+    "blue": "blue navy azure cobalt",
+    "purple": "purple violet lilac lavender",
+    "pink": "pink magenta rose fuchsia",
+    "brown": "brown beige tan",
+    "black": "black",
+    "gray": "gray grey silver",
+    "white": "white",
+}
+RAINBOW = ("red", "orange", "yellow", "green", "cyan", "blue", "purple", "pink")
+SHADES = "light dark bright pale deep vivid"
+
+NUMBERS = {
+    0: "zero", 1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six", 7: "seven", 8: "eight", 9: "nine",
+    10: "ten", 11: "eleven", 12: "twelve", 13: "thirteen", 14: "fourteen", 15: "fifteen", 16: "sixteen",
+    17: "seventeen", 18: "eighteen", 19: "nineteen", 20: "twenty", 30: "thirty", 40: "forty", 50: "fifty",
+}  # fmt: skip
+ORDINALS = {
+    1: "first 1st", 2: "second 2nd", 3: "third 3rd", 4: "fourth 4th", 5: "fifth 5th", 6: "sixth 6th",
+    7: "seventh 7th", 8: "eighth 8th", 9: "ninth 9th", 10: "tenth 10th",
+}  # fmt: skip
+UNITS = {
+    "0.01": "cm centimeter centimeters centimetre centimetres cms",
+    "0.001": "mm millimeter millimeters millimetre millimetres",
+    "0.0254": "inch inches in",
+    "1": "m meter meters metre metres",
+}
+DEGREES = "degree degrees deg °"
+
+BLOCK_NOUNS = "block cube brick box"
+LOOSE_BLOCK_NOUNS = "object item piece thing"
+PATCH_NOUNS = "patch target goal mat spot zone area pad marker"
+TABLE_NOUNS = "table tabletop workspace desk surface"
+LETTER_NOUNS = "letter character"
+DIGIT_NOUNS = "number digit numeral"
+SYMBOL_NOUNS = "symbol sign"
+
+STRUCTURES = {
+    "stack": "stack tower skyscraper",
+    "row": "row line queue sequence lineup",
+    "column": "column file",
+    "grid": "grid matrix array",
+    "checkerboard": "checkerboard chessboard",
+    "wall": "wall",
+    "pyramid": "pyramid",
+    "staircase": "staircase stair stairway step stairs steps",
+    "square": "square",
+    "rectangle": "rectangle oblong",
+    "triangle": "triangle",
+    "circle": "circle ring loop",
+    "plus": "plus cross",
+    "pile": "pile heap bunch cluster group bundle clump",
+    "word": "word",
+    "equation": "equation sum formula",
+    "set": "set collection bunch_of",
+}
+SHAPE_ADJECTIVES = {
+    "circle": "circular round ring_shaped",
+    "square": "square",
+    "rectangle": "rectangular",
+    "triangle": "triangular",
+    "staircase": "staircase",
+}
+
+SIZES = {"big": "big large huge giant", "small": "small little tiny mini", "medium": "medium"}
+BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
+
+VERBS = {
+    "place": "put place move set position lay bring transfer relocate drop push slide shift carry get deliver locate "
+    "seat rest insert nudge drag pull deposit",
+    "pick": "pick grab grasp lift take",
+    "stack": "stack pile heap",
+    "build": "build make create construct form assemble erect produce compose draw",
+    "arrange": "arrange align order organize organise line lay distribute spread position set rearrange",
+    "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch",
+    "spell": "spell write",
+    "turn": "rotate turn flip spin face orient point tip",
+    "swap": "swap exchange switch interchange",
+    "keep": "keep leave",
+    "unstack": "unstack dismantle disassemble topple destack",
+    "use": "use take",
+    "touch": "touch disturb",
+    "ignore": "ignore",
+    "remove": "remove clear empty",
+}
+PAST = {
+    "put": "put", "place": "placed", "move": "moved", "set": "set", "lay": "laid", "bring": "brought", "drop": "dropped",
+    "get": "got", "take": "taken", "stack": "stacked", "pile": "piled", "build": "built", "make": "made", "form": "formed",
+    "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
+    "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
+    "transfer": "transferred", "drag": "dragged",
+}  # fmt: skip
+DOUBLED = {
+    "put": "putting", "set": "setting", "get": "getting", "split": "splitting", "swap": "swapping", "flip": "flipping",
+    "spin": "spinning", "tip": "tipping", "transfer": "transferring", "drag": "dragging", "drop": "dropping",
+    "grab": "grabbing",
+}  # fmt: skip
+POSTURES = (
+    "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying stays stay "
+    "staying remains remain remaining ends end goes go located positioned placed put set arranged found situated lined "
+    "ending resides reside belong belongs stacked piled"
+)
+
+FUNCTION_WORDS = """
+a an the this that these those both all each every any no none some several few many multiple various another other others
+rest remaining either neither own its their it them they one ones itself themselves my your our his her
+and or but then plus as well while with without within using out of from into in to for by at on onto upon atop top over
+above below under underneath beneath bottom up down left right front back behind ahead before after between among middle
+center centre centred centered beside next adjacent adjoining alongside near nearby close closer far farther further away
+apart touching touch touches side sides hand end ends edge corner half directly immediately immediate right just exactly
+precisely roughly about around approximately somewhere anywhere against along across through inside not never nothing do
+does did should must shall will would can could may might have has had having be is are there here where which who what so
+such that same different distinct unique alternating alternate alternately mirrored mirror symmetrical symmetric palindrome
+order ordered ordering alphabetical alphabetic alphabetically numeric numerical numerically ascending descending increasing
+decreasing increasingly strictly sorted rainbow gradient spectrum color colors colour colours colored coloured colorful
+colourful matching match matches corresponding respective respectively specific named labelled labeled marked showing show
+shows reading read reads saying say says called bearing carrying spelling spells facing faces upright upside upward upwards
+downward downwards sideways clockwise counterclockwise anticlockwise first second last finally lastly next initially
+initial start starts starting begin begins beginning started given assume assuming suppose originally currently already
+final finish finishing end ending time once again together close evenly equally spaced spacing gap gaps space distance
+tolerance least most more less than fewer exactly only maximum minimum couple pair dozen half empty free vacant unoccupied
+clear filled solid hollow outline outlined long short tall high wide deep higher lower tallest height length width size
+sized base layer layers level levels floor story storey tier tiers row rows column columns per also too additionally
+however instead vowel vowels consonant consonants even odd ignore extra distractor distractors additional spare please
+kindly simple simply nice new horizontal horizontally vertical vertically straight diagonal diagonally single double triple
+correct valid true math mathematical arithmetic addition subtraction multiplication division minus times equals equal
+divided plain uncoloured uncolored ordinary normal regular assorted mixed random arbitrary sandwiched surrounded leftmost
+rightmost topmost uppermost lowermost bottommost lowest highest frontmost rearmost nearest farthest furthest closest
+largest biggest smallest greatest tallest shortest reverse reversed reading unrotated orientation face facing side
+consisting composed made containing contains contain consist comprising constructed you i we want would like love need
+wish see goal task robot let us me make sure ensure try able possible desired configuration arrangement picture scene table
+shape shaped form forms pattern whose who when until unless during always never at everything anything one's cubic
+horizontal semantic target designated temporal exact respective tower's every everything stacked whole entire total
+"""  # fmt: skip
+
+
+def _back(table: dict[str, str]) -> dict[str, str]:
+    return {word: sense for sense, words in table.items() for word in words.split()}
+
+
+def plural_of(noun: str) -> str:
+    """The regular plural of an English noun."""
+    if noun.endswith(("s", "x", "ch", "sh")):
+        return noun + "es"
+    if noun.endswith("y") and noun[-2] not in "aeiou":
+        return noun[:-1] + "ies"
+    return noun + "s"
+
+
+def _nouns(words: str) -> dict[str, bool]:
+    """Word -> whether it is a plural."""
+    found: dict[str, bool] = {}
+    for noun in words.split():
+        found[plural_of(noun)] = True
+        found[noun] = False
+    return found
+
+
+def _inflected(verb: str) -> dict[str, str]:
+    """Form -> "base", "s", "ing" or "past"."""
+    stem = verb[:-1] if verb.endswith("e") else verb
+    forms = {plural_of(verb): "s", DOUBLED.get(verb, stem + "ing"): "ing"}
+    for past in PAST.get(verb, stem + "ed").split():
+        forms[past] = "past"
+    forms[verb] = "base"
+    return forms
+
+
+def _verbs() -> dict[str, tuple[tuple[str, str, str], ...]]:
+    found: dict[str, list[tuple[str, str, str]]] = {}
+    for sense, words in VERBS.items():
+        for verb in words.split():
+            for form, tense in _inflected(verb).items():
+                found.setdefault(form, []).append((sense, verb, tense))
+                if form == PAST.get(verb):
+                    continue
+                if tense == "past" and form == verb:
+                    found[form].append((sense, verb, "base"))
+    for word in ("put", "set", "spread", "split"):
+        found[word] += [(s, v, "base") for s, v, t in found[word] if t == "past"]
+    return {form: tuple(dict.fromkeys(senses)) for form, senses in found.items()}
+
+
+def _structures() -> dict[str, tuple[str, bool]]:
+    found: dict[str, tuple[str, bool]] = {}
+    for kind, words in STRUCTURES.items():
+        for word in words.split():
+            if not word.endswith("s") or word == "cross":
+                found[plural_of(word)] = (kind, True)
+            found[word] = (kind, False)
+    return found
+
+
+COLOR = _back(COLORS)
+NUMBER = {word: n for n, word in NUMBERS.items()}
+ORDINAL = {word: n for n, words in ORDINALS.items() for word in words.split()}
+UNIT = {word: float(factor) for factor, words in UNITS.items() for word in words.split()}
+BLOCK = _nouns(BLOCK_NOUNS)
+LOOSE_BLOCK = _nouns(LOOSE_BLOCK_NOUNS)
+PATCH = _nouns(PATCH_NOUNS)
+TABLE = _nouns(TABLE_NOUNS)
+LETTER = _nouns(LETTER_NOUNS)
+DIGIT = _nouns(DIGIT_NOUNS)
+SYMBOL = _nouns(SYMBOL_NOUNS)
+STRUCTURE = _structures()
+SHAPE_ADJECTIVE = _back(SHAPE_ADJECTIVES)
+SIZE = _back(SIZES)
+VERB = _verbs()
+POSTURE = frozenset(POSTURES.split())
+SHADE = frozenset(SHADES.split())

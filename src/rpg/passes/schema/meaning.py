@@ -1,0 +1,283 @@
+"""What words mean before anybody asks which blocks they speak of: small frozen records with spans.
+
+A noun phrase with its adjuncts knows nothing of the other sentences; `resolve` turns these records into objects and a
+goal. `cost` ranks readings: natural ones are free.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any, NamedTuple
+
+from rpg.core.diagnostics import Span
+
+
+class Amount(NamedTuple):
+    """How many: from `low` to `high` (None: no limit). `strict`: "exactly", "at least" ... was said."""
+
+    low: int
+    high: int | None
+    strict: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Meaning:
+    """The root of every record."""
+
+    span: Span
+    cost: int = 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Traits:
+    """What a noun phrase says of each of its objects (colours and labels: of all of them together)."""
+
+    colors: tuple[str, ...] = ()
+    either: bool = False
+    labels: tuple[str, ...] = ()
+    open_ended: bool = False
+    kind: str | None = None
+    quality: str | None = None
+    edge: float | None = None
+    size: str | None = None
+    scheme: str | None = None
+    shape: str | None = None
+    long: bool = False
+    extent: tuple[float, float] | None = None
+    matching: bool = False
+    empty: bool = False
+    rank: str | None = None
+    extra: bool = False
+    target: bool = False
+    shade: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Noun(Meaning):
+    """Blocks or patches by description. `head`: "block", "patch", or "any" for "one" and bare adjectives.
+
+    `det`: "a", "the", "all", "each", "any", "no", "both", "some", "other", "another", "bare". `part_of`: "two of ...".
+    """
+
+    head: str
+    det: str = "bare"
+    amount: Amount | None = None
+    plural: bool = False
+    traits: Traits = Traits()
+    part_of: Meaning | None = None
+    conditions: tuple[Meaning, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Structure(Meaning):
+    """Something that blocks form. `size`: blocks along it; `dims`: its extents; `details`: adjuncts of its own."""
+
+    kind: str
+    det: str = "a"
+    amount: Amount | None = None
+    plural: bool = False
+    size: Amount | None = None
+    dims: tuple[int, ...] = ()
+    members: Meaning | None = None
+    traits: Traits = Traits()
+    details: tuple[Meaning, ...] = ()
+    letter: str | None = None
+    filled: bool | None = None
+    upright: bool | None = None
+    each_size: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Coord(Meaning):
+    """Several noun phrases joined by "and" or "or"."""
+
+    op: str
+    items: tuple[Meaning, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pronoun(Meaning):
+    """ "it", "them", "each other", "one", "other": something mentioned before."""
+
+    word: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TableTop(Meaning):
+    """The table."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PartOf(Meaning):
+    """The top, bottom, middle ... of a structure, or an end of it."""
+
+    part: str
+    whole: Meaning | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Loc(Meaning):
+    """A relation to a landmark (`second`: the other end of "between"). Distances in metres.
+
+    `mods` among "directly", "immediate", "somewhere", "start" (where the episode finds it).
+    """
+
+    rel: str
+    landmark: Meaning | None = None
+    second: Meaning | None = None
+    mods: tuple[str, ...] = ()
+    low: float | None = None
+    high: float | None = None
+    measure: str = "centres"
+    negated: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class In(Meaning):
+    """A region of the table."""
+
+    region: str
+    negated: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OrderBy(Meaning):
+    """How the members of a line are ordered."""
+
+    by: str
+    items: tuple[Meaning, ...] = ()
+    attribute: str = "color"
+    descending: bool = False
+    reverse: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Toward(Meaning):
+    """The side where an order begins ("from left to right": left), or an axis alone."""
+
+    first: str | None = None
+    axis: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class At(Meaning):
+    """A place inside the structure spoken of: "at the bottom", "in the middle", "third from the left"."""
+
+    side: str
+    index: int | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Absolute(Meaning):
+    """ "with the red block on top": a thing and what is said of it."""
+
+    theme: Meaning
+    adjuncts: tuple[Meaning, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Using(Meaning):
+    """ "with / from / using" the blocks to be used."""
+
+    members: Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Into(Meaning):
+    """ "into a tower", "in a row", "so that they form a circle"."""
+
+    structure: Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pattern(Meaning):
+    """ "each row a different colour": members of each unit agree; units differ if `different`."""
+
+    unit: str
+    different: bool = True
+    attribute: str = "color"
+    values: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spacing(Meaning):
+    """ "evenly", "touching", "5 cm apart" inside a structure."""
+
+    kind: str
+    low: float | None = None
+    high: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Size(Meaning):
+    """Dimensions said after the noun: "three blocks high", "with a base of 3 x 3"."""
+
+    what: str
+    amount: Amount | None = None
+    dims: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Manner(Meaning):
+    """How a verb is meant: "upside down", "clockwise", "by 90 degrees", "upright"; values by kind."""
+
+    kind: str
+    value: str | float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Quality(Meaning):
+    """A predicate adjective: "are blue", "is long", "of the same colour"."""
+
+    traits: Traits
+    negated: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class That(Meaning):
+    """ "so that ..." with the clauses that follow, or "without ..." (`kind` "without"), "starting with ..." ("start")."""
+
+    kind: str
+    clauses: Meaning
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Clause(Meaning):
+    """A verb with its theme and adjuncts. `verb` is a sense of the lexicon, "be" for states, "exist" for "there is"."""
+
+    verb: str
+    lemma: str = ""
+    theme: Meaning | None = None
+    adjuncts: tuple[Meaning, ...] = ()
+    negated: bool = False
+    mode: str = "command"
+    word: Span | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Chain(Meaning):
+    """Clauses in a row; `links[i]` joins clause i to the one before it: "and", "then", "or", "before", "after"."""
+
+    clauses: tuple[Meaning, ...]
+    links: tuple[str, ...]
+
+
+def cost_of(meaning: Any) -> int:
+    """The sum of the costs of a meaning and everything in it."""
+    if isinstance(meaning, Meaning):
+        return meaning.cost + sum(cost_of(getattr(meaning, f.name)) for f in fields(meaning) if f.name != "span")
+    if isinstance(meaning, tuple) and not isinstance(meaning, Amount):
+        return sum(cost_of(item) for item in meaning)
+    return 0
+
+
+def parts_of(meaning: Any) -> Any:
+    """Every record inside `meaning`, itself first, in order of reading."""
+    if isinstance(meaning, Meaning):
+        yield meaning
+        for f in fields(meaning):
+            if f.name not in ("span", "cost"):
+                yield from parts_of(getattr(meaning, f.name))
+    elif isinstance(meaning, tuple) and not is_dataclass(meaning):
+        for item in meaning:
+            yield from parts_of(item)

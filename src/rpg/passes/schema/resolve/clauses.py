@@ -1,0 +1,478 @@
+"""Clauses -> goals: what each verb makes of its theme and its adjuncts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.order import Order
+from rpg.passes.schema.meaning import Clause, Coord, In, Into, Loc, Manner, Meaning, Noun, Pronoun, Structure
+from rpg.passes.schema.resolve import turning
+from rpg.passes.schema.resolve.appearance import appear
+from rpg.passes.schema.resolve.groups import attribute_of, sort_into
+from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.relations import conj, foot, matching_patches, place, reciprocal
+from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.structures import make, row_built, row_node, stack_built
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
+
+Goals = list[g.Goal]
+
+
+def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
+    """The goals that a clause states; structures that its noun phrases bring up come first."""
+    scene.clause += 1
+    number = scene.clause
+    scope = Scope(start=start, given=clause.mode == "given" or clause.mode == "start" or start)
+    spec = sort_adjuncts(clause.adjuncts)
+    goals = _dispatch(clause, spec, scene, scope)
+    brought = scene.goals.pop(number, [])
+    goals = [*brought, *goals]
+    later = _thats(spec, scene, start)
+    _leftovers(spec, clause)
+    if clause.negated:
+        goals = [g.Not(goal=conj(goals, clause.span), span=clause.span)] if goals else []
+    return [*goals, *later]
+
+
+def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    match clause.verb:
+        case "exist":
+            return _exist(clause, spec, scene, scope)
+        case "ignore":
+            return _ignore(clause, scene, scope)
+        case "keep" | "touch" | "pick" | "unstack" | "remove" | "swap" | "turn" | "use":
+            return _special(clause, spec, scene, scope)
+        case "sort":
+            return _sort(clause, spec, scene, scope)
+        case "spell" | "read":
+            return _spell(clause, spec, scene, scope)
+    if spec.qualities and clause.verb == "be":
+        appear(clause, spec, scene, scope)
+        return []
+    if clause.negated and clause.verb == "place" and not clause.adjuncts:
+        return turning.stay(clause, spec, scene, scope, stays=True)
+    if _is_shape(clause.theme) or (clause.theme is None and spec.intos):
+        return _shaped(clause, spec, scene, scope)
+    if clause.theme is None:
+        return _themeless(clause, spec, scene, scope)
+    if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
+        return turning.turn(clause, spec, scene, scope)
+    theme = refer(_counted(clause.theme, spec, clause), scene, replace(scope, need_each=_each_need(spec)))
+    return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
+
+
+def _each_need(spec: Spec) -> int:
+    return 2 if any(p.unit in ("stack", "pile") for p in spec.patterns) else 1
+
+
+def _is_shape(theme: Meaning | None) -> bool:
+    return isinstance(theme, Structure) or (isinstance(theme, Coord) and any(isinstance(i, Structure) for i in theme.items))
+
+
+def _counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
+    """Kinds and numbers that the adjuncts imply for an open theme ("the blocks in alphabetical order")."""
+    from rpg.passes.schema.resolve.orders import implied_kind
+
+    kind = implied_kind(spec)
+    if isinstance(theme, Noun) and kind and not theme.traits.kind and not theme.traits.labels and not theme.traits.colors:
+        return replace(theme, traits=replace(theme.traits, kind=kind))
+    return theme
+
+
+def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """What becomes of blocks that a verb speaks of: a structure, a line in an order, places."""
+    if theme.table:
+        raise refuse("misplaced", "the table stays where it is", theme.span, "name blocks")
+    goals: Goals = []
+    structured = False
+    heaped = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
+    spec.places = [p for p in spec.places if p not in heaped]
+    ref = theme
+    if spec.intos:
+        ref, made = _into(theme, spec, scene, scope)
+        goals += made
+        structured = True
+    elif heaped or verb == "stack":
+        ref, made = _stacked(theme, spec, scene, scope, span, bool(heaped))
+        goals += made
+        structured = True
+    elif _wants_row(verb, spec, theme):
+        node = row_node(theme.names, "line", spec, scene, scope, span)
+        spec.orders = []
+        ref = replace(theme, built=(row_built(node, "line", scene),))
+        goals.append(node)
+        structured = True
+    elif spec.patterns and any(p.unit == "stack" for p in spec.patterns):
+        raise refuse("misplaced", "towers are spoken of, but nothing is stacked", spec.patterns[0].span, "say 'stack'")
+    goals += _places(ref, spec, scene, scope, span)
+    goals += loose_ats(ref, spec, scene, span) if spec.ats else []
+    if not goals and not structured and not spec.thats and not spec.absolutes:
+        raise refuse("no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'")
+    if spec.absolutes:
+        goals += absolutes(spec, scene, scope)
+    return goals
+
+
+def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
+    if spec.orders or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
+        return True
+    return verb == "arrange" and not spec.places and not spec.thats and len(theme.names) > 1
+
+
+def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:
+    into = spec.intos.pop(0)
+    target = into.structure
+    if spec.intos:
+        raise refuse("order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them")
+    if isinstance(target, Coord):
+        raise refuse("ambiguous", "it is not said which blocks go into which structure", target.span, "use a clause for each")
+    if not isinstance(target, Structure):
+        raise refuse("misplaced", "this is nothing that blocks can form", target.span)
+    if theme.quant is not None:
+        raise refuse("ambiguous", "it is not said which of the blocks", theme.span, "name the blocks")
+    built, goals = make(target, spec, theme, scene, scope)
+    spec.orders = []
+    ref = replace(theme, built=tuple(built))
+    scene.mention(ref, "theme")
+    return ref, goals
+
+
+def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, heaped: bool) -> tuple[Ref, Goals]:
+    """The verb "stack": a tower of the theme, on something where that is said."""
+    if any(p.unit in ("stack", "pile") for p in spec.patterns) or any(o.by == "attribute" for o in spec.orders):
+        return _towers_by(theme, spec, scene, span)
+    if len(theme.names) == 1:
+        if not spec.places and not heaped:
+            raise refuse("no-goal", "it is not said on what to stack it", span, "say 'on the blue block'")
+        return theme, []
+    if theme.quant is not None or theme.op == "or":
+        raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
+    base = _base(theme, spec, scene, scope)
+    order = order_of(spec, theme.names, "stack", scene, scope, span)
+    spec.orders, spec.toward = [], []
+    names = theme.names
+    if base:
+        names = (*base, *names)
+        ranks = order.ranks if order.by == "given" else ((theme.names),)
+        if order.by not in ("any", "given") or order.first == "top":
+            raise refuse("ambiguous", "an order of part of a tower is not understood here", span, "name every block from the bottom up")
+        order = Order(by="given", ranks=tuple((*((b,) for b in base), *ranks)), first="bottom")
+    node = s.Stack(blocks=names, order=order, readable=order.by in ("label", "number"), span=span)
+    built = stack_built(node, scene)
+    ref = replace(theme, names=names, built=(built,))
+    scene.mention(ref, "theme")
+    return ref, [node]
+
+
+def _base(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[str, ...]:
+    """"stack the green and the red block on the blue one": the blue block is the bottom of the tower."""
+    for item in list(spec.places):
+        if isinstance(item, Loc) and item.rel == "on" and isinstance(item.landmark, Noun) and not item.negated and item.landmark.head != "patch":
+            if item.landmark.traits.matching:
+                continue
+            mark = refer(item.landmark, scene, replace(scope, role="landmark"))
+            if mark.patch or len(mark.names) != 1:
+                scene.mentions.pop()
+                if not mark.patch:
+                    raise refuse("ambiguous", "a tower stands on one block", item.span, "name one block")
+                continue
+            spec.places.remove(item)
+            return mark.names
+    return ()
+
+
+def _towers_by(theme: Ref, spec: Spec, scene: Scene, span: Span) -> tuple[Ref, Goals]:
+    """"stack the blocks by colour", "where each stack is one colour"."""
+    from rpg.passes.schema.resolve.groups import fill, value_of
+
+    attribute = attribute_of(spec) or "color"
+    things = [scene.things[n] for n in theme.names]
+    fill(things, attribute, None, scene)
+    keys: dict[str, list[str]] = {}
+    for thing in things:
+        keys.setdefault(value_of(thing, attribute), []).append(thing.name)
+    if any(len(v) < 2 for v in keys.values()):
+        short = next(k for k, v in keys.items() if len(v) < 2)
+        raise refuse("too-few", f"a lone {short} block is no tower", span, "name at least two of each")
+    node = s.Towers(blocks=theme.names, count=len(keys), each=attribute, separate=True, span=span)  # type: ignore[arg-type]
+    built = tuple(scene.add_built("stack", v, False, span) for v in keys.values())
+    return replace(theme, built=built), [node]
+
+
+def _places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """Every place of the clause, for the theme or the structure it became."""
+    goals: Goals = []
+    vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
+    level = [p for p in spec.places if p not in vertical]
+    respectively = spec.manner("respectively") is not None
+    for item in [*vertical, *level]:
+        if isinstance(item, Loc) and item.rel == "heaped":
+            continue
+        goals += _place_one(ref, item, scene, scope, span, respectively)
+    spec.places = []
+    return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
+
+
+def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, respectively: bool) -> Goals:
+    where = (min(span[0], item.span[0]), max(item.span[1], span[0]))
+    if isinstance(item, Loc) and item.landmark is not None and ref.built and item.rel == "on":
+        patched = _tower_patch(ref, item, scene, scope, where)
+        if patched is not None:
+            return patched
+    if respectively and isinstance(item, Loc) and item.landmark is not None:
+        mark = refer(item.landmark, scene, replace(scope, role="landmark"))
+        if len(mark.names) != len(ref.names):
+            raise refuse("count-mismatch", f"'respectively' pairs {len(ref.names)} with {len(mark.names)}", item.span, "list as many of both", left=len(ref.names), right=len(mark.names))
+        goals: Goals = []
+        for a, b in zip(ref.names, mark.names, strict=True):
+            single = replace(item, landmark=Pronoun(word="@" + b, span=item.span))
+            goals += _direct(Ref(names=(a,), span=ref.span), Ref(names=(b,), patch=mark.patch, span=mark.span), single, scene, where)
+        return goals
+    return place(ref, item, scene, scope, where)
+
+
+def _direct(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Goals:
+    from rpg.passes.schema.resolve.relations import related
+
+    return related(theme, mark, loc, scene, span)
+
+
+def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) -> Goals | None:
+    """A structure on patches: one patch for all, or a matching one for each tower."""
+    landmark = item.landmark
+    if isinstance(landmark, Noun) and (landmark.traits.matching or (landmark.head == "patch" and landmark.traits.scheme in ("some", "different") and not landmark.traits.colors)):
+        return matching_patches(ref, Ref(patch=True, matching=True), scene, span)
+    return None
+
+
+def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
+    """"on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
+    goals: Goals = []
+    for at_ in spec.ats:
+        scene.loose.append((ref, at_, span))
+    spec.ats = []
+    return goals or [g.All(goals=())]
+
+
+def absolutes(spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"with a red block next to it": further conditions."""
+    goals: Goals = []
+    for item in spec.absolutes:
+        theme = refer(item.theme, scene, replace(scope, role="theme"))
+        inner = sort_adjuncts(item.adjuncts)
+        if inner.ats:
+            goals += loose_ats(theme, inner, scene, item.span)
+        for adjunct in inner.places:
+            if isinstance(adjunct, Loc) and adjunct.rel == "heaped":
+                raise refuse("misplaced", "this does not fit here", adjunct.span)
+            goals += place(theme, adjunct, scene, scope, item.span)
+    spec.absolutes = []
+    return goals
+
+
+def _shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """A structure as the theme ("build a tower of ..."), or what the clause is to form ("arrange in a circle")."""
+    shapes: list[Meaning]
+    if clause.theme is None:
+        shapes = [spec.intos.pop(0).structure]
+    else:
+        shapes = list(clause.theme.items) if isinstance(clause.theme, Coord) else [clause.theme]
+    built: list[Built] = []
+    goals: Goals = []
+    parts: list[Ref] = []
+    for shape in shapes:
+        if isinstance(shape, Structure) and not _spoken_of(shape, clause, scene):
+            if shape.kind == "pile" and spec.places and clause.verb == "stack":
+                raise refuse("misplaced", "piles lie on the table", shape.span)
+            more, atoms = make(shape, spec, None, scene, scope)
+            spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
+            goals += atoms
+            built += more
+            parts.append(Ref(names=tuple(n for b in more for n in b.members), built=tuple(more), span=shape.span))
+        else:
+            ref = refer(shape, scene, scope)
+            built += ref.built
+            parts.append(ref)
+    names = tuple(dict.fromkeys(n for p in parts for n in p.names))
+    ref = Ref(names=names, built=tuple(built), plural=len(built) > 1, parts=tuple(parts) if len(parts) > 1 else (), span=clause.span)
+    scene.mention(ref, "theme")
+    if spec.intos:
+        raise refuse("order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them")
+    used = list(goals)
+    spec.orders = []
+    goals += _places(ref, spec, scene, scope, clause.span)
+    if spec.absolutes:
+        goals += absolutes(spec, scene, scope)
+    if not used and not goals:
+        raise refuse("no-goal", "it is not said what to do with it", clause.span)
+    return goals
+
+
+def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:
+    from rpg.passes.schema.resolve.structures import _known
+
+    if clause.verb in ("build", "spell") and shape.det in ("a", "bare", "some"):
+        return False
+    return shape.det in ("the", "its", "each", "all", "both") and bool(_known(shape, scene))
+
+
+def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"align in a row", "sort by colour": the blocks spoken of before."""
+    if not any(True for _ in scene.blocks()) and not spec.usings:
+        raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
+    source = spec.usings.pop(0).members if spec.usings else Pronoun(word="everything", span=clause.span)
+    theme = refer(source, scene, scope)
+    return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
+
+
+def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"there are three red blocks": objects; with a place in a goal: a condition."""
+    if clause.mode == "given":
+        theme = refer(clause.theme, scene, replace(scope, given=True, start=True)) if clause.theme else Ref()
+        scene.mentions[-1].role = "given"
+        for name in theme.names:
+            scene.things[name].declared = True
+        goals = [goal for item in spec.places for goal in place(theme, item, scene, replace(scope, start=True), clause.span)]
+        spec.places = []
+        scene.start_goals += [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+        return []
+    if _is_shape(clause.theme):
+        return _shaped(clause, spec, scene, scope)
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    goals = _places(theme, spec, scene, scope, clause.span)
+    if not goals:
+        raise refuse("no-goal", "it is not said where", clause.span, "say where the blocks should be")
+    return goals
+
+
+def _ignore(clause: Clause, scene: Scene, scope: Scope) -> Goals:
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    for name in theme.names:
+        scene.things[name].extra = True
+    return []
+
+
+def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    match clause.verb:
+        case "keep":
+            return turning.keep(clause, spec, scene, scope)
+        case "touch":
+            return turning.stay(clause, spec, scene, scope, stays=clause.negated)
+        case "pick":
+            return turning.pick(clause, spec, scene, scope)
+        case "unstack" | "remove":
+            return turning.remove(clause, spec, scene, scope)
+        case "swap":
+            return turning.swap(clause, spec, scene, scope)
+        case "turn":
+            return turning.turn(clause, spec, scene, scope)
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
+
+
+def _sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
+    line = any(getattr(i.structure, "kind", "") in ("row", "line", "column", "stack", "grid") for i in spec.intos)
+    ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
+    if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
+        built, goals = _sort_piles(clause.theme, spec, scene, scope)
+        return goals
+    if clause.theme is None and not any(True for _ in scene.blocks()):
+        raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
+    apart = next((p for p in spec.places if isinstance(p, Loc) and p.rel in ("apart", "off") and not p.negated), None)
+    theme_meaning = _counted(clause.theme, spec, clause) if clause.theme is not None else Pronoun(word="everything", span=clause.span)
+    if isinstance(theme_meaning, Structure):
+        return _shaped(clause, spec, scene, scope)
+    attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
+    theme = refer(theme_meaning, scene, replace(scope, need=6 if not (line or ordered) else 4, need_each=2))
+    if line or ordered:
+        return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
+    if clause.lemma in ("gather", "collect", "cluster", "group", "bunch") and attribute is None and not spec.intos:
+        spec.places = [p for p in spec.places if getattr(p, "rel", "") not in ("near", "together")]
+        node = s.GroupBy(groups=(theme.names,), span=clause.span)
+        ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
+        return [node, *_places(ref, spec, scene, scope, clause.span)]
+    if clause.lemma in ("separate", "split", "divide") and attribute is None:
+        return _separate(theme, apart, spec, scene, scope, clause)
+    shape = _pile_target(spec)
+    attribute = attribute_of(spec)
+    built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
+    ref = replace(theme, built=tuple(built))
+    return goals + _places(ref, spec, scene, scope, clause.span)
+
+
+def _pile_target(spec: Spec) -> Structure | None:
+    for into in list(spec.intos):
+        if isinstance(into.structure, Structure) and into.structure.kind == "pile":
+            spec.intos.remove(into)
+            return into.structure
+    return None
+
+
+def _sort_piles(shape: Structure, spec: Spec, scene: Scene, scope: Scope) -> tuple[list[Built], Goals]:
+    _pile_target(spec)
+    attribute = attribute_of(spec)
+    return sort_into(None, attribute, shape, spec, scene, scope, shape.span)
+
+
+def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Scope, clause: Clause) -> Goals:
+    """"separate the red blocks from the blue ones"."""
+    target = _pile_target(spec)
+    if apart is None and len(theme.parts) == 2:
+        groups: tuple[tuple[str, ...], ...] = tuple(p.names for p in theme.parts)
+    elif apart is not None and apart.landmark is not None:
+        spec.places.remove(apart)
+        mark = refer(apart.landmark, scene, replace(scope, role="landmark"))
+        if mark.reciprocal:
+            return reciprocal(theme, apart, clause.span)
+        groups = (theme.names, mark.names)
+    else:
+        attribute = attribute_of(spec)
+        return sort_into(theme.names, attribute, target, spec, scene, scope, clause.span)[1]
+    return [s.GroupBy(groups=groups, span=clause.span)]
+
+
+def _spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    if clause.verb == "read" and isinstance(clause.theme, Noun):
+        theme = refer(clause.theme, scene, scope)
+        kinds = {scene.things[n].kind for n in theme.names}
+        node_kind = "label" if kinds == {"letter"} else "number"
+        spec.orders = [o for o in spec.orders if o.by not in ("label", "number", "ascending")]
+        spec.usings = []
+        node = row_node(theme.names, "line", spec, scene, scope, clause.span)
+        order = Order(by=node_kind, first="left") if node.order.by == "any" else node.order  # type: ignore[arg-type]
+        scene.assume("read from left to right")
+        return [node.model_copy(update={"order": order, "readable": True, "axis": "y"})]
+    return _shaped(clause, spec, scene, scope)
+
+
+def _thats(spec: Spec, scene: Scene, start: bool) -> Goals:
+    """"so that ...", "without ...": the clauses inside."""
+    from rpg.passes.schema.resolve.chains import chain_goals
+
+    goals: Goals = []
+    for that in spec.thats:
+        if that.kind == "without":
+            goals += turning.without(that, scene)
+        else:
+            goals += chain_goals(that.clauses, scene, start)  # type: ignore[arg-type]
+    spec.thats = []
+    return goals
+
+
+def _leftovers(spec: Spec, clause: Clause) -> None:
+    """Refuse what no reading of the verb has used: a word must never be dropped in silence."""
+    for name in ("orders", "toward", "ats", "absolutes", "usings", "patterns", "spacings", "sizes", "places", "intos", "qualities"):
+        for item in getattr(spec, name):
+            raise refuse("misplaced", "this is understood, but does not fit what is said here", item.span, "say it in a sentence of its own")
+    for manner in spec.manners:
+        if manner.kind not in ("idle", "finally", "always"):
+            raise refuse("misplaced", "this is understood, but does not fit what is said here", manner.span, "say it in a sentence of its own")
+
+
+__all__ = ["In", "Into", "Manner", "Pronoun", "clause_goals", "conj", "foot", "r"]

@@ -1,0 +1,80 @@
+"""Goals that cannot hold together: for sequences (a later stage undoes an earlier one) and for contradictions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.walk import atoms
+
+
+def undoes(later: g.Goal, earlier: g.Goal) -> bool:
+    """Whether `later` cannot hold while `earlier` does (as far as can be told from names alone)."""
+    for a in required(earlier):
+        for b in required(later):
+            if clash(a, b):
+                return True
+    return False
+
+
+def required(goal: g.Goal) -> Iterator[g.Goal]:
+    """Atoms and negated atoms that must hold for `goal` to hold."""
+    match goal:
+        case g.All():
+            for child in goal.goals:
+                yield from required(child)
+        case g.Sequence():
+            for stage in goal.stages:
+                if not stage.undone:
+                    yield from required(stage.goal)
+        case g.Always():
+            yield from required(goal.goal)
+        case g.Any() | g.Count():
+            return
+        case _:
+            yield goal
+
+
+_OPPOSITE = {"left_of": "right_of", "right_of": "left_of", "in_front_of": "behind", "behind": "in_front_of"}
+
+
+def clash(a: g.Goal, b: g.Goal) -> bool:
+    """Whether two atoms contradict each other by their names alone."""
+    if isinstance(a, g.Not) or isinstance(b, g.Not):
+        inner, other = (a.goal, b) if isinstance(a, g.Not) else (b.goal, a)  # type: ignore[union-attr]
+        return _same(inner, other)
+    match a, b:
+        case (r.On(), r.On()):
+            return (a.a == b.a and a.b != b.b) or (a.b == b.a and a.a == b.b) or (a.b == b.b and a.a != b.a)
+        case (r.On(), r.OnTable()) if isinstance(a.a, tuple) and isinstance(b.a, tuple):
+            return bool(set(a.a) & set(b.a))
+        case (r.OnTable(), r.On()):
+            return clash(b, a)
+        case (r.OnPatch(), r.OnPatch()) if isinstance(a.a, tuple) and isinstance(b.a, tuple):
+            return a.patch != b.patch and bool(set(a.a) & set(b.a))
+        case (r.OnPatch(), r.Empty()):
+            return a.patch == b.patch
+        case (r.Empty(), r.OnPatch()):
+            return a.patch == b.patch
+        case (r.On(), r.Clear()):
+            return a.b == b.a
+        case (r.Clear(), r.On()):
+            return b.b == a.a
+        case (r.Stayed(), r.Moved()) | (r.Moved(), r.Stayed()):
+            return a.a == b.a
+        case (r.InRegion(), r.InRegion()):
+            return a.a == b.a and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
+    kinds = (getattr(a, "kind", ""), getattr(b, "kind", ""))
+    if kinds[0] in _OPPOSITE:
+        if kinds[0] == kinds[1]:
+            return bool(a.a == b.b and a.b == b.a)  # type: ignore[union-attr]
+        return bool(_OPPOSITE[kinds[0]] == kinds[1] and a.a == b.a and a.b == b.b)  # type: ignore[union-attr]
+    return False
+
+
+def _same(a: g.Goal, b: g.Goal) -> bool:
+    return a.model_copy(update={"span": None}) == b.model_copy(update={"span": None})
+
+
+__all__ = ["atoms", "clash", "required", "undoes"]

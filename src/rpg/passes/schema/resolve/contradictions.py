@@ -1,0 +1,87 @@
+"""Goals that contradict themselves, found from names alone: support cycles, two places at once, opposite sides."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.passes.schema.resolve.conflicts import clash, required
+from rpg.passes.schema.resolve.world import Scene, refuse
+
+
+def check(goal: g.Goal, scene: Scene) -> None:
+    """Refuse a goal that cannot hold."""
+    parts = list(required(goal))
+    _cycles(parts)
+    for index, a in enumerate(parts):
+        for b in parts[index + 1 :]:
+            if clash(a, b):
+                raise _clash(a, b)
+    _direction_cycles(parts)
+
+
+def _clash(a: g.Goal, b: g.Goal) -> Exception:
+    from rpg.passes.schema.sketch import sketch
+
+    first, second = a.span or (0, 0), b.span or (0, 0)
+    labels = ((first, "this"),) if first != second else ()
+    return refuse(
+        "contradiction", "two parts of this cannot both hold at the end", second, "leave one of them out, or say 'then' if one comes after the other", labels=labels,
+        clash=[sketch(a), sketch(b)],
+    )  # fmt: skip
+
+
+def _supports(parts: list[g.Goal]) -> list[tuple[str, str, Span | None]]:
+    edges: list[tuple[str, str, Span | None]] = []
+    for part in parts:
+        if isinstance(part, r.On | r.Above) and isinstance(part.a, tuple) and isinstance(part.b, tuple):
+            edges += [(a, b, part.span) for a in part.a for b in part.b]
+        elif isinstance(part, s.Stack) and part.order.by == "given":
+            ranks = part.order.ranks if part.order.first != "top" else part.order.ranks[::-1]
+            for lower, upper in zip(ranks, ranks[1:], strict=False):
+                edges += [(a, b, part.span) for a in upper for b in lower]
+    return edges
+
+
+def _cycles(parts: list[g.Goal]) -> None:
+    cycle = _find_cycle(_supports(parts))
+    if cycle:
+        spans = [span for span in cycle if span]
+        raise refuse(
+            "support-cycle", "these blocks would have to lie on each other in a circle", spans[-1] if spans else None, "let one of them lie on the table",
+            labels=tuple((span, "this") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]),
+        )  # fmt: skip
+
+
+def _direction_cycles(parts: list[g.Goal]) -> None:
+    for kinds in (("left_of", "right_of"), ("in_front_of", "behind")):
+        edges: list[tuple[str, str, Span | None]] = []
+        for part in parts:
+            if getattr(part, "kind", "") in kinds and isinstance(part.a, tuple) and isinstance(part.b, tuple):  # type: ignore[union-attr]
+                pairs = [(a, b) for a in part.a for b in part.b]  # type: ignore[union-attr]
+                edges += [(a, b, part.span) if part.kind == kinds[0] else (b, a, part.span) for a, b in pairs]
+        cycle = _find_cycle(edges)
+        if cycle:
+            spans = [span for span in cycle if span]
+            raise refuse("contradiction", "these places contradict each other", spans[-1] if spans else None, "leave one of them out",
+                         labels=tuple((span, "this") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]))  # fmt: skip
+
+
+def _find_cycle(edges: list[tuple[str, str, Span | None]]) -> list[Span | None]:
+    """The spans along a cycle of edges, or nothing."""
+    out: dict[str, list[tuple[str, Span | None]]] = {}
+    for a, b, span in edges:
+        out.setdefault(a, []).append((b, span))
+    for start in out:
+        stack: list[tuple[str, list[Span | None]]] = [(start, [])]
+        seen: set[str] = set()
+        while stack:
+            node, path = stack.pop()
+            for nxt, span in out.get(node, ()):
+                if nxt == start:
+                    return [*path, span]
+                if nxt not in seen:
+                    seen.add(nxt)
+                    stack.append((nxt, [*path, span]))
+    return []

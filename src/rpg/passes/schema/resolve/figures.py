@@ -1,0 +1,348 @@
+"""Grids, walls, pyramids, staircases and figures."""
+
+from __future__ import annotations
+
+import math
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import structures as s
+from rpg.ir.order import Order, Pattern
+from rpg.passes.schema.lexicon import COLORS
+from rpg.passes.schema.meaning import Pattern as Said
+from rpg.passes.schema.meaning import Structure
+from rpg.passes.schema.resolve.members import amount_of, members_of
+from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
+
+FEWEST = {"circle": 8, "square": 8, "rectangle": 10, "triangle": 6, "L": 5, "T": 5, "V": 5, "U": 7, "plus": 5, "X": 5}
+"""The fewest blocks that show each figure plainly."""
+PALETTE = tuple(c for c in COLORS if c not in ("black", "white", "gray", "brown")) + ("brown", "white", "black", "gray")
+
+Made = tuple[list[Built], list[g.Goal]]
+
+
+def _size(shape: Structure) -> int | None:
+    return shape.size.low if shape.size else None
+
+
+def _plain(shape: Structure) -> None:
+    if shape.plural or (shape.amount and shape.amount.low > 1):
+        raise refuse(
+            "unsupported-structure",
+            f"several {shape.kind}s at once are not understood",
+            shape.span,
+            f"name each {shape.kind} by itself: 'a {shape.kind} of ... and a {shape.kind} of ...'",
+        )
+
+
+def _made(kind: str, node: g.Goal, names: tuple[str, ...], span: Span, scene: Scene) -> Made:
+    return [scene.add_built(kind, names, False, span)], [node]
+
+
+def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """Outlines, filled figures and letter shapes on the table."""
+    _plain(shape)
+    if shape.kind in ("square", "rectangle") and (shape.dims or shape.filled):
+        if shape.filled is not False:
+            return grid(shape, spec, theme, scene, scope)
+    if (
+        shape.kind == "square"
+        and shape.filled is None
+        and (n := amount_of(shape.members) or (len(theme.names) if theme else None)) is not None
+    ):
+        if n % 4 and math.isqrt(n) ** 2 == n and n > 1:
+            return grid(shape, spec, theme, scene, scope)
+    sides = None
+    need = None
+    if shape.dims and shape.filled is False:
+        sides = (shape.dims[0], shape.dims[1])
+        need = 2 * (sides[0] + sides[1]) - 4
+    elif shape.kind in ("square", "triangle") and _size(shape) and shape.size and amount_of(shape.members) is None:
+        need = _size(shape)
+    elif _size(shape):
+        need = _size(shape)
+    names = members_of(shape, spec, theme, need, FEWEST[shape.kind], scene, scope)
+    if len(names) < min(FEWEST[shape.kind], 4 if shape.kind in ("square", "circle", "rectangle") else 3):
+        raise refuse(
+            "too-few",
+            f"{len(names)} blocks do not show a {shape.kind}",
+            shape.span,
+            f"use {FEWEST[shape.kind]}",
+            blocks=len(names),
+        )
+    pointing = _pointing(shape.kind, spec)
+    filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
+    pattern, readable = pattern_of(shape, spec, names, None, scene, scope)
+    node = s.Figure(
+        blocks=names,
+        shape=shape.kind,
+        filled=filled,
+        sides=sides,
+        pointing=pointing,
+        pattern=pattern,
+        readable=readable,
+        span=shape.span,
+    )  # type: ignore[arg-type]
+    return _made(shape.kind, node, names, shape.span, scene)
+
+
+_POINTERS = {"V": ("tip", "point", "apex", "corner", "base"), "triangle": ("tip", "point", "apex", "top"), "L": ("foot", "base"), "U": ("opening", "side", "end", "top"),
+             "T": ("stem", "tail", "base")}  # fmt: skip
+
+
+def _pointing(kind: str, spec: Spec) -> str | None:
+    found = next((m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"), None)
+    if found is None:
+        return None
+    spec.manners.remove(found)
+    word = found.kind.partition(":")[2]
+    if (
+        kind not in _POINTERS
+        or (word and word not in _POINTERS[kind])
+        or not word
+        and kind not in ("V", "triangle", "U")
+    ):
+        raise refuse(
+            "misplaced",
+            f"this direction does not fit the shape {kind}",
+            found.span,
+            "say for example 'with its foot to the right'",
+        )
+    side = {"up": "back", "down": "front"}.get(str(found.value), str(found.value))
+    if side not in ("left", "right", "front", "back"):
+        raise refuse("misplaced", "a figure on the table points left, right, front or back", found.span)
+    return side
+
+
+def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "3x3 square", "2 by 4 grid", "3x3x3 cube", "4x4 checkerboard"."""
+    _plain(shape)
+    rows, columns, layers = _dims(shape, spec, theme, scene)
+    need = rows * columns * layers
+    if shape.kind == "checkerboard":
+        spec.patterns.append(Said(unit="checkerboard", span=shape.span))
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, (rows, columns, layers), scene, scope)
+    node = s.Grid(
+        blocks=names, rows=rows, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
+    )
+    return _made("grid" if shape.kind == "checkerboard" else shape.kind, node, names, shape.span, scene)
+
+
+def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:
+    if len(shape.dims) == 3:
+        return shape.dims[0], shape.dims[1], shape.dims[2]
+    if len(shape.dims) == 2:
+        return shape.dims[0], shape.dims[1], 1
+    total = amount_of(shape.members) or (len(theme.names) if theme else None) or _size(shape)
+    if total is None:
+        scene.assume("the size of the grid is not said: 3 by 3")
+        return 3, 3, 1
+    side = math.isqrt(total)
+    if shape.kind in ("square", "checkerboard") and side * side != total:
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks do not fill a square",
+            shape.span,
+            f"use {side * side} or {(side + 1) ** 2}",
+            blocks=total,
+        )
+    rows = next(r for r in range(side, 0, -1) if total % r == 0)
+    if rows == 1 and total > 3:
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks do not fill a grid of several rows",
+            shape.span,
+            f"use {total + 1}",
+            blocks=total,
+        )
+    scene.assume(f"the shape of the grid is not said: {rows} by {total // rows}")
+    return rows, total // rows, 1
+
+
+def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a wall of six blocks", "a wall three wide and two high": one row, several layers."""
+    _plain(shape)
+    if len(shape.dims) >= 2:
+        columns, layers = shape.dims[0], shape.dims[1]
+        scene.assume(f"the wall is {columns} blocks wide and {layers} high")
+    else:
+        total = amount_of(shape.members) or (len(theme.names) if theme else None) or 6
+        if _size(shape) and total % int(_size(shape) or 1) == 0:
+            layers = int(_size(shape) or 1)
+        else:
+            layers = next((n for n in (2, 3) if total % n == 0), 1)
+        columns = total // layers
+        if layers < 2:
+            raise refuse(
+                "count-mismatch",
+                f"{total} blocks do not fill a wall of several layers",
+                shape.span,
+                f"use {total + 1}",
+                blocks=total,
+            )
+        scene.assume(f"the wall is {columns} blocks wide and {layers} high")
+    need = columns * layers
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, (1, columns, layers), scene, scope)
+    node = s.Grid(
+        blocks=names, rows=1, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
+    )
+    return _made("wall", node, names, shape.span, scene)
+
+
+def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a pyramid with a 3x3 base", "a pyramid of six blocks"."""
+    _plain(shape)
+    base = _base(shape, theme, scene)
+    need = _pyramid_count(base)
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    layers = min(base) if base[1] > 1 else base[0]
+    pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope)
+    node = s.Pyramid(blocks=names, base=base, pattern=pattern, readable=readable, span=shape.span)
+    return _made("pyramid", node, names, shape.span, scene)
+
+
+def _pyramid_count(base: tuple[int, int]) -> int:
+    n, m = base
+    if m == 1:
+        return n * (n + 1) // 2
+    return sum((n - k) * (m - k) for k in range(min(n, m)))
+
+
+def _base(shape: Structure, theme: Ref | None, scene: Scene) -> tuple[int, int]:
+    if len(shape.dims) >= 2:
+        return shape.dims[0], shape.dims[1]
+    total = amount_of(shape.members) or (len(theme.names) if theme else None)
+    size = _size(shape)
+    options = [(n, 1) for n in range(2, 8)] + [(n, n) for n in range(2, 5)]
+    if total is not None:
+        fits = [b for b in options if _pyramid_count(b) == total and (size is None or b[0] == size)]
+        if not fits:
+            counts = sorted(_pyramid_count(b) for b in options)
+            near = sorted(counts, key=lambda c: (abs(c - total), c))[:2]
+            raise refuse(
+                "count-mismatch",
+                f"{total} blocks do not make a pyramid",
+                shape.span,
+                f"use {near[0]} or {near[1]}",
+                blocks=total,
+            )
+        scene.assume(f"the base of the pyramid is {fits[0][0]} by {fits[0][1]} blocks")
+        return fits[0]
+    if size is not None:
+        scene.assume(f"the pyramid is flat: {size} blocks in its base, one deep")
+        return size, 1
+    scene.assume("the size of the pyramid is not said: a base of 3 blocks, one deep")
+    return 3, 1
+
+
+def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a staircase with four steps, going up to the left"."""
+    if shape.plural and shape.amount and shape.amount.low > 1:
+        shape = _steps(shape)
+    steps = _size(shape)
+    total = amount_of(shape.members) or (len(theme.names) if theme else None)
+    if steps is None and total is not None:
+        steps = next((n for n in range(2, 8) if n * (n + 1) // 2 == total), None)
+        if steps is None:
+            raise refuse(
+                "count-mismatch", f"{total} blocks do not make a staircase", shape.span, "use 3, 6 or 10", blocks=total
+            )
+    if steps is None:
+        steps = 3
+        scene.assume("the number of steps is not said: 3")
+    up = None
+    rising = spec.manner("rising")
+    if rising is not None:
+        up = str(rising.value)
+    side = spec.first("left", "right", "front", "back")
+    if side and up is None:
+        up = {"left": "right", "right": "left", "front": "back", "back": "front"}[side]
+        spec.toward = []
+    need = steps * (steps + 1) // 2
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, None, scene, scope)
+    node = s.Staircase(blocks=names, steps=steps, up=up, pattern=pattern, readable=readable, span=shape.span)  # type: ignore[arg-type]
+    return _made("staircase", node, names, shape.span, scene)
+
+
+def _steps(shape: Structure) -> Structure:
+    from dataclasses import replace
+
+    return replace(shape, size=shape.amount, amount=None, plural=False)
+
+
+def pattern_of(
+    shape: Structure, spec: Spec, names: tuple[str, ...], dims: tuple[int, int, int] | None, scene: Scene, scope: Scope
+) -> tuple[Pattern | None, bool]:
+    """How the cells are coloured or labelled; colours and labels left open are chosen to fit."""
+    things = [scene.things[n] for n in names]
+    said = next(iter(spec.patterns), None)
+    spec.patterns = spec.patterns[1:]
+    if said is None:
+        if any(t.kind for t in things) and not spec.orders:
+            return None, False
+        if not spec.orders:
+            return None, False
+        alternating = next((o for o in spec.orders if o.by == "alternating"), None)
+        if alternating is not None and dims is not None:
+            spec.orders.remove(alternating)
+            return _painted("checkerboard", things, dims, scene), False
+        order = order_of(spec, names, "row", scene, scope, shape.span).model_copy(update={"first": None})
+        if order.by == "together":
+            raise refuse(
+                "ambiguous",
+                "it is not said how the colours are to be laid out",
+                shape.span,
+                "say 'each row a different colour' or 'each layer a different colour'",
+            )
+        spec.orders = []
+        return Pattern(
+            kind="reading", order=Order(**{**order.model_dump()}), upward=spec.first("bottom") is not None
+        ), order.by in ("label", "number")
+    unit = {"pile": "row", "stack": "column"}.get(said.unit, said.unit)
+    if dims is None:
+        raise refuse("misplaced", f"a {shape.kind} has no {said.unit}s", said.span)
+    return _painted(unit, things, dims, scene), False
+
+
+def _painted(unit: str, things: list[Thing], dims: tuple[int, int, int], scene: Scene) -> Pattern:
+    """Colours for a pattern where none were said."""
+    if not any(t.color or t.label for t in things):
+        lines = _lines(unit, len(things), dims)
+        if len(lines) > len(PALETTE):
+            raise refuse(
+                "too-many-colors",
+                f"this takes {len(lines)} colours, but there are {len(PALETTE)}",
+                None,
+                "use fewer rows",
+                needed=len(lines),
+                there=len(PALETTE),
+            )
+        at = 0
+        for index, length in enumerate(lines):
+            for thing in things[at : at + length]:
+                thing.color = PALETTE[index]
+            at += length
+        scene.assume("the colours are not said: one for each " + ("of the two" if unit == "checkerboard" else unit))
+    return Pattern(kind=unit)  # type: ignore[arg-type]
+
+
+def _lines(unit: str, total: int, dims: tuple[int, int, int]) -> list[int]:
+    """How many blocks each colour of a pattern has."""
+    rows, columns, layers = dims
+    if unit == "checkerboard":
+        return [(total + 1) // 2, total // 2]
+    if total != rows * columns * layers:
+        sizes = [(max(1, rows - k), columns - k) for k in range(layers)]
+        if unit == "layer":
+            return [a * b for a, b in sizes]
+        raise refuse("misplaced", "a pyramid is coloured by layer here", None, "say 'each layer a different colour'")
+    if unit == "row":
+        return [columns] * (rows * layers) if rows > 1 else [columns] * layers
+    if unit == "column":
+        return [rows] * (columns * layers) if rows > 1 else [layers] * columns
+    return [rows * columns] * layers

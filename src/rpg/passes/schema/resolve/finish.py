@@ -1,0 +1,149 @@
+"""What is left open is chosen: colours, labels, sizes, names; then the task is put together."""
+
+from __future__ import annotations
+
+import string
+
+from rpg.ir import goal as g
+from rpg.ir.assets import PATCH_SIDE, Asset, ColoredCube, Faces, GoalPatch, SemanticCube
+from rpg.ir.goal import Goal
+from rpg.ir.schema import MAX_BLOCKS, MAX_DIGITS, MAX_LETTERS
+from rpg.ir.walk import rename
+from rpg.passes.schema.resolve.refer import EDGES
+from rpg.passes.schema.resolve.world import Scene, Thing, refuse
+
+BLOCK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink", "brown", "white", "black", "gray")
+PATCH_COLORS = ("green", "blue", "yellow", "red", "purple", "orange", "cyan", "pink")
+_SIGNS = {"+": "plus", "-": "minus", "*": "times", "/": "divide", "=": "equals"}
+LONG = 2.5
+
+
+def label_of(thing: Thing, scene: Scene) -> str:
+    """The symbol of a block that shows one; the next free one where it was left open."""
+    if thing.label is None:
+        taken = {t.label for t in scene.blocks()}
+        row = {"digit": "123456789", "symbol": string.ascii_uppercase}.get(thing.kind or "", string.ascii_uppercase)
+        if thing.quality == "vowel":
+            row = "AEIOU"
+        elif thing.quality == "consonant":
+            row = "BCDFGHJKLMNPQRSTVWXYZ"
+        elif thing.quality in ("even", "odd"):
+            row = "2468" if thing.quality == "even" else "13579"
+        free = [x for x in row if x not in taken]
+        if thing.kind == "digit" and not free and "0" not in taken:
+            free = ["0"]
+        if not free:
+            raise refuse("too-many-labels", "there are not enough different symbols for so many blocks", None, "use fewer blocks", labels=len(row))
+        thing.label = free[0]
+        scene.assume("the symbols are not said: chosen in order")
+    return thing.label
+
+
+def choose(scene: Scene) -> None:
+    """Give every object the looks that were left open."""
+    things = [t for t in scene.things.values()]
+    for thing in things:
+        if thing.kind and not thing.patch:
+            label_of(thing, scene)
+    open_ = [t for t in things if not t.patch and t.color is None and t.kind is None]
+    _paint_blocks(open_, scene)
+    for thing in things:
+        if thing.patch and thing.color is None:
+            taken = {t.color for t in things if t.patch}
+            thing.color = next(c for c in PATCH_COLORS if c not in taken)
+            scene.assume(f"the colour of the patch is not said: {thing.color}")
+
+
+def _paint_blocks(open_: list[Thing], scene: Scene) -> None:
+    if not open_:
+        return
+    taken = [t.color for t in scene.blocks() if t.color and not t.kind]
+    batches: dict[int, list[Thing]] = {}
+    for thing in open_:
+        batches.setdefault(thing.batch, []).append(thing)
+    chosen: list[str] = []
+    for batch in batches.values():
+        palette = [c for c in BLOCK_COLORS if c not in taken]
+        if batch[0].scheme == "same":
+            color = palette[0] if palette else BLOCK_COLORS[0]
+            for thing in batch:
+                thing.color = color
+            taken.append(color)
+            chosen.append(color)
+            continue
+        if batch[0].scheme == "different" and len(batch) > len(palette):
+            raise refuse("too-many-colors", f"there are {len(BLOCK_COLORS)} colours, not {len(batch)}", None, f"use at most {len(palette)} blocks of different colours", asked=len(batch), there=len(BLOCK_COLORS))
+        palette = palette or list(BLOCK_COLORS)
+        for index, thing in enumerate(batch):
+            thing.color = palette[index % len(palette)]
+            taken.append(thing.color)
+            chosen.append(thing.color)
+    scene.assume(f"the colours of the blocks are not said: {', '.join(dict.fromkeys(chosen))}")
+
+
+def _base(thing: Thing) -> str:
+    size = f"{thing.size}_" if thing.size else ""
+    if thing.patch:
+        return f"{thing.color}_patch"
+    if thing.label:
+        return f"{size}{_SIGNS.get(thing.label, thing.label)}_block"
+    return f"{size}{thing.color}_block"
+
+
+def naming(scene: Scene) -> dict[str, str]:
+    """Final names: `red_block`, `red_block_1`, `A_block`, `blue_patch` ..."""
+    bases: dict[str, list[str]] = {}
+    for thing in scene.things.values():
+        bases.setdefault(_base(thing), []).append(thing.name)
+    names: dict[str, str] = {}
+    for base, members in bases.items():
+        for index, name in enumerate(members):
+            names[name] = base if len(members) == 1 else f"{base}_{index + 1}"
+    return names
+
+
+def assets(scene: Scene, names: dict[str, str]) -> tuple[Asset, ...]:
+    """The task's objects, in the order in which they were brought up."""
+    made: list[Asset] = []
+    for thing in scene.things.values():
+        made.append(_asset(thing, names[thing.name]))
+    blocks = [a for a in made if not isinstance(a, GoalPatch)]
+    if len(blocks) > MAX_BLOCKS:
+        raise refuse("too-many-blocks", f"this takes {len(blocks)} blocks; a task has at most {MAX_BLOCKS}", None, f"use at most {MAX_BLOCKS} blocks", blocks=len(blocks), limit=MAX_BLOCKS)
+    labels = [t.label or "" for t in scene.blocks()]
+    for row, limit, what in ((string.ascii_uppercase, MAX_LETTERS, "letter"), (string.digits, MAX_DIGITS, "digit")):
+        count = sum(1 for label in labels if label and label in row)
+        if count > limit:
+            raise refuse("too-many-labels", f"this takes {count} {what} cubes; a task has at most {limit}", None, f"use at most {limit}", labels=count, limit=limit)
+    if not blocks:
+        raise refuse("no-goal", "there is no block in this task", None, "name a block and say where it should be")
+    return tuple(made)
+
+
+def _asset(thing: Thing, name: str) -> Asset:
+    if thing.patch:
+        width = thing.extent or (PATCH_SIDE, PATCH_SIDE)
+        shape = thing.shape if thing.shape in ("square", "rectangle", "circle") else "square"
+        if thing.long and thing.extent is None:
+            width, shape = (PATCH_SIDE, round(PATCH_SIDE * LONG, 4)), "rectangle"
+        elif shape == "rectangle" and thing.extent is None:
+            width = (PATCH_SIDE, round(PATCH_SIDE * 1.5, 4))
+        scale = {"big": 1.5, "small": 0.7}.get(thing.size or "", 1.0)
+        size = (round(width[0] * scale, 4), round(width[1] * scale, 4))
+        return GoalPatch(name=name, color=thing.color or "green", shape=shape, size=size)  # type: ignore[arg-type]
+    edge = thing.edge or EDGES.get(thing.size or "", 0.04)
+    if not 0.01 <= edge <= 0.12:
+        raise refuse("size-out-of-range", f"a block of {edge * 100:g} cm cannot be made", None, "blocks have edges from 1 to 12 cm", edge_m=edge)
+    if thing.kind:
+        faces = Faces(**thing.faces) if thing.faces else None
+        body = thing.color or "ivory"
+        return SemanticCube(name=name, label="" if faces else thing.label or "", labels=faces, color=body, size=edge)  # type: ignore[arg-type]
+    return ColoredCube(name=name, color=thing.color or "red", size=edge)  # type: ignore[arg-type]
+
+
+def renamed(goal: Goal, names: dict[str, str]) -> Goal:
+    """The goal with the final names."""
+    return rename(goal, names)
+
+
+__all__ = ["assets", "choose", "g", "label_of", "naming", "renamed"]

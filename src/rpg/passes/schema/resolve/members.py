@@ -1,0 +1,121 @@
+"""Which blocks a structure is made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rpg.core.diagnostics import Span
+from rpg.passes.schema.meaning import Amount, Coord, Meaning, Noun, Structure, Traits
+from rpg.passes.schema.resolve.orders import implied_kind
+from rpg.passes.schema.resolve.refer import create, refer
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+
+
+def members_of(
+    shape: Structure, spec: Spec, theme: Ref | None, need: int | None, default: int, scene: Scene, scope: Scope
+) -> tuple[str, ...]:
+    """The blocks of a structure: those named, else `need` (or `default`) new ones."""
+    if theme is not None:
+        return _checked(theme.names, need, shape.span, scene)
+    source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+    listed = _order_items(spec)
+    count = need or (len(listed) if listed else None)
+    if source is not None:
+        source = _with_kind(source, implied_kind(spec), shape.traits)
+        named = refer(source, scene, Scope(start=scope.start, need=count or default, role="member"))
+        _fix_parts(named)
+        return _checked(named.names, need, shape.span, scene)
+    if need is None and listed:
+        found = [refer(item, scene, Scope(role="member")) for item in listed]
+        del scene.mentions[-len(listed) :]
+        return tuple(dict.fromkeys(n for ref in found for n in ref.names))
+    absolute = _from_absolutes(spec, need, scene)
+    if absolute:
+        return absolute
+    if count is None:
+        count = default
+        scene.assume(f"the number of blocks is not said: {default}")
+    return new_members(shape.traits, count, implied_kind(spec), scene)
+
+
+def _fix_parts(named: Ref) -> None:
+    if named.patch or named.table:
+        raise refuse("misplaced", "structures are made of blocks", named.span, "name blocks")
+
+
+def _order_items(spec: Spec) -> tuple[Meaning, ...]:
+    return next((o.items for o in spec.orders if o.items), ())
+
+
+def _with_kind(source: Meaning, kind: str | None, traits: Traits) -> Meaning:
+    """ "a letter pyramid of blocks": what is said of the structure's blocks holds for its members."""
+    from dataclasses import replace
+
+    if isinstance(source, Noun):
+        marks = source.traits
+        if kind and not marks.kind and not marks.colors and not marks.labels:
+            marks = replace(marks, kind=kind)
+        if traits.colors and not marks.colors:
+            marks = replace(marks, colors=traits.colors, either=False)
+        if traits.scheme and not marks.scheme:
+            marks = replace(marks, scheme=traits.scheme)
+        if traits.kind and not marks.kind:
+            marks = replace(marks, kind=traits.kind)
+        return replace(source, traits=marks)
+    if isinstance(source, Coord):
+        return replace(source, items=tuple(_with_kind(i, kind, Traits()) for i in source.items))
+    return source
+
+
+def _checked(names: tuple[str, ...], need: int | None, span: Span, scene: Scene) -> tuple[str, ...]:
+    if need is not None and len(names) != need:
+        raise refuse(
+            "count-mismatch", f"this takes {need} blocks, but {len(names)} are named", span, f"name {need} blocks, or change the size",
+            needed=need, named=len(names),
+        )  # fmt: skip
+    return names
+
+
+def _from_absolutes(spec: Spec, need: int | None, scene: Scene) -> tuple[str, ...]:
+    """ "a tower with a red block at the bottom and a blue one on top": its members, when their number agrees."""
+    from rpg.passes.schema.meaning import At
+
+    inside = [a for a in spec.absolutes if isinstance(a.adjuncts[0], At)]
+    if not inside or (need is not None and len(inside) < need):
+        return ()
+    names: list[str] = []
+    for item in inside:
+        names += [n for n in refer(item.theme, scene, Scope(role="member")).names if n not in names]
+    return tuple(names) if need is None or len(names) == need else ()
+
+
+def new_members(traits: Traits, count: int, kind: str | None, scene: Scene) -> tuple[str, ...]:
+    """New blocks with the structure's traits; several colours share them evenly."""
+    from dataclasses import replace
+
+    scene.new_batch()
+    colors = traits.colors
+    if len(colors) > 1 and count % len(colors):
+        raise refuse(
+            "count-mismatch",
+            f"{count} blocks cannot be shared evenly by {len(colors)} colours",
+            None,
+            "say how many of each",
+            blocks=count,
+        )
+    names = []
+    for index in range(count):
+        color = (colors[index * len(colors) // count],) if colors else ()
+        one = replace(traits, colors=color, kind=traits.kind or kind, rank=None, labels=())
+        names.append(create(one, scene, False).name)
+    return tuple(names)
+
+
+def amount_of(meaning: Meaning | None) -> int | None:
+    """The plain number in a noun phrase."""
+    amount: Amount | None = getattr(meaning, "amount", None)
+    return amount.low if amount is not None and amount.low == amount.high else None
+
+
+Builder = Callable[[Structure, Spec, Ref | None, Scene, Scope], object]

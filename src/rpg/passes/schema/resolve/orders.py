@@ -1,0 +1,332 @@
+"""Orders of lines and stacks: from what was said to `Order`, labelling or colouring members where that was left open."""
+
+from __future__ import annotations
+
+import string
+
+from rpg.core.diagnostics import Span
+from rpg.ir.order import Order
+from rpg.passes.schema.lexicon import RAINBOW
+from rpg.passes.schema.meaning import At, Meaning, OrderBy
+from rpg.passes.schema.resolve.refer import quality_fits, refer
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
+
+OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
+SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"), "line": ("left", "right", "front", "back"),
+         "column": ("front", "back", "left", "right")}  # fmt: skip
+SYMBOLIC = ("label", "number")
+
+
+def implied_kind(spec: Spec) -> str | None:
+    """The kind of block that an order takes for granted: letters for alphabetical, digits for numeric."""
+    for order in spec.orders:
+        if order.by in ("label", "vowel_first", "consonant_first"):
+            return "letter"
+        if order.by in ("number", "even_first", "odd_first"):
+            return "digit"
+    return None
+
+
+def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, span: Span) -> Order:
+    """The order of `names` in a line or stack of `kind`."""
+    sides = SIDES[kind]
+    first = spec.first(*sides)
+    wrong = next((t for t in spec.toward if t.first and t.first not in sides), None)
+    if wrong is not None:
+        raise refuse(
+            "misplaced", f"this direction does not fit a {kind}", wrong.span, f"say from {sides[0]} to {sides[1]}"
+        )
+    found = Order()
+    for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "reverse")):
+        found = _merge(found, order, names, kind, scene, scope, first)
+    reverse = any(o.by == "reverse" for o in spec.orders)
+    if reverse:
+        if found.by == "any":
+            raise refuse(
+                "ambiguous",
+                "it is not said which order is to be reversed",
+                span,
+                "name the order, such as 'in reverse alphabetical order'",
+            )
+        found = found.model_copy(update={"descending": not found.descending})
+    placed = _positions(spec, names, kind, scene, scope)
+    if placed:
+        if found.by != "any":
+            raise refuse("order-conflict", "two orders are given for the same blocks", span, "keep one of them")
+        found = Order(by="given", ranks=tuple(placed), first=first or _default_side(kind))  # type: ignore[arg-type]
+    if found.by != "any" and first and found.first is None:
+        found = found.model_copy(update={"first": first})
+    return found
+
+
+def _default_side(kind: str) -> str:
+    return "bottom" if kind == "stack" else "front" if kind == "column" else "left"
+
+
+def _merge(
+    found: Order, order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, first: str | None
+) -> Order:
+    things = [scene.things[n] for n in names]
+    match order.by:
+        case "any" | "reverse":
+            return found
+        case "given" if order.items:
+            return _given(order, names, kind, scene, scope, first)
+        case "given":
+            scene.assume(
+                "in the order in which the blocks are named"
+                + (", bottom first" if kind == "stack" else ", left to right")
+            )
+            return Order(by="given", ranks=tuple((n,) for n in names), first=first or _default_side(kind))  # type: ignore[arg-type]
+        case "in_order":
+            return _in_order(found, things, names, kind, scene, order, first)
+        case "label" | "number" | "ascending":
+            return _symbolic(order, things, kind, scene, first)
+        case "rainbow":
+            _paint(things, scene)
+            return Order(by="rainbow", descending=order.descending, first=first)  # type: ignore[arg-type]
+        case "size" | "size_down" | "size_up":
+            return _by_size(order, things, kind, scene, first)
+        case "alternating" | "mirrored":
+            _two_colors(things, order.by, scene)
+            attribute = (
+                "kind" if len({t.kind for t in things}) == 2 and len({t.color for t in things}) == 1 else "color"
+            )
+            return Order(by=order.by, attribute=attribute)  # type: ignore[arg-type]
+        case "even_first" | "odd_first" | "vowel_first" | "consonant_first":
+            return _quality_first(order, things, kind, scene, first)
+        case "attribute":
+            if order.attribute == "size":
+                return _by_size(order, things, kind, scene, first)
+            if order.attribute == "label":
+                return _symbolic(order, things, kind, scene, first)
+            return Order(by="together", attribute=order.attribute)  # type: ignore[arg-type]
+        case _:
+            raise refuse("misplaced", "this order does not fit here", order.span)
+
+
+def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, first: str | None) -> Order:
+    ranks = []
+    for item in order.items:
+        ranks.append(_item(item, names, scene))
+    listed = [n for rank in ranks for n in rank]
+    missing = [n for n in names if n not in listed]
+    if missing or len(set(listed)) != len(listed):
+        raise refuse(
+            "count-mismatch", f"the order lists {len(set(listed))} of {len(names)} blocks", order.span, "list every block once",
+            listed=len(set(listed)), blocks=len(names),
+        )  # fmt: skip
+    if first is None:
+        scene.assume(
+            "the order is read from the bottom up" if kind == "stack" else "the order is read from left to right"
+        )
+    return Order(by="given", ranks=tuple(ranks), first=first or _default_side(kind))  # type: ignore[arg-type]
+
+
+def _item(item: Meaning, names: tuple[str, ...], scene: Scene) -> tuple[str, ...]:
+    found = refer(item, scene, Scope(pool=names)).names
+    scene.mentions.pop()
+    return found
+
+
+def _in_order(
+    found: Order,
+    things: list[Thing],
+    names: tuple[str, ...],
+    kind: str,
+    scene: Scene,
+    order: OrderBy,
+    first: str | None,
+) -> Order:
+    if found.by != "any":
+        return found
+    kinds = {t.kind for t in things}
+    if kinds == {"letter"}:
+        return _symbolic(OrderBy(by="label", span=order.span), things, kind, scene, first)
+    if kinds == {"digit"}:
+        return _symbolic(OrderBy(by="number", span=order.span), things, kind, scene, first)
+    raise refuse(
+        "ambiguous",
+        "it is not said in which order",
+        order.span,
+        "say 'in the order red, green, blue' or 'in rainbow order'",
+    )
+
+
+def _symbolic(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    kinds = {t.kind for t in things}
+    if order.by == "ascending" and None in kinds and len({t.size or t.edge for t in things}) > 1:
+        return _by_size(order, things, kind, scene, first)
+    by = "number" if order.by == "number" or (order.by != "label" and kinds <= {"digit", None}) else "label"
+    want = "digit" if by == "number" else "letter"
+    wrong = [t for t in things if t.kind not in (want, None, "symbol")]
+    if wrong or any(t.kind is None and t.color for t in things):
+        raise refuse(
+            "order-misfit",
+            f"this order is for {'numbers' if by == 'number' else 'letters'}, but some blocks show none",
+            order.span,
+            "use blocks that show them",
+        )
+    for thing in things:
+        thing.kind = want
+    if first is None:
+        first = "top" if kind == "stack" else _default_side(kind)
+        scene.assume(
+            "the order is read from the top down" if kind == "stack" else "the order is read from left to right"
+        )
+    return Order(by=by, descending=order.descending, first=first)  # type: ignore[arg-type]
+
+
+def _by_size(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    if len({t.size or t.edge for t in things}) < 2 and len(things) > 1:
+        edges = [round(0.03 + 0.02 * i / max(1, len(things) - 1), 4) for i in range(len(things))]
+        for thing, edge in zip(things, edges, strict=True):
+            thing.edge = edge
+        scene.assume("the sizes are not said: edges from 3 to 5 cm")
+    if order.by in ("size_down", "size_up"):
+        if kind != "stack":
+            raise refuse(
+                "misplaced", "a line on the table has no top and bottom", order.span, "say 'from left to right'"
+            )
+        return Order(by="size", first="bottom", descending=order.by == "size_down")
+    return Order(by="size", descending=order.descending, first=first or _default_side(kind))  # type: ignore[arg-type]
+
+
+def _paint(things: list[Thing], scene: Scene) -> None:
+    """A gradient wants different colours: give those that are open a run of the rainbow."""
+    known = {t.color for t in things if t.color}
+    spare = iter(c for c in RAINBOW if c not in known)
+    for thing in things:
+        if thing.color is None and thing.kind is None:
+            thing.color = next(spare, RAINBOW[-1])
+            scene.assume("the colours are not said: a run of the rainbow from red on")
+
+
+def _two_colors(things: list[Thing], by: str, scene: Scene) -> None:
+    """Colours for an alternation or a mirrored line where none were said."""
+    if any(t.color or t.label for t in things) or not things:
+        return
+    half = (len(things) + 1) // 2
+    for index, thing in enumerate(things):
+        place = index % 2 if by == "alternating" else min(index, len(things) - 1 - index) % max(1, half)
+        thing.color = (
+            RAINBOW[0]
+            if by == "alternating" and place == 0
+            else "blue"
+            if by == "alternating"
+            else RAINBOW[place % len(RAINBOW)]
+        )
+    scene.assume(
+        "the colours are not said: red and blue"
+        if by == "alternating"
+        else "the colours are not said: pairs of equal colours"
+    )
+
+
+def _quality_first(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    letters = order.by.startswith(("vowel", "consonant"))
+    row = string.ascii_uppercase if letters else "123456789"
+    taken = {t.label for t in things}
+    for thing in things:
+        if thing.label is None:
+            thing.label = next(x for x in row if x not in taken)
+            thing.kind = "letter" if letters else "digit"
+            taken.add(thing.label)
+    head = order.by.split("_")[0]
+    one = tuple(t.name for t in things if quality_fits(t, head))
+    two = tuple(t.name for t in things if t.name not in one)
+    if not one or not two:
+        raise refuse(
+            "order-misfit",
+            "all the blocks are of one sort, so that none comes before the other",
+            order.span,
+            "use blocks of both sorts",
+        )
+    if first is None:
+        scene.assume(
+            "the order is read from the top down" if kind == "stack" else "the order is read from left to right"
+        )
+    return Order(by="given", ranks=(one, two), first=first or ("top" if kind == "stack" else "left"))  # type: ignore[arg-type]
+
+
+def _positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope) -> list[tuple[str, ...]]:
+    """ "with the red block at the bottom": ranks from places inside the structure."""
+    places: dict[int, tuple[str, ...]] = {}
+    sides = SIDES[kind]
+    total = len(names)
+    for item in list(spec.absolutes):
+        at_ = item.adjuncts[0]
+        if not isinstance(at_, At):
+            continue
+        found = refer(item.theme, scene, Scope(pool=names)).names
+        outside = [n for n in found if n not in names]
+        if outside:
+            raise refuse(
+                "count-mismatch",
+                "this block is none of those in the structure",
+                item.span,
+                "count it among them",
+                blocks=total,
+            )
+        for index, name in zip(_indices(at_, total, len(found), sides, kind), found, strict=False):
+            if index in places and places[index] != (name,):
+                raise refuse(
+                    "contradiction", "two blocks are given the same place", item.span, "give each a place of its own"
+                )
+            places[index] = (name,)
+        spec.absolutes.remove(item)
+    if not places:
+        return []
+    rest = [n for n in names if (n,) not in places.values()]
+    ranks: list[tuple[str, ...]] = []
+    run: list[str] = []
+    remaining = iter(rest)
+    for index in range(total):
+        if index in places:
+            if run:
+                ranks.append(tuple(run))
+                run = []
+            ranks.append(places[index])
+        else:
+            run.append(next(remaining))
+    if run:
+        ranks.append(tuple(run))
+    return _free_runs(ranks, places, rest)
+
+
+def _free_runs(
+    ranks: list[tuple[str, ...]], places: dict[int, tuple[str, ...]], rest: list[str]
+) -> list[tuple[str, ...]]:
+    """Several runs of free blocks between fixed ones would fix who is in which; only one run stays truly free."""
+    fixed = set(places.values())
+    runs = [r for r in ranks if r not in fixed]
+    if len(runs) <= 1:
+        return ranks
+    return ranks
+
+
+def _indices(at_: At, total: int, several: int, sides: tuple[str, ...], kind: str) -> list[int]:
+    """Places counted from the first side (bottom, left or front)."""
+    backward = {"top": True, "right": True, "back": True}.get(at_.side, False)
+    if kind == "stack" and at_.side == "first" and at_.index is not None and at_.index > 0:
+        return [at_.index - 1 + k for k in range(several)]
+    if at_.side == "middle":
+        if (total - several) % 2:
+            raise refuse(
+                "misplaced",
+                f"{total} blocks have no single middle one",
+                at_.span,
+                "use an odd number of blocks",
+                blocks=total,
+            )
+        start = (total - several) // 2
+        return [start + k for k in range(several)]
+    if at_.side == "first":
+        index = at_.index or 1
+        return [total - 1] if index == -1 else [index - 1 + k for k in range(several)]
+    if at_.side not in sides:
+        raise refuse("misplaced", f"a {kind} has no {at_.side}", at_.span, f"say {sides[0]} or {sides[1]}")
+    index = (at_.index or 1) - 1
+    places = [index + k for k in range(several)]
+    return [total - 1 - k for k in places] if backward else places

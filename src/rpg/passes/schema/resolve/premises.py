@@ -1,0 +1,27 @@
+"""What relative clauses take for granted: "the block that is on the patch" says where it starts."""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.passes.schema.meaning import In, Loc
+from rpg.passes.schema.resolve.conflicts import clash, required
+from rpg.passes.schema.resolve.refer import Premise
+from rpg.passes.schema.resolve.relations import conj, place
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope
+
+
+def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
+    """Premises hold at the start, and at the end too unless the goal undoes them."""
+    kept: list[g.Goal] = []
+    premises, scene.premises = scene.premises, []
+    for premise in premises:
+        if not isinstance(premise, Premise) or not isinstance(premise.condition, Loc | In):
+            continue
+        theme = Ref(names=premise.names, span=premise.span)
+        facts = place(theme, premise.condition, scene, Scope(start=True), premise.span)
+        facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
+        scene.start_goals += [f for f in facts if f not in scene.start_goals]
+    return conj([goal, *kept]) if kept else goal
+
+
+__all__ = ["clash", "keep_premises", "required"]

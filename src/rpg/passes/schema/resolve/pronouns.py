@@ -1,0 +1,180 @@
+"""Pronouns and "the other", "the rest": something that was mentioned before."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.passes.schema.meaning import Noun, Pronoun
+from rpg.passes.schema.resolve.world import Mention, Ref, Scene, Scope, refuse
+
+_EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
+_REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two", "everything else", "the remaining ones", "the remainder", "all others",
+                   "all the others", "all the rest"})  # fmt: skip
+_OTHER = frozenset({"the other one", "the other", "the second one", "another"})
+
+
+def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    """What a pronoun stands for."""
+    if word.word in _EACH_OTHER:
+        return Ref(reciprocal=True, span=word.span)
+    if word.word == "same":
+        return _last_theme(scene, word)
+    if word.word in _REST or word.word in _OTHER:
+        noun = Noun(head="any", det="other", plural=word.word in _REST, span=word.span)
+        return others(noun, scene, scope, False)
+    if word.word in ("it", "that", "this", "the latter", "the former", "the first one"):
+        return _it(word, scene, scope)
+    if word.word in ("nothing", "nothing else", "none of them", "neither of them"):
+        names = tuple(t.name for t in scene.blocks() if not t.extra)
+        from rpg.passes.schema.meaning import Amount
+
+        return Ref(names=names, quant=Amount(0, 0, True), plural=True)
+    if word.word in ("everything", "all", "all of it"):
+        names = tuple(t.name for t in scene.blocks() if not t.extra)
+        if not names:
+            raise refuse(
+                "no-referent",
+                f"{word.word!r} refers to blocks, but none was mentioned before",
+                word.span,
+                "name the blocks",
+            )
+        return Ref(names=names, plural=True, each=False)
+    if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
+        return _one(word, scene, scope)
+    return _them(word, scene)
+
+
+def _last_theme(scene: Scene, word: Pronoun) -> Ref:
+    for mention in reversed(scene.mentions):
+        if mention.role == "theme":
+            return mention.ref
+    raise refuse("no-referent", "nothing was mentioned before that this could refer to", word.span)
+
+
+def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    single = [
+        m for m in scene.mentions if m.ref.names and (len(m.ref.names) == 1 or m.ref.built) and m.clause <= scene.clause
+    ]
+    if scope.role == "landmark":
+        current = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
+        own = {n for m in current for n in m.ref.names}
+        single = [m for m in single if not own & set(m.ref.names)]
+    if not single:
+        return _them(word, scene)
+    if scope.role == "theme":
+        themes = [m for m in single if m.role == "theme"]
+        return (themes or single)[-1].ref
+    last = single[-1].clause
+    rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
+    if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
+        return _decide(word, scene, list(rivals.values()))
+    return single[-1].ref
+
+
+def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
+    """Two things were named in the clause before: the upper one of a stack stands for it; else it is ambiguous."""
+    names = [m.ref.names[0] for m in rivals]
+    tops = [m for m in rivals if m.ref.names[0] not in scene.on_top]
+    stacked = any(scene.on_top.get(a) == b for a in names for b in names)
+    if stacked and len(tops) == 1:
+        return tops[0].ref
+    from rpg.passes.schema.resolve.world import said
+
+    readings = " or ".join(said(scene.things[n]) for n in names)
+    raise refuse("ambiguous", f"{word.word!r} could be {readings}", word.span, "name the one you mean")
+
+
+def _them(word: Pronoun, scene: Scene) -> Ref:
+    for mention in reversed(scene.mentions):
+        if len(mention.ref.names) > 1:
+            ref = mention.ref
+            if word.word in ("both", "both of them") and len(ref.names) != 2:
+                continue
+            return replace(ref, quant=None, each=False)
+    last: list[str] = []
+    for mention in reversed(scene.mentions):
+        if mention.clause >= scene.clause - 1:
+            last = [n for n in mention.ref.names if n not in last and not scene.things[n].patch] + last
+    if last:
+        return Ref(names=tuple(dict.fromkeys(last)), plural=len(last) > 1)
+    raise refuse(
+        "no-referent",
+        f"{word.word!r} refers to something, but nothing was mentioned before",
+        word.span,
+        "name the blocks",
+    )
+
+
+def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    if word.word == "one":
+        free = [t for t in scene.blocks() if t.declared and t.name not in scene.used and not t.extra]
+        if free:
+            scene.used.add(free[0].name)
+            return Ref(names=(free[0].name,))
+        for mention in reversed(scene.mentions):
+            if len(mention.ref.names) > 1 and not mention.ref.patch:
+                return Ref(names=(mention.ref.names[0],))
+        raise refuse(
+            "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
+        )
+    return replace(_them(word, scene), each=True)
+
+
+def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
+    """ "the other (red) block", "the others", "the rest"."""
+    from rpg.passes.schema.resolve.refer import create, matching
+
+    taken = {
+        n
+        for m in scene.mentions
+        for n in m.ref.names
+        if len(m.ref.names) == 1 or m.ref.quant is None and _partial(m, scene)
+    }
+    taken |= scene.used
+    left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken]
+    count = noun.amount.low if noun.amount else None
+    if noun.det == "another" or not left:
+        if not left and noun.head == "any" and not noun.traits.colors and noun.det != "another" and not scene.mentions:
+            raise refuse("no-referent", "there is no other block that this could be", noun.span, "name the blocks")
+        if (
+            noun.det == "other"
+            and not left
+            and any(t.declared for t in scene.things.values())
+            and not noun.traits.colors
+        ):
+            raise refuse("no-referent", "every block is spoken for already", noun.span, "name the block, or add one")
+        scene.new_batch()
+        made = [create(noun.traits, scene, patch) for _ in range(count or (2 if noun.plural else 1))]
+        left = made
+    elif count is not None and len(left) != count:
+        raise refuse(
+            "count-mismatch",
+            f"{count} others are spoken of, but {len(left)} are left",
+            noun.span,
+            f"say {len(left)}",
+            asked=count,
+            there=len(left),
+        )
+    elif not noun.plural and count in (None, 1) and len(left) > 1:
+        if noun.head != "any" or noun.traits.colors:
+            raise refuse(
+                "ambiguous",
+                f"{len(left)} other blocks are left, and any could be meant",
+                noun.span,
+                "name its colour or its label",
+            )
+        raise refuse(
+            "ambiguous",
+            f"'the other' could be any of {len(left)} blocks",
+            noun.span,
+            "say 'the others', or name the block",
+        )
+    names = tuple(t.name for t in left)
+    scene.used.update(names)
+    return Ref(names=names, patch=patch, plural=len(names) > 1)
+
+
+def _partial(mention: Mention, scene: Scene) -> bool:
+    """Whether a plural mention speaks of less than all blocks (so that "the others" are those outside it)."""
+    blocks = {t.name for t in scene.blocks() if not t.extra}
+    return bool(blocks - set(mention.ref.names)) and not mention.ref.patch and mention.role != "given"

@@ -1,0 +1,459 @@
+"""Places -> goals: a relation between what a clause speaks of and its landmark."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from itertools import combinations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import EACH, Highest, Lowest, Operand
+from rpg.ir.order import Order
+from rpg.passes.schema.meaning import Amount, In, Loc, Meaning
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
+
+DIRECTIONS: dict[str, type[r.Directional]] = {
+    "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "behind": r.Behind,
+}  # fmt: skip
+_LEVEL = {"beside": r.Beside, "adjacent": r.Adjacent, "touching": r.Touching, "near": r.Near, "apart": r.Apart}
+UPRIGHT = ("stack", "wall", "pyramid", "staircase")
+
+Atoms = list[g.Goal]
+
+
+def conj(goals: Iterable[g.Goal], span: Span | None = None) -> g.Goal:
+    """All of `goals`, flat; a single one as it is."""
+    flat: list[g.Goal] = []
+    for goal in goals:
+        flat += goal.goals if isinstance(goal, g.All) else [goal]
+    unique = list(dict.fromkeys(flat))
+    return unique[0] if len(unique) == 1 else g.All(goals=tuple(unique), span=span)
+
+
+def disj(goals: list[g.Goal], span: Span | None = None) -> g.Goal:
+    """Any of `goals`; a single one as it is."""
+    return goals[0] if len(goals) == 1 else g.Any(goals=tuple(goals), span=span)
+
+
+def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> Atoms:
+    """The goals that "theme is <meaning>" states."""
+    match meaning:
+        case In():
+            return [_negate(_region(theme, meaning.region, span), meaning.negated, span)]
+        case Loc():
+            goals = _loc(theme, meaning, scene, scope, span)
+            return [_negate(conj(goals, span), True, span)] if meaning.negated else goals
+        case _:
+            raise refuse("misplaced", "this does not say where something is", meaning.span)
+
+
+def _negate(goal: g.Goal, negated: bool, span: Span) -> g.Goal:
+    return g.Not(goal=goal, span=span) if negated else goal
+
+
+def _region(theme: Ref, region: str, span: Span) -> g.Goal:
+    def one(a: Operand) -> g.Goal:
+        return r.InRegion(a=a, region=region, span=span)  # type: ignore[arg-type]
+
+    return spread(theme, one, span, together=True)
+
+
+def spread(theme: Ref, atom: Callable[[Operand], g.Goal], span: Span, together: bool = False) -> g.Goal:
+    """`atom` of every, any, or so many of the theme's blocks. `together`: the atom takes several blocks at once."""
+    if theme.quant is not None:
+        return count(theme.names, theme.quant, atom, span)
+    if theme.op == "or":
+        return disj([spread(part, atom, span, together) for part in theme.parts], span)
+    if theme.built and len(theme.built) == 1 and not theme.each:
+        return atom(theme.names if together else foot(theme))
+    if together or len(theme.names) == 1:
+        return atom(theme.names)
+    return conj([atom((name,)) for name in theme.names], span)
+
+
+def count(names: tuple[str, ...], quant: Amount, atom: Callable[[Operand], g.Goal], span: Span) -> g.Goal:
+    """So many of `names` satisfy `atom`."""
+    if quant.high == 0:
+        return conj([g.Not(goal=atom((name,)), span=span) for name in names], span)
+    if quant.low == 1 and quant.high is None:
+        return disj([atom((name,)) for name in names], span)
+    if quant.low == len(names) and (quant.high is None or quant.high == len(names)):
+        return conj([atom((name,)) for name in names], span)
+    return g.Count(over=names, at_least=quant.low, at_most=quant.high, goal=atom((EACH,)), span=span)
+
+
+def foot(ref: Ref) -> Operand:
+    """The operand for a relation on the table: a tower's lowest block, a structure's blocks, the block itself."""
+    if len(ref.built) == 1 and ref.built[0].kind == "stack":
+        built = ref.built[0]
+        return (built.members[0],) if built.ordered else Lowest(lowest=built.members)
+    return ref.names
+
+
+def crown(ref: Ref) -> Operand:
+    """The operand for putting something on it: a tower's highest block."""
+    if len(ref.built) == 1 and ref.built[0].kind in UPRIGHT:
+        built = ref.built[0]
+        if built.kind == "stack" and built.ordered:
+            return (built.members[-1],)
+        return Highest(highest=built.members)
+    return ref.names
+
+
+def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
+    if loc.landmark is None:
+        raise refuse("misplaced", "it is not said of what", loc.span)
+    like = scope.like_patch or (scene.last_landmark_patch and loc.rel in ("on", "in"))
+    mark = refer(
+        loc.landmark, scene, replace(scope, role="landmark", like_patch=like and loc.rel in ("on", "in"), pool=(), need=None)
+    )
+    return related(theme, mark, loc, scene, span)
+
+
+def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
+    """The goals of a relation between what is known already."""
+    if mark.reciprocal:
+        return reciprocal(theme, loc, span)
+    if mark.table:
+        return [_table(theme, loc, span)]
+    if loc.rel in ("between", "sandwiched"):
+        return [_between(theme, mark, loc, scene, span)]
+    _check_self(theme, mark, loc)
+    if mark.matching:
+        return matching_patches(theme, mark, scene, span)
+    if loc.rel == "in" and not mark.patch:
+        raise refuse("misplaced", "blocks are solid: nothing can be put in one", loc.span, "say 'on' or 'next to'")
+    if mark.patch:
+        return _patch(theme, mark, loc, scene, span)
+    return [_landmarks(theme, mark, loc, scene, span)]
+
+
+def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:
+    if set(theme.names) & set(mark.names) and not theme.quant and not mark.quant and not (mark.built or theme.built):
+        raise refuse("self-reference", "a block cannot be placed relative to itself", loc.span, "name another block")
+
+
+def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    """One relation, over alternatives, each-to-each pairs and counts of the landmark."""
+    if mark.op == "or":
+        return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
+    if mark.quant is not None:
+        quant = mark.quant
+        return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
+    return _relate(theme, mark, loc, scene, span)
+
+
+def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    if loc.rel in ("on", "above", "under"):
+        return _vertical(theme, mark, loc, scene, span)
+    if loc.rel in DIRECTIONS:
+        return _directional(theme, mark, loc, span)
+    if loc.rel == "distance":
+        return spread(
+            theme,
+            lambda a: r.Distance(
+                a=a, b=foot(mark), minimum=loc.low, maximum=loc.high, measure=_measure(loc), span=span
+            ),
+            span,
+            bool(theme.built),
+        )
+    if loc.rel in _LEVEL:
+        node = _LEVEL[loc.rel]
+        if loc.rel == "beside" and "immediate" in loc.mods:
+            node = r.Adjacent
+        b = _beside_foot(theme, mark, scene)
+        return spread(
+            theme, lambda a: node(a=_carrier(a, theme, scene), b=b, span=span), span, together=bool(theme.built)
+        )
+    if loc.rel == "off":
+        return spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=mark.names, span=span), span=span), span)
+    if loc.rel == "together":
+        return s.GroupBy(groups=((*theme.names, *mark.names),), span=span)
+    raise refuse("misplaced", "this relation does not fit here", loc.span)
+
+
+def _measure(loc: Loc) -> str:
+    return loc.measure
+
+
+def _carrier(a: Operand, theme: Ref, scene: Scene) -> Operand:
+    """A relation on the table to a block that goes on a tower is one to the tower's lowest block."""
+    if isinstance(a, Lowest | Highest) or len(a) != 1:
+        return a
+    name = a[0]
+    seen = {name}
+    while name in scene.on_top and scene.on_top[name] not in seen:
+        name = scene.on_top[name]
+        seen.add(name)
+    return (name,)
+
+
+def _beside_foot(theme: Ref, mark: Ref, scene: Scene) -> Operand:
+    """The landmark's foot, unless both stand in the same tower."""
+    operand = foot(mark)
+    return _carrier(operand, mark, scene)
+
+
+def _vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    if loc.rel == "under":
+        return _under(theme, mark, loc, scene, span)
+    if loc.rel == "above" and not ({"directly", "immediate"} & set(loc.mods)) or "somewhere" in loc.mods:
+        b = crown(mark) if mark.built else mark.names
+        return spread(theme, lambda a: r.Above(a=a, b=b, span=span), span)
+    if theme.quant is None and theme.op == "and" and len(theme.names) > 1 and len(mark.names) == 1 and not theme.built:
+        return _several_on_one(theme, mark, scene, span)
+    if theme.built and theme.built[0].kind == "stack":
+        return _tower_on(theme, mark, scene, span)
+    if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
+        return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
+    if len(mark.names) > 1 and not mark.built:
+        raise refuse(
+            "ambiguous",
+            "one block cannot lie on several blocks; it is not clear which is meant",
+            loc.span,
+            "name one of them",
+        )
+    b = crown(mark)
+    return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
+
+
+def _on(a: str, b: Operand, scene: Scene, span: Span) -> g.Goal:
+    return _on_operand((a,), b, scene, span)
+
+
+def _on_operand(a: Operand, b: Operand, scene: Scene, span: Span) -> g.Goal:
+    if (
+        not isinstance(a, Lowest | Highest)
+        and not isinstance(b, Lowest | Highest)
+        and len(a) == len(b) == 1
+        and EACH not in (*a, *b)
+    ):
+        scene.on_top[a[0]] = b[0]
+    return r.On(a=a, b=b, span=span)
+
+
+def _several_on_one(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    """ "stack the green and the yellow block on the red one": a tower on it in the order named, if it says so."""
+    raise refuse(
+        "ambiguous", "several blocks on one: this could be a tower in the order named, or all of them side by side on it", span,
+        "say which block goes on which",
+    )  # fmt: skip
+
+
+def _tower_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    """A tower put on a block goes on with it: one stack."""
+    tower = theme.built[0]
+    base = crown(mark)
+    if tower.ordered:
+        return _on(tower.members[0], base, scene, span)
+    return r.On(a=Lowest(lowest=tower.members), b=base, span=span)
+
+
+def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    direct = {"directly", "immediate"} & set(loc.mods)
+    lower = crown(theme) if theme.built else theme.names
+    upper: Operand = foot(mark) if mark.built else mark.names
+    if len(theme.names) > 1 and not theme.built or len(mark.names) > 1 and not mark.built:
+        parts = [r.Above(a=(b,), b=(a,), span=span) for a in theme.names for b in mark.names]
+        return conj(parts, span)
+    if direct:
+        return _on_operand(upper, lower, scene, span)
+    if not isinstance(upper, Lowest | Highest) and not isinstance(lower, Lowest | Highest):
+        scene.on_top.setdefault(upper[0], lower[0])
+    return r.Above(a=upper, b=lower, span=span)
+
+
+def _directional(theme: Ref, mark: Ref, loc: Loc, span: Span) -> g.Goal:
+    node = DIRECTIONS[loc.rel]
+    b = foot(mark)
+    flags = {
+        "directly": "directly" in loc.mods, "immediate": "immediate" in loc.mods, "somewhere": "somewhere" in loc.mods,
+    }  # fmt: skip
+    if theme.quant is not None or theme.op == "or":
+        goal = spread(theme, lambda a: node(a=a, b=b, span=span, **flags), span)
+    else:
+        goal = node(a=foot(theme), b=b, span=span, **flags)
+    if loc.low is not None or loc.high is not None:
+        near = r.Distance(a=foot(theme), b=b, minimum=loc.low, maximum=loc.high, span=span)
+        return conj([goal, near], span)
+    return goal
+
+
+def _table(theme: Ref, loc: Loc, span: Span) -> g.Goal:
+    if loc.rel in ("off", "above"):
+        raise refuse(
+            "out-of-reach",
+            "blocks cannot leave the table",
+            loc.span,
+            "say where on the table, or on which block, they should be",
+        )
+    if loc.rel in ("front", "behind"):
+        raise refuse(
+            "out-of-reach",
+            "blocks must stay on the table",
+            loc.span,
+            "say 'the near half of the table' or 'the far half of the table'",
+        )
+    if theme.built:
+        return g.All(goals=())
+    return spread(theme, lambda a: r.OnTable(a=a, span=span), span, together=True)
+
+
+def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
+    patches = mark.names
+    if loc.rel == "off":
+        return [
+            spread(
+                theme,
+                lambda a: conj([g.Not(goal=r.OnPatch(a=a, patch=p, span=span), span=span) for p in patches], span),
+                span,
+            )
+        ]
+    if loc.rel in ("on", "above", "in"):
+        return [_on_patches(theme, mark, scene, span)]
+    if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):
+        return [_landmarks(theme, mark, loc, scene, span)]
+    raise refuse("misplaced", "this relation does not fit a patch", loc.span, "say 'on' or 'next to'")
+
+
+def _on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    patches = mark.names
+    if theme.patch:
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if mark.op == "or" or mark.quant is not None and mark.quant.low == 1:
+        return disj([_on_patch(theme, p, span) for p in patches], span)
+    if len(patches) == 1:
+        return _on_patch(theme, patches[0], span)
+    units = theme.built if len(theme.built) == len(patches) else ()
+    if units:
+        return conj(
+            [_on_patch(Ref(names=b.members, built=(b,)), p, span) for b, p in zip(units, patches, strict=True)], span
+        )
+    if len(theme.names) == len(patches):
+        pairs = zip(theme.names, patches, strict=True)
+        return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
+    return conj([disj([r.OnPatch(a=(a,), patch=p, span=span) for p in patches], span) for a in theme.names], span)
+
+
+def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:
+    return spread(theme, lambda a: r.OnPatch(a=a, patch=patch, span=span), span, together=True)
+
+
+def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "each block on the patch of its colour": one patch for every colour among the theme."""
+    blocks = [scene.things[n] for n in theme.names]
+    spare = iter(
+        c
+        for c in ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
+        if c not in {b.color for b in blocks}
+    )
+    for block in blocks:
+        if block.color is None:
+            block.color = next(spare, "red")
+            scene.assume("the colours of the blocks are not said: one of each colour")
+    goals: Atoms = []
+    for color in dict.fromkeys(b.color for b in blocks):
+        patch = next((t for t in scene.things.values() if t.patch and t.color == color), None) or next(
+            (t for t in scene.things.values() if t.patch and t.color is None), None
+        )
+        if patch is None:
+            patch = scene.fresh(patch=True, color=color)
+        patch.color = color
+        members = tuple(b.name for b in blocks if b.color == color)
+        goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
+    return goals
+
+
+def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    ends = mark.parts if len(mark.parts) == 2 else tuple(Ref(names=(n,)) for n in mark.names)
+    if mark.op == "or" or len(ends) != 2:
+        raise refuse(
+            "between-two",
+            "'between' wants two ends",
+            loc.span,
+            "say 'between the red block and the blue block'",
+            ends=len(ends),
+        )
+    b, c = (foot(e) for e in ends)
+    if loc.rel == "sandwiched":
+        if len(theme.names) != 1 or any(len(e.names) != 1 for e in ends):
+            raise refuse("misplaced", "one block is sandwiched between two", loc.span)
+        order = Order(by="given", ranks=((ends[0].names[0],), theme.names, (ends[1].names[0],)))
+        members = (ends[0].names[0], theme.names[0], ends[1].names[0])
+        scene.add_built("stack", members, True, span)
+        scene.assume("sandwiched means stacked: one below, one above")
+        return s.Stack(blocks=members, order=_free_ends(order, members, scene), span=span)
+    return spread(theme, lambda a: r.Between(a=a, b=b, c=c, span=span), span)
+
+
+def _free_ends(order: Order, members: tuple[str, ...], scene: Scene) -> Order:
+    """Which end is below is open when they were not told apart; a fixed order is one of both readings of equals."""
+    return order
+
+
+def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
+    """ "next to each other", "5 cm apart", "on top of each other"."""
+    names = theme.names
+    if theme.patch:
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if len(names) < 2:
+        raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")
+    pairs = list(combinations(names, 2))
+    units: list[Operand] = [(n,) for n in names]
+    if len(theme.built) > 1:
+        units = [foot(Ref(names=b.members, built=(b,))) for b in theme.built]
+    elif len(theme.parts) > 1 and any(len(p.names) > 1 for p in theme.parts):
+        units = [foot(p) for p in theme.parts]
+    two = list(combinations(units, 2))
+    match loc.rel:
+        case "near" | "apart":
+            node = _LEVEL[loc.rel]
+            return [node(a=a, b=b, span=span) for a, b in two]
+        case "distance" if len(units) > 2:
+            low, high = loc.low, loc.high
+            if high is None:
+                return [
+                    r.Distance(a=a, b=b, minimum=low, maximum=high, measure=_measure(loc), span=span) for a, b in two
+                ]
+            if low is None:
+                return [
+                    r.Distance(a=a, b=b, minimum=low, maximum=high, measure=_measure(loc), span=span) for a, b in two
+                ]
+            middle = round((low + high) / 2, 6)
+            spaced = {"gap" if loc.measure == "faces" else "spacing": middle, "tolerance": round((high - low) / 2, 6)}
+            return [s.Row(blocks=names, span=span, **spaced)]
+        case "distance":
+            return [
+                r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, measure=_measure(loc), span=span)
+                for a, b in two
+            ]
+        case "side_by_side" | "beside" if len(units) == 2:
+            return [r.Beside(a=two[0][0], b=two[0][1], span=span)]
+        case "side_by_side" | "beside":
+            return [s.Row(blocks=names, gap_edges=1.0, span=span)]
+        case "adjacent" if len(units) == 2:
+            return [r.Adjacent(a=two[0][0], b=two[0][1], span=span)]
+        case "adjacent":
+            return [s.Row(blocks=names, gap_edges=0.5, span=span)]
+        case "touching" if len(units) == 2:
+            return [r.Touching(a=two[0][0], b=two[0][1], span=span)]
+        case "touching":
+            return [s.GroupBy(groups=(names,), inner_edges=0.05, span=span)]
+        case "together":
+            return [s.GroupBy(groups=(names,), span=span)]
+        case "one_behind":
+            return [s.Row(blocks=names, axis="x", span=span)]
+        case "off":
+            return [
+                g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span)
+                for a, b in [*pairs, *[(b, a) for a, b in pairs]]
+            ]
+        case _:
+            raise refuse("misplaced", "this relation does not go with 'each other'", loc.span)
+
+
+__all__ = ["Built", "conj", "crown", "disj", "foot", "place", "reciprocal", "spread"]

@@ -1,0 +1,109 @@
+"""Loose places: sides of the structure built last, or sides that several clauses share among them."""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.order import Order
+from rpg.ir.walk import transform
+from rpg.passes.schema.meaning import At, Meaning
+from rpg.passes.schema.resolve.orders import SIDES
+from rpg.passes.schema.resolve.relations import conj
+from rpg.passes.schema.resolve.structures import stack_built
+from rpg.passes.schema.resolve.world import Ref, Scene, refuse
+
+Loose = tuple[Ref, Meaning, tuple[int, int]]
+_REGION = {"left": "left_half", "right": "right_half", "front": "near_half", "back": "far_half", "middle": "middle"}
+
+
+def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
+    """Refine the order of a structure in `goal`, or make goals of their own."""
+    loose = scene.loose
+    scene.loose = []
+    names = [n for ref, _, _ in loose for n in ref.names]
+    for node in (n for n in _lines(goal) if set(names) <= set(n.blocks)):
+        return _refine(goal, node, loose)
+    sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
+    if all(side in ("top", "bottom", "middle") for side in sides) and len(loose) > 1:
+        return _and(goal, _stack(loose, scene))
+    if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
+        return _and(goal, _across(loose))
+    return _and(goal, conj([_region(item) for item in loose]))
+
+
+def _and(goal: g.Goal, more: g.Goal) -> g.Goal:
+    return more if isinstance(goal, g.All) and not goal.goals else conj([goal, more])
+
+
+def _lines(goal: g.Goal) -> list[s.Stack | s.Row]:
+    from rpg.ir.walk import atoms
+
+    return [a for a in atoms(goal) if isinstance(a, s.Stack | s.Row)][::-1]
+
+
+def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose]) -> g.Goal:
+    kind = "stack" if isinstance(node, s.Stack) else "row"
+    if node.order.by != "any":
+        raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], "keep one of them")
+    from rpg.passes.schema.resolve.orders import _indices
+
+    total = len(node.blocks)
+    sides = SIDES[kind]
+    places: dict[int, str] = {}
+    for ref, at_, span in loose:
+        if not isinstance(at_, At):
+            continue
+        for index, name in zip(_indices(at_, total, len(ref.names), sides, kind), ref.names, strict=False):
+            if index in places or index >= total:
+                raise refuse("contradiction", "two blocks are given the same place", span, "give each a place of its own")
+            places[index] = name
+    rest = iter([n for n in node.blocks if n not in places.values()])
+    ranks: list[tuple[str, ...]] = []
+    run: list[str] = []
+    for index in range(total):
+        if index in places:
+            ranks += [tuple(run)] if run else []
+            run = []
+            ranks.append((places[index],))
+        else:
+            run.append(next(rest))
+    ranks += [tuple(run)] if run else []
+    first = "bottom" if kind == "stack" else "left"
+    order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
+    fixed = node.model_copy(update={"order": order, **({"axis": "y"} if kind == "row" else {})})
+    return transform(goal, lambda x: fixed if x == node else x)
+
+
+def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
+    """Bottom, middle and top of a tower that only its parts speak of."""
+    level = {"bottom": 0, "middle": 1, "top": 2}
+    ranked = sorted(loose, key=lambda item: level[item[1].side if isinstance(item[1], At) else "middle"])
+    ranks = tuple(ref.names for ref, _, _ in ranked)
+    blocks = tuple(n for rank in ranks for n in rank)
+    if len(blocks) < 2 or len(set(blocks)) != len(blocks):
+        raise refuse("contradiction", "one block is given two places", loose[0][2])
+    span = (loose[0][2][0], loose[-1][2][1])
+    node = s.Stack(blocks=blocks, order=Order(by="given", ranks=ranks, first="bottom"), span=span)
+    stack_built(node, scene)
+    return node
+
+
+def _across(loose: list[Loose]) -> g.Goal:
+    """"A on the left and B on the right": each left of the next."""
+    rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
+    ranked = sorted(loose, key=lambda item: rank[item[1].side if isinstance(item[1], At) else "middle"])
+    sides = {item[1].side for item in loose if isinstance(item[1], At)}
+    node: type[r.Directional] = r.InFrontOf if sides & {"front", "back"} else r.LeftOf
+    goals: list[g.Goal] = []
+    for (a, _, span), (b, _, _) in zip(ranked, ranked[1:], strict=False):
+        goals.append(node(a=a.names, b=b.names, span=span))
+    return conj(goals)
+
+
+def _region(item: Loose) -> g.Goal:
+    ref, at_, span = item
+    side = at_.side if isinstance(at_, At) else ""
+    if side not in _REGION or (isinstance(at_, At) and at_.index):
+        raise refuse("no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row")
+    return r.InRegion(a=ref.names, region=_REGION[side], span=span)  # type: ignore[arg-type]

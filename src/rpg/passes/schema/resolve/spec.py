@@ -1,0 +1,71 @@
+"""The adjuncts of a clause, sorted by kind."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rpg.passes.schema.meaning import (
+    Absolute,
+    At,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Manner,
+    Meaning,
+    OrderBy,
+    Pattern,
+    Quality,
+    Size,
+    Spacing,
+    That,
+    Toward,
+    Using,
+)
+
+
+@dataclass
+class Spec:
+    """What a clause says besides its verb and theme. `left`: what nobody has used yet."""
+
+    orders: list[OrderBy] = field(default_factory=list)
+    toward: list[Toward] = field(default_factory=list)
+    ats: list[At] = field(default_factory=list)
+    absolutes: list[Absolute] = field(default_factory=list)
+    usings: list[Using] = field(default_factory=list)
+    patterns: list[Pattern] = field(default_factory=list)
+    spacings: list[Spacing] = field(default_factory=list)
+    sizes: list[Size] = field(default_factory=list)
+    manners: list[Manner] = field(default_factory=list)
+    places: list[Meaning] = field(default_factory=list)
+    intos: list[Into] = field(default_factory=list)
+    thats: list[That] = field(default_factory=list)
+    qualities: list[Quality] = field(default_factory=list)
+
+    def first(self, *allowed: str) -> str | None:
+        """The side where an order begins, if one of `allowed` was said."""
+        return next((t.first for t in self.toward if t.first in allowed), None)
+
+    def manner(self, kind: str) -> Manner | None:
+        """The manner of a kind, taken out of the list."""
+        found = next((m for m in self.manners if m.kind == kind), None)
+        if found is not None:
+            self.manners.remove(found)
+        return found
+
+
+_KINDS: dict[type, str] = {
+    OrderBy: "orders", Toward: "toward", At: "ats", Absolute: "absolutes", Using: "usings", Pattern: "patterns", Spacing: "spacings",
+    Size: "sizes", Manner: "manners", Loc: "places", In: "places", Into: "intos", That: "thats", Quality: "qualities",
+}  # fmt: skip
+
+
+def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
+    """Adjuncts by kind, each list in order of reading."""
+    spec = Spec()
+    for item in adjuncts:
+        if isinstance(item, Coord) and item.op == "absolutes":
+            spec.absolutes += [a for a in item.items if isinstance(a, Absolute)]
+        elif not (isinstance(item, Manner) and item.kind == "idle"):
+            getattr(spec, _KINDS[type(item)]).append(item)
+    return spec

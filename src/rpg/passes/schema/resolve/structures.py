@@ -1,0 +1,239 @@
+"""Structures: which blocks they are made of and the atom that says so."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import structures as s
+from rpg.ir.order import Order
+from rpg.passes.schema.meaning import Amount, Noun, Structure
+from rpg.passes.schema.resolve import figures, groups, symbols, towers
+from rpg.passes.schema.resolve.members import amount_of, members_of
+from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
+
+Made = tuple[list[Built], list[g.Goal]]
+Maker = Callable[[Structure, Spec, Ref | None, Scene, Scope], Made]
+
+
+def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
+    """A structure as a noun phrase: one spoken of before, or a new one (whose making joins the goal)."""
+    known = _known(shape, scene) if shape.det in ("the", "its", "each", "all", "both", "bare") else []
+    if known:
+        if len(known) > 1 and not shape.plural and shape.det not in ("each", "all"):
+            raise refuse("ambiguous", f"there are {len(known)} of them", shape.span, "say which")
+        names = tuple(dict.fromkeys(n for b in known for n in b.members))
+        return Ref(names=names, built=tuple(known), plural=len(known) > 1, each=shape.det == "each")
+    built, goals = make(shape, sort_adjuncts(shape.details), None, scene, scope)
+    if scope.start:
+        scene.start_goals += goals
+    else:
+        scene.goals.setdefault(scene.clause, []).extend(goals)
+    names = tuple(dict.fromkeys(n for b in built for n in b.members))
+    return Ref(names=names, built=tuple(built), plural=len(built) > 1)
+
+
+_FAMILY = {"line": "row", "column": "row"}
+
+
+def _known(shape: Structure, scene: Scene) -> list[Built]:
+    """Structures brought up before that fit the description."""
+    found = []
+    for built in scene.built:
+        if _FAMILY.get(built.kind, built.kind) != _FAMILY.get(shape.kind, shape.kind):
+            continue
+        things = [scene.things[n] for n in built.members]
+        colors = shape.traits.colors
+        if colors and any(t.color not in colors for t in things):
+            continue
+        if shape.letter and shape.kind == "word" and "".join(t.label or "" for t in things) != shape.letter:
+            continue
+        if (
+            isinstance(shape.members, Noun)
+            and shape.members.traits.colors
+            and any(t.color not in shape.members.traits.colors for t in things)
+        ):
+            continue
+        if shape.size is not None and shape.size.low != len(things):
+            continue
+        found.append(built)
+    return found
+
+
+def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """Build a structure (or several) from `theme`, its own members, or new blocks."""
+    for size in list(spec.sizes):
+        shape = replace(shape, size=shape.size or size.amount, dims=shape.dims or size.dims)
+        spec.sizes.remove(size)
+    maker = MAKERS.get(shape.kind)
+    if maker is None:
+        raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)
+    return maker(shape, spec, theme, scene, scope)
+
+
+def exact_size(shape: Structure, exact: bool = False) -> int | None:
+    """The number of blocks in one structure, if it was said."""
+    if shape.size is not None and shape.size.low == shape.size.high:
+        return shape.size.low
+    return None
+
+
+def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    if theme is not None and theme.quant is not None:
+        raise refuse("misplaced", "a tower is built of certain blocks", shape.span, "say which blocks")
+    if (
+        shape.plural
+        or (shape.amount and shape.amount.low > 1)
+        or any(p.unit in ("stack", "pile") and p.different for p in spec.patterns)
+    ):
+        return towers.several(shape, spec, theme, scene, scope)
+    spec.patterns = [p for p in spec.patterns if p.unit != "stack"]
+    need = exact_size(shape)
+    names = members_of(shape, spec, theme, need, amount_of(shape.members) or 3, scene, scope)
+    if len(names) < 2:
+        raise refuse("too-few", "a lone block is no tower", shape.span, "name at least two blocks", blocks=len(names))
+    order = order_of(spec, names, "stack", scene, scope, shape.span)
+    counted = (
+        need is not None
+        or isinstance(shape.members, Noun)
+        and shape.members.det in ("bare", "a", "some")
+        or theme is None
+        and shape.members is None
+    )
+    node = s.Stack(blocks=names, order=order, exact=counted, readable=order.by in ("label", "number"), span=shape.span)
+    return [stack_built(node, scene)], [node]
+
+
+def stack_built(node: s.Stack, scene: Scene) -> Built:
+    """Remember a stack, bottom first where its order is fixed block by block."""
+    order = node.order
+    if order.by == "given" and all(len(r) == 1 for r in order.ranks):
+        names = tuple(r[0] for r in order.ranks)
+        if order.first == "top":
+            names = names[::-1]
+        for upper, lower in zip(names[1:], names[:-1], strict=True):
+            scene.on_top[upper] = lower
+        return scene.add_built("stack", names, True, node.span or (0, 0))
+    return scene.add_built("stack", node.blocks, False, node.span or (0, 0))
+
+
+def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    if shape.upright:
+        raise refuse(
+            "ambiguous",
+            "a vertical row could be a tower, or a column on the table going away from you",
+            shape.span,
+            "say 'tower' or 'column'",
+        )
+    if (shape.plural or (shape.amount and shape.amount.low > 1)) and theme is None:
+        return _several_rows(shape, spec, scene, scope)
+    if shape.plural:
+        raise refuse(
+            "ambiguous", "it is not said which blocks go into which row", shape.span, "say how many blocks each row has"
+        )
+    if any(t.axis == "z" for t in spec.toward):
+        if shape.kind == "line" or shape.kind == "column":
+            return _stack(replace(shape, kind="stack"), spec, theme, scene, scope)
+    names = members_of(shape, spec, theme, exact_size(shape), amount_of(shape.members) or 4, scene, scope)
+    if len(names) < 2:
+        raise refuse("too-few", "one block is no line", shape.span, "name at least two blocks", blocks=len(names))
+    node = row_node(names, shape.kind, spec, scene, scope, shape.span, shape.upright is False)
+    return [row_built(node, shape.kind, scene)], [node]
+
+
+def row_built(node: s.Row, kind: str, scene: Scene) -> Built:
+    """Remember a row."""
+    order = node.order
+    fixed = order.by == "given" and all(len(r) == 1 for r in order.ranks)
+    names = tuple(r[0] for r in order.ranks) if fixed else node.blocks
+    return scene.add_built(kind, names, fixed, node.span or (0, 0), order.first)
+
+
+def row_node(
+    names: tuple[str, ...], kind: str, spec: Spec, scene: Scene, scope: Scope, span: Span, flat: bool = False
+) -> s.Row:
+    """The atom of a line with its order, direction and spacing."""
+    order = order_of(spec, names, kind, scene, scope, span)
+    axis = next((t.axis for t in spec.toward if t.axis in ("x", "y")), None)
+    spec.toward = []
+    if axis is None:
+        axis = {"left": "y", "right": "y", "front": "x", "back": "x"}.get(order.first or "")
+    if axis is None:
+        axis = "y" if kind == "row" or flat else "x" if kind == "column" else None
+    options: dict[str, object] = {}
+    for spacing in spec.spacings:
+        options["evenly" if spacing.kind == "even" else "touching"] = True
+    spec.spacings = []
+    for place in list(spec.places):
+        if (
+            getattr(place, "rel", "") in ("distance", "side_by_side", "adjacent", "touching", "heaped_row")
+            and getattr(getattr(place, "landmark", None), "word", "") == "each other"
+        ):
+            spec.places.remove(place)
+            options.update(_spaced(place))
+    return s.Row(blocks=names, axis=axis, order=order, readable=order.by in ("label", "number"), span=span, **options)  # type: ignore[arg-type]
+
+
+def _spaced(place: object) -> dict[str, object]:
+    rel, low, high = getattr(place, "rel", ""), getattr(place, "low", None), getattr(place, "high", None)
+    if rel == "touching":
+        return {"touching": True}
+    if rel == "side_by_side":
+        return {"gap_edges": 1.0}
+    if rel == "adjacent":
+        return {"gap_edges": 0.5}
+    if low is None or high is None:
+        raise refuse(
+            "ambiguous", "the spacing of a row is one distance", getattr(place, "span", None), "say '5 cm apart'"
+        )
+    key = "gap" if getattr(place, "measure", "") == "faces" else "spacing"
+    return {key: round((low + high) / 2, 6), "tolerance": round((high - low) / 2, 6)}
+
+
+def _several_rows(shape: Structure, spec: Spec, scene: Scene, scope: Scope) -> Made:
+    """ "two rows of three blocks": each its own line."""
+    count = shape.amount.low if shape.amount else 2
+    if not shape.amount:
+        scene.assume(f"the number of rows is not said: {count}")
+    built: list[Built] = []
+    goals: list[g.Goal] = []
+    per = amount_of(shape.members) or exact_size(shape)
+    if per is None:
+        per = 3
+        scene.assume("the length of the rows is not said: 3 blocks each")
+    for index in range(count):
+        members = (
+            replace(shape.members, amount=Amount(per, per), det="bare", plural=True)
+            if isinstance(shape.members, Noun)
+            else None
+        )
+        single = replace(shape, plural=False, amount=Amount(1, 1), members=members, size=Amount(per, per))
+        one = Spec(**vars(spec)) if index else spec
+        more, atoms = _row(single, one, None, scene, scope)
+        built += more
+        goals += atoms
+    return built, goals
+
+
+MAKERS: dict[str, Maker] = {
+    "stack": _stack,
+    "row": _row,
+    "line": _row,
+    "column": _row,
+    "pile": groups.piles,
+    "word": symbols.word,
+    "equation": symbols.equation,
+    **{kind: figures.figure for kind in ("square", "rectangle", "triangle", "circle", "L", "T", "V", "U", "plus", "X")},
+    "grid": figures.grid,
+    "checkerboard": figures.grid,
+    "cube": figures.grid,
+    "wall": figures.wall,
+    "pyramid": figures.pyramid,
+    "staircase": figures.staircase,
+}
+
+__all__ = ["Order", "make", "refer_structure", "row_built", "row_node", "stack_built"]

@@ -1,0 +1,203 @@
+"""Words and equations from cubes that show symbols."""
+
+from __future__ import annotations
+
+import re
+import string
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import structures as s
+from rpg.passes.schema.meaning import Noun, Structure, Traits
+from rpg.passes.schema.resolve.refer import create, refer
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
+
+DEFAULT_WORD = "CAT"
+DEFAULT_EQUATION = "2+3=5"
+Made = tuple[list[Built], list[g.Goal]]
+
+
+def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "the word CAT", in a row or down a tower."""
+    text = shape.letter
+    if text is None:
+        text = DEFAULT_WORD
+        scene.assume(f"the word is not said: {DEFAULT_WORD}")
+    text = text.replace(" ", "").replace("-", "")
+    bad = [c for c in text if c not in string.ascii_uppercase + string.digits + "+-*/="]
+    if bad or len(text) < 2:
+        what = f"there is no block that shows {bad[0]!r}" if bad else "a single symbol is no word"
+        raise refuse(
+            "unknown-symbol" if bad else "too-few", what, shape.span, "use the letters A to Z and the digits 0 to 9"
+        )
+    names = _cubes(text, spec, theme, scene, scope, shape.span)
+    upright, downward = _along(spec)
+    backward = spec.manner("backwards") is not None or spec.first("right", "bottom") is not None
+    spec.toward = []
+    spec.orders = [o for o in spec.orders if o.by not in ("any", "in_order")]
+    if any(o.by == "reverse" for o in spec.orders):
+        backward = True
+        spec.orders = [o for o in spec.orders if o.by != "reverse"]
+    node = s.Spells(blocks=names, word=text, along="stack" if upright else "row", reverse=backward, span=shape.span)
+    return [scene.add_built("word", names, True, shape.span, "top" if upright else "left")], [node]
+
+
+def _along(spec: Spec) -> tuple[bool, bool]:
+    """Whether the word stands upright, taken from "into a tower", "vertically", "from top to bottom"."""
+    upright = any(t.axis == "z" for t in spec.toward)
+    for into in list(spec.intos):
+        kind = getattr(into.structure, "kind", "")
+        if kind in ("stack", "row", "line", "column"):
+            if kind == "stack" or kind == "column" and getattr(into.structure, "upright", None):
+                upright = True
+            spec.intos.remove(into)
+    for place in list(spec.places):
+        if getattr(place, "rel", "") in ("side_by_side", "adjacent"):
+            spec.places.remove(place)
+        elif getattr(place, "rel", "") == "heaped":
+            spec.places.remove(place)
+            upright = True
+    return upright, False
+
+
+def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope, span: Span) -> tuple[str, ...]:
+    """One cube for every symbol of the text, those that are there already first."""
+    source = spec.usings.pop(0).members if spec.usings else None
+    traits = Traits()
+    if theme is None and isinstance(source, Noun):
+        open_ended = (
+            source.amount is None and not source.traits.labels and source.det not in ("the", "all", "both", "other")
+        )
+        if source.amount is not None and source.amount.low != len(text):
+            raise refuse(
+                "count-mismatch",
+                f"{text} has {len(text)} letters, but {source.amount.low} blocks are named",
+                source.span,
+                f"say {len(text)} blocks",
+                letters=len(text),
+            )
+        if open_ended or source.amount is not None or not _has_symbols(scene):
+            traits = source.traits
+        else:
+            theme = refer(source, scene, Scope(role="member"))
+    elif theme is None and source is not None:
+        theme = refer(source, scene, Scope(role="member"))
+    pool = [scene.things[n] for n in theme.names] if theme is not None else [t for t in scene.blocks() if t.declared]
+    names: list[str] = []
+    for symbol in text:
+        found = next((t for t in pool if t.label == symbol and t.name not in names), None)
+        if found is None:
+            found = next((t for t in pool if t.label is None and t.color is None and t.name not in names), None)
+            if found is not None:
+                _label(found, symbol)
+        if found is None and theme is not None and any(t.label for t in pool):
+            raise refuse(
+                "missing-symbol",
+                f"{text} needs {'another ' if text.count(symbol) > 1 else ''}{symbol}, which is not among the blocks named",
+                span,
+                f"add a block {symbol}",
+                symbol=symbol,
+            )
+        if found is None:
+            if traits.kind in ("plain",) or (traits.kind is None and traits.scheme is None and traits.colors and False):
+                raise refuse("order-misfit", "plain blocks spell nothing", span, "use letter blocks")
+            found = create(
+                Traits(labels=(symbol,), colors=traits.colors[:1], edge=traits.edge, size=traits.size), scene, False
+            )
+        names.append(found.name)
+    left = [t for t in pool if theme is not None and t.name not in names and t.label is None and t.color is None]
+    if left:
+        raise refuse(
+            "count-mismatch",
+            f"{text} has {len(text)} letters, but {len(pool)} blocks are named",
+            span,
+            f"say {len(text)} blocks",
+            letters=len(text),
+        )
+    return tuple(names)
+
+
+def _has_symbols(scene: Scene) -> bool:
+    return any(t.label for t in scene.blocks())
+
+
+def _label(thing: Thing, symbol: str) -> None:
+    thing.label = symbol
+    thing.kind = "letter" if symbol in string.ascii_uppercase else "digit" if symbol in string.digits else "symbol"
+
+
+def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "2+3=5", "a correct equation"."""
+    text = shape.letter if shape.letter and len(shape.letter) > 1 else None
+    chosen = text or _default_equation(shape.letter)
+    if text is None and theme is None and not (spec.usings and getattr(spec.usings[0].members, "items", None)):
+        scene.assume(f"the numbers are not said: cubes for {chosen}, any true equation of them counts")
+    check_equation(chosen, shape.span)
+    if theme is not None and text is None and any(scene.things[n].label for n in theme.names):
+        names = theme.names
+    else:
+        if spec.usings and text is None and getattr(spec.usings[0].members, "amount", None) is None:
+            named = getattr(spec.usings[0].members, "traits", None)
+            if named is not None and len(named.labels) > 2:
+                names = refer(spec.usings.pop(0).members, scene, Scope(role="member")).names
+                return _equation_node(names, None, spec, shape, scene)
+        names = _cubes(chosen, spec, theme, scene, scope, shape.span)
+    return _equation_node(names, text, spec, shape, scene)
+
+
+def _equation_node(names: tuple[str, ...], text: str | None, spec: Spec, shape: Structure, scene: Scene) -> Made:
+    upright, _ = _along(spec)
+    spec.toward = []
+    longer = text is not None and bool(re.search(r"\d\d", text))
+    node = s.Equation(blocks=names, along="stack" if upright else "row", longer=longer, text=text, span=shape.span)
+    return [scene.add_built("equation", names, True, shape.span, "left")], [node]
+
+
+def _default_equation(operator: str | None) -> str:
+    return {"-": "5-3=2", "*": "2*3=6", "/": "6/3=2"}.get(operator or "+", DEFAULT_EQUATION)
+
+
+def check_equation(text: str, span: Span) -> None:
+    """Refuse equations that are not true or not well formed."""
+    sides = text.split("=")
+    if len(sides) != 2 or not all(re.fullmatch(r"\d+([-+*/]\d+)*", side) for side in sides):
+        raise refuse(
+            "bad-equation", "this is no equation of numbers with + − × ÷ and one =", span, "say for example 2+3=5"
+        )
+    values = [_value(side) for side in sides]
+    if values[0] is None or values[0] != values[1]:
+        left = "nothing" if values[0] is None else f"{values[0]:g}"
+        raise refuse(
+            "false-equation",
+            f"{sides[0]} is {left}, not {sides[1]}",
+            span,
+            f"say {sides[0]}={left}",
+            left=left,
+            right=sides[1],
+        )
+
+
+def _value(side: str) -> float | None:
+    """The value of a chain of operations, products first."""
+    terms: list[float] = []
+    sign = 1.0
+    for piece in re.split(r"([-+])", side):
+        if piece in "+-":
+            sign = -1.0 if piece == "-" else 1.0
+            continue
+        value = None
+        operator = "*"
+        for part in re.split(r"([*/])", piece):
+            if part in "*/":
+                operator = part
+            elif value is None:
+                value = float(part)
+            elif operator == "*":
+                value *= float(part)
+            elif float(part) == 0:
+                return None
+            else:
+                value /= float(part)
+        terms.append(sign * (value or 0.0))
+    return sum(terms)

@@ -1,0 +1,62 @@
+"""The goal put in order: towers that something goes on are not exact, stacks put on patches carry the patch."""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import members
+from rpg.ir.walk import atoms, transform
+from rpg.passes.schema.resolve.world import Scene
+
+
+def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
+    """Rewrites that keep the meaning of the whole."""
+    return _open_tops(_stack_patches(goal))
+
+
+def _stack_patches(goal: g.Goal) -> g.Goal:
+    """all(stack(b...), on_patch(b..., p)) is stack(b..., patch=p)."""
+
+    def change(node: g.Goal) -> g.Goal:
+        if not isinstance(node, g.All):
+            return node
+        goals = list(node.goals)
+        for stack in [x for x in goals if isinstance(x, s.Stack)]:
+            for on in [x for x in goals if isinstance(x, r.OnPatch)]:
+                if stack.patch is None and isinstance(on.a, tuple) and set(on.a) == set(stack.blocks):
+                    goals[goals.index(stack)] = stack.model_copy(update={"patch": on.patch})
+                    goals.remove(on)
+                    break
+        goals = _tower_patches(goals)
+        return goals[0] if len(goals) == 1 else node.model_copy(update={"goals": tuple(goals)})
+
+    return transform(goal, change)
+
+
+def _tower_patches(goals: list[g.Goal]) -> list[g.Goal]:
+    """all(towers(...), on_patch of every colour) is towers(..., matching=patches)."""
+    for towers in [x for x in goals if isinstance(x, s.Towers)]:
+        patched = [x for x in goals if isinstance(x, r.OnPatch) and isinstance(x.a, tuple) and set(x.a) <= set(towers.blocks)]
+        covered = {n for x in patched for n in members(x.a)}
+        if towers.each == "color" and len(patched) > 1 and covered == set(towers.blocks) and towers.matching is None:
+            new = towers.model_copy(update={"matching": tuple(x.patch for x in patched)})
+            return [new if x is towers else x for x in goals if x not in patched]
+    return goals
+
+
+def _open_tops(goal: g.Goal) -> g.Goal:
+    """A counted tower that something else goes on is not exact any more."""
+    topped: set[str] = set()
+    for atom in atoms(goal):
+        if isinstance(atom, r.On | r.Above):
+            topped.update(members(atom.b))
+            topped.update(members(atom.a))
+        elif isinstance(atom, s.Stack) and atom.order.by == "given":
+            topped.update(())
+    def change(node: g.Goal) -> g.Goal:
+        if isinstance(node, s.Stack) and node.exact and topped & set(node.blocks):
+            return node.model_copy(update={"exact": False})
+        return node
+
+    return transform(goal, change)

@@ -1,0 +1,243 @@
+"""Verbs about the start and about orientation: keep, take off, swap, pick up, turn."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.passes.schema.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, That, Using
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.relations import conj, place
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+
+Goals = list[g.Goal]
+
+
+def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"leave the red block where it is", "keep the blue block on the table"."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    stays = [m for m in spec.manners if m.kind == "stay"]
+    spec.manners = [m for m in spec.manners if m.kind not in ("stay", "always")]
+    if spec.places and not stays:
+        goals: Goals = []
+        for item in spec.places:
+            goals += place(theme, item, scene, scope, clause.span)
+        spec.places = []
+        if clause.lemma == "keep":
+            return [g.Always(goal=conj(goals, clause.span), span=clause.span)] if _at_start(goals, scene) else goals
+        return goals
+    spec.places = []
+    return [_stayed(theme, clause.span)]
+
+
+def _at_start(goals: Goals, scene: Scene) -> bool:
+    return bool(goals) and all(goal in scene.start_goals for goal in goals)
+
+
+def _stayed(theme: Ref, span: Span) -> g.Goal:
+    if theme.patch or theme.table:
+        raise refuse("fixed-patch", "patches and the table never move", theme.span, "name blocks")
+    if not theme.names:
+        raise refuse("no-referent", "there is no such block", theme.span)
+    return r.Stayed(a=theme.names, span=span)
+
+
+def stay(clause: Clause, spec: Spec, scene: Scene, scope: Scope, stays: bool) -> Goals:
+    """"do not move the red block" (the negation is in the verb's meaning), "move ..." alone: moved."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    if not stays:
+        raise refuse("no-goal", "touching a block leaves nothing to check", clause.span, "say where the block should be")
+    return [g.Not(goal=_stayed(theme, clause.span), span=clause.span)]
+
+
+def without(that: That, scene: Scene) -> Goals:
+    """"without moving the red block", "without touching it"."""
+    goals: Goals = []
+    chain = that.clauses
+    for clause in chain.clauses if isinstance(chain, Chain) else ():
+        if not isinstance(clause, Clause):
+            continue
+        if clause.verb in ("place", "touch", "turn", "swap", "pick") and not clause.adjuncts:
+            theme = refer(_moved_theme(clause), scene, Scope())
+            goals.append(_stayed(theme, that.span))
+        elif clause.verb in ("place", "stack", "use"):
+            from rpg.passes.schema.resolve.clauses import clause_goals
+
+            if clause.verb == "use":
+                raise refuse("misplaced", "only blocks that are called for are used", that.span, "leave this out")
+            goals.append(g.Not(goal=conj(clause_goals(clause, scene, False), that.span), span=that.span))
+        else:
+            raise refuse("misplaced", "this cannot be forbidden here", clause.span, "say 'without moving ...'")
+    return goals
+
+
+def _moved_theme(clause: Clause) -> Meaning:
+    if isinstance(clause.theme, Noun) and clause.theme.det == "any" and clause.theme.amount is None:
+        return replace(clause.theme, det="all", plural=True)
+    return clause.theme or Pronoun(word="everything", span=clause.span)
+
+
+def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"pick up the red block" (and put it ...): on its own it is no goal that can be checked at rest."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    off = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
+    if clause.lemma == "take" and off:
+        return remove(clause, spec, scene, scope, theme)
+    if clause.lemma == "take" and spec.places:
+        goals = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
+        spec.places = []
+        return goals
+    scene.picked = clause.span
+    if spec.usings and len(spec.usings) == 1:
+        _picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
+    return []
+
+
+def _picked_from(theme: Ref, using: Using, scene: Scene, scope: Scope, span: Span) -> None:
+    """"pick up the red block from the blue patch": where it starts."""
+    loc = Loc(rel="on", landmark=using.members, span=using.span)
+    scene.start_goals += place(theme, loc, scene, replace(scope, start=True), span)
+
+
+def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | None = None) -> Goals:
+    """"take the red block off the blue one", "unstack the blocks", "clear the patch"."""
+    theme = theme or (refer(clause.theme, scene, scope) if clause.theme else Ref())
+    if theme.patch:
+        return [r.Empty(patch=p, span=clause.span) for p in theme.names]
+    if theme.table:
+        raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where the blocks should go")
+    sources: list[Meaning] = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
+    rest = [p for p in spec.places if p not in sources]
+    landmarks = [p.landmark for p in sources if isinstance(p, Loc)] + [u.members for u in spec.usings]
+    spec.places, spec.usings = rest, []
+    goals: Goals = []
+    for landmark in landmarks:
+        if landmark is None:
+            continue
+        mark = refer(landmark, scene, replace(scope, role="landmark"))
+        goals += _off(theme, mark, scene, clause.span)
+    if rest:
+        for item in rest:
+            goals += place(theme, item, scene, scope, clause.span)
+        spec.places = []
+        return goals
+    names = theme.names
+    if not landmarks and clause.lemma in ("remove", "clear"):
+        raise refuse("no-goal", "blocks cannot leave the table; it is not said where they should go", clause.span, "say 'take the red block off the blue block'")
+    if len(names) > 1 and not landmarks and not _stacked_at_start(names, scene):
+        from rpg.ir import structures as s
+
+        scene.start_goals.append(s.Stack(blocks=names, span=clause.span))
+        scene.assume("what is unstacked starts as a stack")
+    goals.append(r.OnTable(a=names, span=clause.span))
+    return goals
+
+
+def _stacked_at_start(names: tuple[str, ...], scene: Scene) -> bool:
+    return any(getattr(goal, "kind", "") in ("stack", "on", "towers") for goal in scene.start_goals)
+
+
+def _off(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Goals:
+    """Off a patch or a block: it starts there and is not there at the end."""
+    if mark.table:
+        raise refuse("out-of-reach", "blocks cannot leave the table", span, "say where on the table, or on which block")
+    loc_goals: Goals = []
+    for a in theme.names:
+        for b in mark.names:
+            there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
+            if there not in scene.start_goals:
+                scene.start_goals.append(there)
+            loc_goals.append(g.Not(goal=there, span=span))
+    return loc_goals
+
+
+def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"swap the red and the blue block", "swap A with B"."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    parts: tuple[Ref, ...] = theme.parts
+    if spec.usings:
+        other = refer(spec.usings.pop(0).members, scene, replace(scope, role="landmark"))
+        parts = (theme, other)
+    elif len(theme.names) == 2:
+        parts = tuple(Ref(names=(n,)) for n in theme.names)
+    spec.manners = [m for m in spec.manners if m.kind != "idle"]
+    if len(parts) != 2 or len(parts[0].names) != len(parts[1].names):
+        raise refuse("count-mismatch", "two blocks are swapped with each other", clause.span, "say 'swap the red block and the blue block'")
+    if any(p.patch for p in parts):
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
+    return [r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)]
+
+
+def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"turn the A upside down", "rotate the red block by 90 degrees", "face the letter A left"."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    if theme.patch or theme.table:
+        raise refuse("fixed-patch", "patches and the table cannot be turned", theme.span, "name a block")
+    goals: Goals = []
+    used: list[Manner] = []
+    degrees = next((m for m in spec.manners if m.kind in ("by", "by?")), None)
+    facing = next((m for m in spec.manners if m.kind == "facing"), None)
+    flat = next((m for m in spec.manners if m.kind == "turn"), None)
+    for name in theme.names:
+        if degrees is not None:
+            value = float(degrees.value or 0)
+            if not 0 < abs(value) <= 360:
+                raise refuse("misplaced", "a turn is by 1 to 360 degrees", degrees.span)
+            goals.append(r.Turned(block=name, degrees=value, either_way=degrees.kind == "by?", span=clause.span))
+            used.append(degrees)
+        if facing is not None or flat is not None:
+            goals.append(_facing(name, facing, flat, scene, clause.span))
+            used += [m for m in (facing, flat) if m]
+    spec.manners = [m for m in spec.manners if m not in used]
+    if not goals and _target(clause, spec):
+        return _target_letter(theme, spec, scene, clause.span)
+    if not goals:
+        if clause.lemma == "flip" and not spec.places:
+            goals = [_facing(n, None, Manner(kind="turn", value=180.0, span=clause.span), scene, clause.span) for n in theme.names]
+        elif not spec.places and not spec.thats:
+            raise refuse("no-goal", "it is not said how far or which way to turn it", clause.span, "say 'by 90 degrees' or 'upside down'")
+    for item in spec.places:
+        goals += place(theme, item, scene, scope, clause.span)
+    spec.places = []
+    return goals
+
+
+def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
+    thing = scene.things[name]
+    if thing.kind is None and thing.label is None:
+        if flat is not None or facing is not None:
+            raise refuse("order-misfit", "a plain block looks the same on every side", span, "use a letter block, or say 'by 90 degrees'")
+    toward = str(facing.value) if facing is not None else "viewer"
+    turned = float(flat.value or 0.0) if flat is not None else None
+    if facing is not None and flat is None and toward in ("up", "viewer"):
+        turned = None
+    if thing.faces is None:
+        from rpg.passes.schema.resolve.finish import label_of
+
+        thing.faces = _six(label_of(thing, scene))
+        if toward not in ("viewer",):
+            scene.assume("the letter shows on one face of the block; the other faces are blank")
+    if toward == "viewer":
+        toward = "up"
+        scene.assume("the letter is read from above")
+    return r.Facing(block=name, label=thing.label, toward=toward, turn=turned, span=span)  # type: ignore[arg-type]
+
+
+def _six(label: str) -> dict[str, str]:
+    """The letter on one face, which does not show at the start."""
+    return {"front": label}
+
+
+def _target(clause: Clause, spec: Spec) -> bool:
+    return bool(spec.thats) and clause.theme is not None
+
+
+def _target_letter(theme: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
+    """"so that the target letter is in the target orientation": the letter is chosen."""
+    return []
+
+
+__all__ = ["Coord", "keep", "pick", "remove", "stay", "swap", "turn", "without"]

@@ -1,0 +1,163 @@
+"""The objects and structures that an instruction has brought up so far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from rpg.core.diagnostics import Diagnostic, Label, Refusal, Span
+from rpg.ir.goal import Goal
+from rpg.passes.schema.meaning import Amount, Meaning
+
+
+@dataclass
+class Thing:
+    """A block or a patch while the instruction is read; what is not said yet is None."""
+
+    name: str
+    patch: bool = False
+    color: str | None = None
+    label: str | None = None
+    kind: str | None = None
+    quality: str | None = None
+    edge: float | None = None
+    size: str | None = None
+    shape: str | None = None
+    long: bool = False
+    extent: tuple[float, float] | None = None
+    extra: bool = False
+    declared: bool = False
+    scheme: str | None = None
+    batch: int = 0
+    hidden_label: bool = False
+    faces: dict[str, str] | None = None
+    claims: int = 0
+
+
+@dataclass(frozen=True)
+class Built:
+    """A structure with its members; for ordered stacks from the bottom up, for rows from their first side."""
+
+    kind: str
+    members: tuple[str, ...]
+    ordered: bool
+    span: Span
+    key: int
+    side: str | None = None
+
+
+@dataclass(frozen=True)
+class Ref:
+    """What a noun phrase stands for.
+
+    `quant`: how many of `names` are meant, where it is not all ("exactly two of"). `op` "or": any of `parts`.
+    """
+
+    names: tuple[str, ...] = ()
+    patch: bool = False
+    table: bool = False
+    built: tuple[Built, ...] = ()
+    quant: Amount | None = None
+    det: str = "the"
+    op: str = "and"
+    parts: tuple[Ref, ...] = ()
+    plural: bool = False
+    each: bool = False
+    matching: bool = False
+    reciprocal: bool = False
+    part: str | None = None
+    span: Span = (0, 0)
+
+
+@dataclass
+class Mention:
+    """An object spoken of: where, as what."""
+
+    ref: Ref
+    role: str
+    clause: int
+
+
+@dataclass(frozen=True)
+class Scope:
+    """Where in the task a phrase stands: the start or the goal; blocks of the structure spoken of; the role."""
+
+    start: bool = False
+    pool: tuple[str, ...] = ()
+    role: str = "theme"
+    need: int | None = None
+    like_patch: bool = False
+    given: bool = False
+    need_each: int = 1
+
+
+@dataclass
+class Scene:
+    """Everything brought up so far, with the goals and assumptions it led to."""
+
+    things: dict[str, Thing] = field(default_factory=dict)
+    built: list[Built] = field(default_factory=list)
+    mentions: list[Mention] = field(default_factory=list)
+    assumptions: dict[str, None] = field(default_factory=dict)
+    goals: dict[int, list[Goal]] = field(default_factory=dict)
+    start_goals: list[Goal] = field(default_factory=list)
+    heaps: list[tuple[str, ...]] = field(default_factory=list)
+    used: set[str] = field(default_factory=set)
+    clause: int = 0
+    counter: int = 0
+    batch: int = 0
+    last_landmark_patch: bool = False
+    on_top: dict[str, str] = field(default_factory=dict)
+    started_on: set[str] = field(default_factory=set)
+    appearance_only: bool = True
+    premises: list[Meaning] = field(default_factory=list)
+    picked: Span | None = None
+    loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
+
+    def assume(self, text: str) -> None:
+        """Record a default that was taken."""
+        self.assumptions.setdefault(text)
+
+    def fresh(self, **traits: Any) -> Thing:
+        """A new object."""
+        self.counter += 1
+        thing = Thing(name=f"_{self.counter}", batch=self.batch, **traits)
+        self.things[thing.name] = thing
+        return thing
+
+    def new_batch(self) -> int:
+        """Objects introduced by one phrase share a batch, so that "different colours" can be kept among them."""
+        self.batch += 1
+        return self.batch
+
+    def blocks(self) -> Iterator[Thing]:
+        yield from (t for t in self.things.values() if not t.patch)
+
+    def mention(self, ref: Ref, role: str) -> None:
+        """Remember what was spoken of, for pronouns."""
+        self.mentions.append(Mention(ref, role, self.clause))
+
+    def add_built(self, kind: str, members: Iterable[str], ordered: bool, span: Span, side: str | None = None) -> Built:
+        """Remember a structure."""
+        built = Built(kind, tuple(members), ordered, span, len(self.built), side)
+        self.built.append(built)
+        return built
+
+
+def refuse(code: str, message: str, span: Span | None = None, hint: str | None = None, **more: Any) -> Refusal:
+    """A refusal with one diagnostic. `labels`: further places as (span, text)."""
+    labels = tuple(Label(span=s, text=t) for s, t in more.pop("labels", ()))
+    return Refusal(
+        [Diagnostic(code=code, message=message, span=span, hint=hint, labels=labels, facts=more, origin="schema")]
+    )  # fmt: skip
+
+
+def said(thing: Thing) -> str:
+    """A short description of an object for messages."""
+    if thing.patch:
+        return f"the {thing.color + ' ' if thing.color else ''}patch"
+    if thing.label:
+        return f"the block {thing.label}"
+    words = [w for w in (thing.size, thing.color, {"letter": "letter", "digit": "number"}.get(thing.kind or "")) if w]
+    return " ".join(["the", *words, "block"])

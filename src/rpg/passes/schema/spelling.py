@@ -1,0 +1,126 @@
+"""Words that are not in the lexicon: the one near match, or a diagnostic with the nearest known ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import cache
+
+from rpg.core.diagnostics import Diagnostic
+from rpg.passes.schema import lexicon
+from rpg.passes.schema.tokens import Token
+
+LONG_WORD = 7
+"""From this length on, two slips are still taken for a misspelling."""
+_SPELLERS = frozenset({"spell", "spells", "spelling", "spelled", "spelt"})
+_WORD_LEADS = frozenset({"word", "name"})
+_NOT_LITERAL = frozenset({"a", "an", "the", "out", "word", "words", "some", "any", "it", "with", "using", "from", "by", "something", "my", "your"})
+
+
+@cache
+def vocabulary() -> frozenset[str]:
+    """Every word of the language."""
+    from rpg.passes.schema.grammar import frames, orders, relations
+    from rpg.passes.schema.grammar.adjuncts import _LITTLE
+
+    words: set[str] = set(lexicon.FUNCTION_WORDS.split()) | set(lexicon.DEGREES.split())
+    tables = (lexicon.COLOR, lexicon.NUMBER, lexicon.ORDINAL, lexicon.UNIT, lexicon.BLOCK, lexicon.LOOSE_BLOCK, lexicon.PATCH, lexicon.TABLE, lexicon.LETTER,
+              lexicon.DIGIT, lexicon.SYMBOL, lexicon.STRUCTURE, lexicon.SHAPE_ADJECTIVE, lexicon.SIZE, lexicon.VERB)  # fmt: skip
+    for table in tables:
+        words.update(str(word) for word in table)
+    words |= lexicon.POSTURE | lexicon.SHADE
+    for phrases in (frames.COMMAND_FRAMES, frames.STATE_FRAMES, frames.START_FRAMES, frames.FIRST, frames.TAG):
+        words |= phrases.words
+    for phrase, *_ in (*orders._NAMED, *_LITTLE):
+        words.update(phrase.split())
+    for phrase in (*relations._SIMPLE, *frames.THEN):
+        words.update(phrase.split())
+    return frozenset(w for w in words if w.isalpha())
+
+
+def distance(a: str, b: str, limit: int) -> int:
+    """Damerau's distance (optimal string alignment), or limit + 1 when it is greater."""
+    if abs(len(a) - len(b)) > limit:
+        return limit + 1
+    before: list[int] = []
+    row = list(range(len(b) + 1))
+    for i, x in enumerate(a, 1):
+        older, before, row = before, row, [i]
+        for j, y in enumerate(b, 1):
+            best = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (x != y))
+            if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
+                best = min(best, older[j - 2] + 1)
+            row.append(best)
+        if min(row) > limit:
+            return limit + 1
+    return row[-1]
+
+
+def nearest(word: str, limit: int) -> list[str]:
+    """Known words within `limit` slips, nearest first."""
+    scored = sorted((distance(word, known, limit), known) for known in vocabulary() if abs(len(known) - len(word)) <= limit)
+    return [known for slips, known in scored if slips <= limit]
+
+
+def _one_match(word: str) -> str | None:
+    """The one word that `word` is a misspelling of."""
+    if len(word) < 3:
+        return None
+    for limit in (1, 2) if len(word) >= LONG_WORD else (1,):
+        close = _families(k for k in nearest(word, limit) if len(k) > 2)
+        if len(close) == 1:
+            return close[0]
+        if close:
+            return None
+    return None
+
+
+def _families(words: Iterable[str]) -> list[str]:
+    return list(words)
+
+
+def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagnostic]]:
+    """The tokens with misspellings mended and words to be spelt marked; assumptions; unknown words."""
+    known = vocabulary()
+    shouting = sum(t.raw.isupper() and len(t.raw) > 1 for t in tokens) * 2 > len([t for t in tokens if t.kind == "word"]) and len(tokens) > 3
+    out: list[Token] = []
+    notes: list[str] = []
+    wrong: list[Diagnostic] = []
+    for index, token in enumerate(tokens):
+        if token.kind != "word":
+            out.append(token)
+            continue
+        if _is_literal(tokens, index, known):
+            out.append(replace(token, kind="literal", value=token.raw))
+        elif token.word in known or len(token.word) == 1:
+            out.append(replace(token, raw=token.raw.lower()) if shouting and len(token.raw) > 1 else token)
+        elif token.raw.isupper() and not shouting:
+            out.append(replace(token, kind="literal", value=token.raw))
+        elif match := _one_match(token.word):
+            notes.append(f"read {token.raw!r} as {match!r}")
+            out.append(replace(token, word=match, raw=match))
+        else:
+            wrong.append(unknown(token))
+            out.append(token)
+    return out, notes, wrong
+
+
+def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
+    """Whether the word is one to be spelt: it follows "the word" or "spell"."""
+    word = tokens[index].word
+    before = tokens[index - 1].word if index else ""
+    two = tokens[index - 2].word if index > 1 else ""
+    if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
+        return word not in _NOT_LITERAL and not (word in known and word in ("is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from"))
+    if before in _SPELLERS or (before == "out" and two in _SPELLERS):
+        return word not in _NOT_LITERAL and (word not in known or not tokens[index].raw.islower() or True)
+    return False
+
+
+def unknown(token: Token) -> Diagnostic:
+    """A diagnostic for a word that means nothing here."""
+    close = nearest(token.word, 2 if len(token.word) < LONG_WORD else 3)[:3]
+    hint = f"did you mean {' or '.join(repr(c) for c in close)}?" if close else "describe the task with blocks, patches and where they should be"
+    return Diagnostic(
+        code="unknown-word", message=f"{token.raw!r} means nothing here", span=token.span, hint=hint, facts={"word": token.raw, "nearest": close}, origin="schema"
+    )

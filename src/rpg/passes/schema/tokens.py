@@ -1,0 +1,150 @@
+"""Text -> tokens with spans: words, numbers, dimensions, quotations, equations, punctuation."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, replace
+
+from rpg.core.diagnostics import Span
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """One item of the instruction. `word` is lower case; `raw` as written.
+
+    `kind`: "word", "number" (`value` a float), "dims" (a tuple of ints), "quote" and "literal" (`value` the text in
+    capitals), "equation" (`value` its text), "punct".
+    """
+
+    kind: str
+    word: str
+    raw: str
+    span: Span
+    value: float | str | tuple[int, ...] | None = None
+
+
+CONTRACTIONS = {
+    "don't": "do not", "doesn't": "does not", "didn't": "did not", "isn't": "is not", "aren't": "are not",
+    "wasn't": "was not", "weren't": "were not", "shouldn't": "should not", "mustn't": "must not", "can't": "can not",
+    "cannot": "can not", "won't": "will not", "wouldn't": "would not", "couldn't": "could not", "i'd": "i would",
+    "i'll": "i will", "i'm": "i am", "i've": "i have", "it's": "it is", "that's": "that is", "there's": "there is",
+    "let's": "let us", "they're": "they are", "you're": "you are", "we're": "we are", "here's": "here is",
+    "what's": "what is", "we'd": "we would", "you'd": "you would", "dont": "do not", "lets": "let us",
+    "ontop": "on top", "inbetween": "in between", "infront": "in front", "gotta": "have to", "wanna": "want to",
+    "onto": "onto", "into": "into",
+}  # fmt: skip
+
+_SIGN = "[-+*/×÷−–x]"
+_EQUATION = re.compile(rf"\d+(?:\s*{_SIGN}\s*\d+)+\s*=\s*\d+|\d+\s*=\s*\d+(?:\s*{_SIGN}\s*\d+)+")
+_PIECES = re.compile(
+    rf"""
+    (?P<equation>(?:{_EQUATION.pattern})(?!\w))
+  | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
+  | (?P<dims>\d+(?:\s*[x×*]\s*\d+){{1,2}}(?![\w.]))
+  | (?P<number>\d+(?:\.\d+)?(?![A-Za-z]))
+  | (?P<mixed>\d+(?:\.\d+)?(?=[A-Za-z]))
+  | (?P<word>[A-Za-z]+(?:['’][A-Za-z]+)?)
+  | (?P<ellipsis>…|\.\.\.+)
+  | (?P<sign>[-+*/×÷=−–—])
+  | (?P<punct>[.,;:!?()\[\]&°%~])
+    """,
+    re.VERBOSE,
+)
+_ORDINAL_TAIL = {"st", "nd", "rd", "th"}
+_NUMERIC = re.compile(r"\d+(?:\.\d+)?")
+
+
+@dataclass(frozen=True, slots=True)
+class Stray:
+    """A character that is no part of the language."""
+
+    text: str
+    span: Span
+
+
+def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
+    """Every token of `text`, and every character that belongs to none."""
+    tokens: list[Token] = []
+    strays: list[Stray] = []
+    at = 0
+    while at < len(text):
+        if text[at].isspace():
+            at += 1
+            continue
+        found = _PIECES.match(text, at)
+        if found is None:
+            strays.append(Stray(text[at], (at, at + 1)))
+            at += 1
+            continue
+        tokens += _tokens_of(str(found.lastgroup), found.group(), (found.start(), found.end()))
+        at = found.end()
+    return _ordinals(tokens), strays
+
+
+def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
+    match kind:
+        case "quote":
+            inner = raw[1:-1].strip()
+            return [Token("quote", inner.lower(), raw, span, inner)]
+        case "equation":
+            return [Token("equation", raw, raw, span, _plain_signs(re.sub(r"\s+", "", raw)))]
+        case "dims":
+            return [Token("dims", raw, raw, span, tuple(int(n[:6]) for n in re.findall(r"\d+", raw)))]
+        case "number" | "mixed":
+            return [Token("number", raw, raw, span, float(raw[:12]))]
+        case "word":
+            return _word(raw, span)
+        case "ellipsis":
+            return [Token("punct", "…", raw, span)]
+        case "sign":
+            return [Token("sign", _plain_signs(raw), raw, span)]
+        case _:
+            return [Token("punct", raw, raw, span)]
+
+
+def _plain_signs(text: str) -> str:
+    for sign, plain in (("×", "*"), ("x", "*"), ("÷", "/"), ("−", "-"), ("–", "-"), ("—", "-")):
+        text = text.replace(sign, plain)
+    return text
+
+
+def _word(raw: str, span: Span) -> list[Token]:
+    lower = raw.lower().replace("’", "'")
+    if lower in CONTRACTIONS:
+        return [Token("word", part, raw, span) for part in CONTRACTIONS[lower].split()]
+    if "'" in lower:
+        stem, tail = lower.split("'", 1)
+        if tail == "s":
+            middle = span[0] + len(stem)
+            return [
+                Token("word", stem, raw[: len(stem)], (span[0], middle)),
+                Token("punct", "'s", raw[len(stem) :], (middle, span[1])),
+            ]
+    return [Token("word", lower, raw, span)]
+
+
+def _ordinals(tokens: list[Token]) -> list[Token]:
+    """Join "1" "st"; drop hyphens between words, and signs that are dashes."""
+    out: list[Token] = []
+    for index, token in enumerate(tokens):
+        before = out[-1] if out else None
+        after = tokens[index + 1] if index + 1 < len(tokens) else None
+        adjoining = before is not None and before.span[1] == token.span[0]
+        if before and adjoining and before.kind == "number" and token.word in _ORDINAL_TAIL:
+            out[-1] = Token("word", before.word + token.word, before.raw + token.raw, (before.span[0], token.span[1]))
+        elif token.word == "-" and before and after and adjoining and after.span[0] == token.span[1]:
+            if _is_range(before, after):
+                out.append(replace(token, kind="word", word="to"))
+        elif (
+            token.word == "-" and before and after and token.span[0] > before.span[1] and after.span[0] > token.span[1]
+        ):
+            out.append(replace(token, kind="punct", word=","))
+        else:
+            out.append(token)
+    return out
+
+
+def _is_range(before: Token, after: Token) -> bool:
+    """ "A-Z" and "1-5" are ranges; other hyphens join words."""
+    letters = len(before.raw) == len(after.raw) == 1 and before.raw.isalpha() and after.raw.isalpha()
+    return letters or (before.kind == after.kind == "number")

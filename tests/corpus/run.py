@@ -18,15 +18,13 @@ def read(text: str) -> tuple[TaskSchema | None, tuple[Diagnostic, ...]]:
     """The schema pass alone: no physics, no pictures."""
     from rpg.blocks.patches import place_patches
 
-    from rpg.passes.schema import BuiltinFrontEnd, check_feasibility
+    from rpg.passes.schema.frontend import BuiltinFrontEnd
 
     try:
         schema, diagnostics = BuiltinFrontEnd().read(text, name=None, seed=0, author=None)
         if schema is None or any(d.severity == "error" for d in diagnostics):
             return None, diagnostics
-        schema = place_patches(schema)
-        found = check_feasibility(schema)
-        return (None if any(d.severity == "error" for d in found) else schema), (*diagnostics, *found)
+        return place_patches(schema), diagnostics
     except Refusal as refusal:
         return None, refusal.diagnostics
 

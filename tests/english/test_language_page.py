@@ -9,7 +9,7 @@ import yaml
 
 from rpg.ir import goal as g
 from rpg.ir.walk import children
-from rpg.passes.schema import BuiltinFrontEnd
+from rpg.passes.schema.frontend import BuiltinFrontEnd
 
 EXAMPLES = Path(__file__).parents[2] / "docs" / "language_examples.yaml"
 PAIRS = [(kind, text) for kind, texts in yaml.safe_load(EXAMPLES.read_text(encoding="utf-8")).items() for text in texts]

@@ -6,7 +6,7 @@ import pytest
 
 from rpg.blocks.english import describe
 from rpg.blocks.equivalence import equivalent
-from rpg.passes.schema import BuiltinFrontEnd
+from rpg.passes.schema.frontend import BuiltinFrontEnd
 from tests.english.schemas import random_schema
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import importlib
 import os
@@ -32,6 +33,7 @@ def _context(process: int) -> tuple[str, Any] | None:
         try:
             context = importlib.import_module(f"mujoco.{name}").GLContext(LARGEST, LARGEST)
             context.make_current()
+            atexit.register(context.free)
         except Exception:  # whatever a driver throws, the next back end may work
             if os.environ.get("PYOPENGL_PLATFORM") == name:
                 del os.environ["PYOPENGL_PLATFORM"]

@@ -10,7 +10,7 @@ from typing import IO, Annotated
 
 import typer
 
-from rpg.cli.options import WORKSPACE, Json, Quiet, Seed, Task, Tasks, find
+from rpg.cli.options import WORKSPACE, Json, Quiet, Seed, Task, Tasks, find, load_mujoco
 
 EXAMPLE = "rpg check red-on-blue --states states.jsonl"
 States = Annotated[
@@ -27,6 +27,7 @@ def run(
     such states, the first of which is the start of the episode. The start of a single state is the reset of --seed.
     A state is taken to be at rest, with nothing held. Exit status 1 if any line is not a success.
     """
+    load_mujoco()
     from rpg.cli.output import Output
     from rpg.evaluate.recorded import judge_lines
     from rpg.loading import load_version

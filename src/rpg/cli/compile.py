@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rpg.cli.options import WORKSPACE, Json, NoPictures, Quiet, Tasks, clean, workspace
+from rpg.cli.options import WORKSPACE, Json, NoPictures, Quiet, Tasks, clean, load_mujoco, workspace
 
 if TYPE_CHECKING:
     from rpg.core.passes import Listener
@@ -41,6 +41,7 @@ def run(
     """Compile INSTRUCTION into version 0 of a family of tasks: schema, code, a goal state, and the checks that they
     passed. Prints what was understood and where the task is. Exit status 3 if the instruction is refused, with the
     reason; 1 if a check fails."""
+    load_mujoco()
     from rpg.cli.output import Output
     from rpg.cli.progress import progress
     from rpg.cli.summary import print_outcome

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from rpg.cli.options import WORKSPACE, Json, Quiet, Seed, Task, Tasks, find
+from rpg.cli.options import WORKSPACE, Json, Quiet, Seed, Task, Tasks, find, load_mujoco
 
 EXAMPLE = "rpg export red-on-blue --format mjcf --out scene"
 
@@ -35,6 +35,7 @@ def run(
 ) -> None:
     """Write the scene of TASK as MJCF with its textures, loadable by plain MuJoCo. Its keyframes are the start (the
     reset of --seed) and a goal state."""
+    load_mujoco()
     from rpg.cli.output import Output
     from rpg.exporting import export_mjcf
     from rpg.loading import load_version

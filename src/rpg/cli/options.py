@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -39,3 +40,19 @@ def workspace(tasks: Path) -> Workspace:
 def clean(argument: str) -> str:
     """An argument as text that can be written anywhere: bytes that were no UTF-8 become replacement characters."""
     return argument.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
+
+
+def load_mujoco() -> None:
+    """Import MuJoCo without a window system behind it.
+
+    Sooner done by half, and MUJOCO_GL may name a back end that is missing here: only drawing needs one, and finds it by
+    itself.
+    """
+    wanted = os.environ.get("MUJOCO_GL")
+    os.environ["MUJOCO_GL"] = "disable"
+    try:
+        import mujoco  # noqa: F401
+    finally:
+        del os.environ["MUJOCO_GL"]
+        if wanted is not None:
+            os.environ["MUJOCO_GL"] = wanted

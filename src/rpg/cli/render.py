@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from rpg.cli.options import WORKSPACE, Json, Quiet, Seed, Task, Tasks, find
+from rpg.cli.options import WORKSPACE, Json, Quiet, Seed, Task, Tasks, find, load_mujoco
 
 EXAMPLE = "rpg render red-on-blue --seed 3 --out pictures"
 Target = Annotated[
@@ -25,6 +25,7 @@ def run(
     quiet: Quiet = False,
 ) -> None:
     """Draw TASK: initial.png, the reset of --seed as the viewer sees it, and goal.png, a goal state."""
+    load_mujoco()
     from rpg.cli.output import Output
     from rpg.loading import load_version
     from rpg.publishing import write_pictures

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.cli.options import WORKSPACE, Json, Quiet, Task, Tasks, find
+from rpg.cli.options import WORKSPACE, Json, Quiet, Task, Tasks, find, load_mujoco
 
 EXAMPLE = "rpg validate red-on-blue"
 
@@ -12,6 +12,7 @@ def run(task: Task, tasks: Tasks = WORKSPACE, as_json: Json = False, quiet: Quie
 
     Files that were edited are validated as they stand; code that is not what task.yaml gives runs confined.
     """
+    load_mujoco()
     from rpg.cli.output import Output
     from rpg.cli.progress import progress
     from rpg.cli.report import print_diagnostics

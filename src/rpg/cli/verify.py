@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rpg.cli.options import WORKSPACE, Json, Quiet, Tasks, workspace
+from rpg.cli.options import WORKSPACE, Json, Quiet, Tasks, load_mujoco, workspace
 
 if TYPE_CHECKING:
     from rpg.store import Family
@@ -19,6 +19,7 @@ Some = Annotated[list[str] | None, typer.Argument(metavar="[TASK]...", help="Tas
 def run(task: Some = None, tasks: Tasks = WORKSPACE, as_json: Json = False, quiet: Quiet = False) -> None:
     """Check every version of the families of TASKs: hashes of files, lineage, HEAD, and that the code is what
     task.yaml gives. Exit status 1 if anything differs."""
+    load_mujoco()
     from rpg.cli.output import Output
     from rpg.loading import verify
 

@@ -40,9 +40,9 @@ def build_spec(assets: Iterable[Asset], *, textures: bool = False) -> mujoco.MjS
 
 
 @lru_cache(maxsize=64)
-def compiled(assets: tuple[Asset, ...], textures: bool = False) -> mujoco.MjModel:
+def compiled(assets: tuple[Asset, ...]) -> mujoco.MjModel:
     """The compiled scene; never modify it, for it is shared."""
-    return build_spec(assets, textures=textures).compile()
+    return build_spec(assets).compile()
 
 
 def _physics(spec: mujoco.MjSpec) -> None:

@@ -48,7 +48,7 @@ def ink_on(color: Color) -> tuple[int, int, int]:
     return INK_ON_LIGHT if 0.299 * r + 0.587 * g + 0.114 * b > 120 else INK_ON_DARK
 
 
-@lru_cache(maxsize=512)
+@lru_cache(maxsize=128)
 def face_image(symbol: str, color: Color) -> Image.Image:
     """An upright face: a body with a slightly darker rim, and its symbol."""
     scale = 2
@@ -93,7 +93,8 @@ def _draw_symbol(draw: ImageDraw.ImageDraw, symbol: str, side: int, ink: tuple[i
             if symbol == "0":
                 draw.ellipse((middle - half, middle - half, middle + half, middle + half), fill=ink)
             elif symbol in ("6", "9"):
-                bar(middle, middle + arm * 1.55, arm * 0.8, 0)
+                line = (middle - arm * 0.8, middle + arm * 1.55, middle + arm * 0.8, middle + arm * 1.55)
+                draw.line(line, fill=ink, width=round(half * 0.8))
 
 
 def face_pixels(block: Block, face: Face) -> NDArray[np.uint8]:

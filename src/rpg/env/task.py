@@ -34,9 +34,17 @@ HOLD: Action = np.zeros(ACTION_SIZE)
 NOTHING: frozenset[str] = frozenset()
 
 
-@lru_cache(maxsize=64)
 def model_for(assets: tuple[Asset, ...], embodiment: Embodiment | None, textures: bool) -> mujoco.MjModel:
-    """The compiled scene with its robot; shared, so never modify it."""
+    """The compiled scene with its robot; plain ones are shared, so never modify it."""
+    return _build(assets, embodiment, True) if textures else _plain(assets, embodiment)
+
+
+@lru_cache(maxsize=64)
+def _plain(assets: tuple[Asset, ...], embodiment: Embodiment | None) -> mujoco.MjModel:
+    return _build(assets, embodiment, False)
+
+
+def _build(assets: tuple[Asset, ...], embodiment: Embodiment | None, textures: bool) -> mujoco.MjModel:
     spec = build_spec(assets, textures=textures)
     if embodiment is not None:
         embodiment.attach(spec)

@@ -16,13 +16,13 @@ from rpg.blocks.patches import place_patches
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import link
 from rpg.blocks.waypoints import waypoints
-from rpg.core.diagnostics import Diagnostic, Refusal, UsageError
-from rpg.core.passes import Listener, silent
+from rpg.core.diagnostics import Diagnostic, UsageError
+from rpg.core.passes import Context, Listener, Manager, Pass, Report, silent
 from rpg.ir.artifact import GateReport, Program, Scene
 from rpg.ir.goal import Goal
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen import lower, lower_goal, read_goal
-from rpg.passes.repair import Attempt, Tools, repair
+from rpg.passes.repair import Attempt, Repaired, Tools, repair
 from rpg.passes.repair.placing import scene_of
 from rpg.passes.validate import Measures, admitted, render_log, validate
 
@@ -88,28 +88,107 @@ class Outcome:
 def compile_instruction(text: str, options: CompileOptions | None = None) -> Outcome:
     """All four passes over an instruction."""
     options = options or CompileOptions()
-    options.listen("schema", "read")
-    reader = options.front_end or _builtin()
-    schema, diagnostics = reader.read(text, name=options.name, seed=options.seed, author=options.author)
-    if schema is None:
-        return Outcome("refused", text, diagnostics=diagnostics)
-    return compile_schema(schema, options, notes=diagnostics)
+    return _run(text, text, (SchemaPass(options), *_PASSES), options)
 
 
-def compile_schema(
-    schema: TaskSchema, options: CompileOptions | None = None, notes: tuple[Diagnostic, ...] = ()
-) -> Outcome:
-    """The passes from a schema on. `notes` are diagnostics of the schema itself."""
-    options = options or CompileOptions()
-    options.listen("schema", "arrange")
-    try:
-        task = prepared(schema)
-        path = goal_path(task, Random(f"goal {task.seed}"))
-    except Refusal as refusal:
-        return Outcome("refused", schema.instruction, diagnostics=(*notes, *refusal.diagnostics))
-    options.listen("codegen", "lower")
-    program = Program(task=task, path=path, code=lower(task), goal_code=lower_goal(task, path))
-    return _validated(program, options, notes)
+def compile_schema(schema: TaskSchema, options: CompileOptions | None = None) -> Outcome:
+    """The passes from a schema on."""
+    return _run(schema, schema.instruction, _PASSES, options or CompileOptions())
+
+
+def repair_program(program: Program, asked: Goal | None = None, options: CompileOptions | None = None) -> Outcome:
+    """Validate a program and repair it where it fails; `asked` is what no repair may lose (the schema's goal)."""
+    return _run(program, program.task.instruction, (ValidatePass(asked),), options or CompileOptions())
+
+
+def _run(item: object, instruction: str, passes: tuple[Pass, ...], options: CompileOptions) -> Outcome:
+    run = Manager(passes, verify).run(item, Context(options.listen, options.measures))
+    mended: Repaired | None = run.records[-1].report.found
+    if run.item is None or mended is None:
+        return Outcome("refused", instruction, diagnostics=run.diagnostics)
+    program, reports = mended.program, mended.reports
+    whole = admitted(reports)
+    return Outcome(
+        status="admitted" if whole else "failed",
+        instruction=instruction,
+        program=program,
+        gates=reports,
+        diagnostics=run.diagnostics,
+        attempts=mended.attempts,
+        goal_text=describe(program.task),
+        log=render_log(program, reports),
+        pictures=_pictures(program, options) if options.pictures and whole else {},
+    )
+
+
+@dataclass(frozen=True)
+class SchemaPass:
+    """Text to schema, by the front end that the options name."""
+
+    options: CompileOptions
+    name: str = "schema"
+
+    def run(self, item: str, context: Context) -> tuple[TaskSchema | None, Report]:
+        """The schema, or nothing and the reasons."""
+        options = self.options
+        reader = options.front_end or _builtin()
+        schema, diagnostics = reader.read(item, name=options.name, seed=options.seed, author=options.author)
+        return schema, Report(diagnostics)
+
+
+@dataclass(frozen=True)
+class ArrangePass:
+    """What the compiler decides where the instruction leaves it open: places of patches, and a goal state."""
+
+    name: str = "arrange"
+
+    def run(self, item: TaskSchema, context: Context) -> tuple[tuple[TaskSchema, tuple[Scene, ...]], Report]:
+        """A schema with nothing open, and the scenes that lead to its goal."""
+        task = prepared(item)
+        return (task, goal_path(task, Random(f"goal {task.seed}"))), Report()
+
+
+@dataclass(frozen=True)
+class CodegenPass:
+    """Schema and scenes to code."""
+
+    name: str = "codegen"
+
+    def run(self, item: tuple[TaskSchema, tuple[Scene, ...]], context: Context) -> tuple[Program, Report]:
+        """The program, word for word its schema's lowering."""
+        task, path = item
+        return Program(task=task, path=path, code=lower(task), goal_code=lower_goal(task, path)), Report()
+
+
+@dataclass(frozen=True)
+class ValidatePass:
+    """The gates, and repair where one fails. `asked`: what no repair may lose, the schema's goal unless given."""
+
+    asked: Goal | None = None
+    name: str = "validate"
+
+    def run(self, item: Program, context: Context) -> tuple[Program, Report]:
+        """The best program that was found; the report holds its gates and the attempts at repair."""
+        reports = validate_program(item, context.options, context.listen)
+        mended = Repaired(item, reports)
+        if not admitted(reports):
+            tools = Tools(lower, lower_goal, read_goal, goal_path, _validator(context))
+            mended = repair(item, reports, self.asked or item.task.goal, tools, context.listen)
+        found = tuple(diagnostic for report in mended.reports for diagnostic in report.diagnostics)
+        return mended.program, Report((*mended.diagnostics, *found), mended)
+
+
+_PASSES: tuple[Pass, ...] = (ArrangePass(), CodegenPass(), ValidatePass())
+
+
+def verify(name: str, item: object) -> None:
+    """What crosses a boundary is whole: a schema's references hold, a program has a scene for every block."""
+    if isinstance(item, TaskSchema):
+        TaskSchema.model_validate(item.model_dump())
+    elif isinstance(item, Program) and item.path:
+        placed = [placement.block for placement in item.path[-1]]
+        if sorted(placed) != sorted(block.name for block in item.task.blocks):
+            raise AssertionError(f"the pass {name} left blocks out of the goal scene")
 
 
 def prepared(schema: TaskSchema) -> TaskSchema:
@@ -153,37 +232,8 @@ def validate_program(
     return validate(program, trusted=is_lowered(program), measures=measures, listen=listen)
 
 
-def repair_program(program: Program, asked: Goal | None = None, options: CompileOptions | None = None) -> Outcome:
-    """Validate a program and repair it where it fails; `asked` is what no repair may lose (the schema's goal)."""
-    return _validated(program, options or CompileOptions(), (), asked)
-
-
-def _validated(
-    program: Program, options: CompileOptions, notes: tuple[Diagnostic, ...], asked: Goal | None = None
-) -> Outcome:
-    reports = validate_program(program, options.measures, options.listen)
-    attempts: tuple[Attempt, ...] = ()
-    if not admitted(reports):
-        tools = Tools(lower, lower_goal, read_goal, goal_path, _validator(options))
-        mended = repair(program, reports, asked or program.task.goal, tools, options.listen)
-        program, reports, attempts = mended.program, mended.reports, mended.attempts
-        notes = (*notes, *mended.diagnostics)
-    found = tuple(diagnostic for report in reports for diagnostic in report.diagnostics)
-    return Outcome(
-        status="admitted" if admitted(reports) else "failed",
-        instruction=program.task.instruction,
-        program=program,
-        gates=reports,
-        diagnostics=(*notes, *found),
-        attempts=attempts,
-        goal_text=describe(program.task),
-        log=render_log(program, reports),
-        pictures=_pictures(program, options) if options.pictures and admitted(reports) else {},
-    )
-
-
-def _validator(options: CompileOptions) -> Callable[[Program], tuple[GateReport, ...]]:
-    return lambda program: validate_program(program, options.measures, options.listen)
+def _validator(context: Context) -> Callable[[Program], tuple[GateReport, ...]]:
+    return lambda program: validate_program(program, context.options, context.listen)
 
 
 def _builtin() -> FrontEnd:

@@ -39,7 +39,7 @@ ODD_TEXTS = (
 )
 
 
-@pytest.mark.parametrize("schema", tasks.ALL, ids=lambda schema: schema.name)
+@pytest.mark.parametrize("schema", [t for t in tasks.ALL if t is not tasks.STAGES], ids=lambda schema: schema.name)
 def test_code_judges_states_as_the_schema_does(schema: TaskSchema) -> None:
     subject = program(schema)
     judge = load(subject.code, subject.goal_code)[0]()
@@ -50,8 +50,6 @@ def test_code_judges_states_as_the_schema_does(schema: TaskSchema) -> None:
     at_goal = replace(state_of(subject.path[-1], world), start=start)
     bank = [at_goal, *(sample_start(subject.task.init, world, seed) for seed in range(1, 6))]
     bank += [miss.state for miss in near_misses(goal, at_goal, rng)]
-    if schema is tasks.STAGES:
-        return
     for state in bank:
         seen = replace(state, start=start)
         expected = any(evaluate(goal, rename_state(seen, naming)) for naming in renamings) and settled(seen)

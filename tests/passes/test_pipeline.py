@@ -52,7 +52,7 @@ def test_an_outcome_says_everything() -> None:
     assert "red block" in outcome.goal_text
     assert outcome.log.endswith("\nadmitted\n")
     assert [gate.name for gate in outcome.gates if not gate.passed] == []
-    assert heard[:3] == ["schema arrange", "codegen lower", "validate text"]
+    assert heard[:3] == ["arrange start", "codegen start", "validate start"]
     assert outcome.attempts == () and outcome.pictures == {}
 
 
@@ -124,16 +124,16 @@ class _Add:
         self.name, self.amount = name, amount
 
     def run(self, item: int, context: Context) -> tuple[int | None, Report]:
-        return (None if self.amount is None else item + self.amount), Report(figures={"amount": self.amount})
+        return (None if self.amount is None else item + self.amount), Report(found=self.amount)
 
 
 def test_the_manager_runs_passes_in_order_and_stops_where_one_yields_nothing() -> None:
     checked: list[tuple[str, int]] = []
     manager = Manager((_Add("one", 1), _Add("two", 2)), lambda name, item: checked.append((name, item)))
-    item, records = manager.run(0)
-    assert item == 3
+    run = manager.run(0)
+    assert run.item == 3
     assert checked == [("one", 1), ("two", 3)]
-    assert [record.name for record in records] == ["one", "two"]
-    stopped, records = Manager((_Add("one", 1), _Add("none", None), _Add("never", 1))).run(0)
-    assert stopped is None
-    assert [record.name for record in records] == ["one", "none"]
+    assert [record.name for record in run.records] == ["one", "two"]
+    stopped = Manager((_Add("one", 1), _Add("none", None), _Add("never", 1))).run(0)
+    assert stopped.item is None
+    assert [record.name for record in stopped.records] == ["one", "none"]

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Protocol
 
-from rpg.core.diagnostics import Diagnostic
+from rpg.core.diagnostics import Diagnostic, Refusal
 
 Listener = Callable[[str, str], None]
 """Hears (pass or gate, what it is about to do or has done) while a compile runs."""
@@ -23,21 +23,22 @@ def silent(_stage: str, _text: str) -> None:
 
 @dataclass(frozen=True)
 class Context:
-    """What passes share besides the item: who listens to progress."""
+    """What passes share besides the item: who listens to progress, and how thoroughly to measure."""
 
     listen: Listener = silent
+    options: Any = None
 
 
 @dataclass(frozen=True)
 class Report:
-    """What a pass found: diagnostics, and figures worth keeping."""
+    """What a pass found: diagnostics, and whatever else it has to tell."""
 
     diagnostics: tuple[Diagnostic, ...] = ()
-    figures: dict[str, Any] = field(default_factory=dict)
+    found: Any = None
 
 
 class Pass(Protocol):
-    """One step of the compiler, text -> schema -> program -> validated program."""
+    """One step of the compiler. Its options are its fields."""
 
     @property
     def name(self) -> str:
@@ -57,23 +58,42 @@ class Record:
 
 
 @dataclass(frozen=True)
+class Run:
+    """What came out of a pipeline: the last item (None where a pass stopped), and each pass as it ran."""
+
+    item: Any | None
+    records: tuple[Record, ...]
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """Everything that was found, in the order of the passes."""
+        return tuple(diagnostic for record in self.records for diagnostic in record.report.diagnostics)
+
+
+@dataclass(frozen=True)
 class Manager:
-    """Runs passes in order. `verify` raises on an item that must not cross a boundary."""
+    """Runs passes in order. A Refusal raised inside a pass stops it with its diagnostics.
+
+    `verify` raises where an item must not cross a boundary: that is a bug of the pass before it.
+    """
 
     passes: Sequence[Pass]
     verify: Callable[[str, Any], None] | None = None
 
-    def run(self, item: Any, context: Context | None = None) -> tuple[Any | None, tuple[Record, ...]]:
-        """Send `item` through the passes; the last item (None where a pass stopped) and what each pass reported."""
+    def run(self, item: Any, context: Context | None = None) -> Run:
+        """Send `item` through the passes."""
         context = context or Context()
         records: list[Record] = []
         for step in self.passes:
             context.listen(step.name, "start")
             begun = time.perf_counter()
-            item, report = step.run(item, context)
+            try:
+                item, report = step.run(item, context)
+            except Refusal as refusal:
+                item, report = None, Report(refusal.diagnostics)
             records.append(Record(step.name, report, time.perf_counter() - begun))
             if item is None:
                 break
             if self.verify:
                 self.verify(step.name, item)
-        return item, tuple(records)
+        return Run(item, tuple(records))

@@ -24,8 +24,8 @@ class Repaired:
 
     program: Program
     reports: tuple[GateReport, ...]
-    attempts: tuple[Attempt, ...]
-    diagnostics: tuple[Diagnostic, ...]
+    attempts: tuple[Attempt, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
 
 
 @dataclass

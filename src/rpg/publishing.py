@@ -8,7 +8,18 @@ from typing import Any
 from rpg.ir.artifact import GateReport
 from rpg.loading import Task
 from rpg.pipeline import Outcome
-from rpg.store import Content, SteeringMeta, Workspace, Written, dump_schema, replace_file, write_base, write_rejected
+from rpg.store import (
+    Content,
+    Family,
+    SteeringMeta,
+    Workspace,
+    Written,
+    dump_schema,
+    replace_file,
+    write_base,
+    write_rejected,
+    write_version,
+)
 
 
 def content_of(outcome: Outcome, steering: SteeringMeta | None = None) -> Content:
@@ -37,6 +48,13 @@ def publish(outcome: Outcome, workspace: Workspace, *, explicit: bool = False) -
     if outcome.status == "failed":
         return write_rejected(workspace, name, _files(outcome))
     return write_base(workspace, name, content_of(outcome), explicit=explicit)
+
+
+def publish_version(outcome: Outcome, family: Family, content: Content) -> Written | Path:
+    """Write an admitted task as the next version of `family`, a failed one below .rejected/."""
+    if outcome.status == "failed":
+        return write_rejected(Workspace(family.directory.parent), family.name, _files(outcome))
+    return write_version(family, content)
 
 
 def write_pictures(task: Task, directory: Path, seed: int) -> tuple[Path, ...]:

@@ -40,11 +40,11 @@ def mixture(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 starts.append((theme, p.any_of(k, ("to", "into", "be", "to be")) or k))
     if j := p.any_of(i, ("use", "take", "with", "mix in", "have")):
         starts.append((None, j))
-    for theme, j in starts:
+    for about, j in starts:
         start = p.any_of(j, ("a mix of", "a mixture of", "mixed", "a combination of", "a mixed set of", "some")) or j
         kinds, k = _kinds(p, start)
         if len(kinds) > 1:
-            yield r.Kinds(kinds=kinds, theme=theme, span=p.span(i, k)), k
+            yield r.Kinds(kinds=kinds, theme=about, span=p.span(i, k)), k
 
 
 def _kinds(p: Parser, i: int) -> tuple[tuple[str, ...], int]:
@@ -79,7 +79,9 @@ def group(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     j = p.any_of(i, verbs)
     if not j:
         return
-    for theme, k in [(None, j), *noun_phrase(p, j)]:
+    themes: list[tuple[m.Meaning | None, int]] = [(None, j)]
+    themes += noun_phrase(p, j)
+    for theme, k in themes:
         for by, end in _by(p, k):
             into = p.any_of(end, ("into", "in"))
             stop = p.any_of(into, _INTO) if into else 0

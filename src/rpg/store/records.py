@@ -36,7 +36,11 @@ class TaskSnapshot(Record):
 
 
 class SteeringMeta(Record):
-    """How a version came about: the request, what was read out of it, and the hash of the version it was made from."""
+    """How a version came about: the request, what was read out of it, and the hash of the version it was made from.
+
+    `edits` are the typed edits (`rpg.ir.edits`) that turn that version's task into this one; `proof` says what they
+    preserved.
+    """
 
     request: str
     intent: Intent
@@ -46,6 +50,8 @@ class SteeringMeta(Record):
     preserve_positions: bool = False
     preserve_goals: bool = False
     parent: str = Digest
+    edits: tuple[dict[str, Any], ...] = ()
+    proof: dict[str, Any] = Field({})
 
 
 class Snapshot(Record):

@@ -267,8 +267,8 @@ def group(draft: Draft, request: r.Group) -> None:
     names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
     figure = next((f for f in draft.view.figures if isinstance(f.node, GroupBy)), None)
     members = figure.members if figure is not None and request.theme is None else names
-    by = request.by
-    if by is None:
+    by = request.by or ""
+    if not by:
         kinds = {kind_of(symbol_of(draft.view.world, name)) for name in members}
         by = "kind" if len(kinds) > 1 else "label" if kinds != {"plain"} else "color"
     draft.note("group", by)

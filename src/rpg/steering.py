@@ -1,0 +1,179 @@
+"""Steering end to end: a request about a task on disk -> a validated version with its proof, beside its reference."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.core.digest import sha256
+from rpg.ir.schema import TaskSchema
+from rpg.passes.codegen import lower
+from rpg.pipeline import CompileOptions, Outcome, compile_schema, load_program, prepared
+from rpg.publishing import content_of, publish_version, summary
+from rpg.steer.classify import Verdict, classify
+from rpg.steer.compare import Witness
+from rpg.steer.history import History, Past
+from rpg.steer.interpret import Interpretation, interpret
+from rpg.steer.proof import Proof, prove
+from rpg.store import Family, SteeringMeta, Version, Written, set_head
+
+
+@dataclass(frozen=True)
+class Steered:
+    """What became of a request.
+
+    `outcome` is that of the compile of the result; None where the request only went back to a version, which `place`
+    then holds. `same_as`: the number of an earlier version with the very same code, whose validation was reused.
+    """
+
+    request: str
+    status: str
+    outcome: Outcome | None = None
+    place: Written | Path | None = None
+    interpretation: Interpretation | None = None
+    verdict: Verdict | None = None
+    proof: Proof | None = None
+    witnesses: tuple[Witness, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
+    same_as: int | None = None
+
+    @property
+    def version(self) -> Version | None:
+        """The version that is current now, if the request was carried out."""
+        return self.place.version if isinstance(self.place, Written) else None
+
+
+def steer(version: Version, request: str, options: CompileOptions | None = None) -> Steered:
+    """Carry out `request` on `version`, as if that were the current one. A refused request changes nothing."""
+    options = options or CompileOptions()
+    family = Family(version.directory.parent)
+    options.listen("steer", "read")
+    try:
+        understood = interpret(request, history_of(family, version), reader(options))
+    except Refusal as refusal:
+        return Steered(request, "refused", diagnostics=refusal.diagnostics)
+    if understood.reverts:
+        found = next(v for v in family.versions() if v.number == understood.reference)
+        set_head(found)
+        return Steered(request, "admitted", place=Written(found, existed=True), interpretation=understood)
+    return _built(family, version, understood, options)
+
+
+def reader(options: CompileOptions) -> Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]:
+    """The front end as a function of the text alone."""
+    from rpg.passes.schema.frontend import BuiltinFrontEnd
+
+    front_end = options.front_end or BuiltinFrontEnd()
+    return lambda text: front_end.read(text, name=None, seed=options.seed, author=options.author)
+
+
+def history_of(family: Family, current: Version) -> History:
+    """The versions of a family as requests refer to them."""
+    versions = family.versions()
+    numbers = {version.hash: version.number for version in versions}
+    past = []
+    for version in versions:
+        steering = version.snapshot.steering
+        parent = numbers.get(steering.parent) if steering else None
+        focus = tuple(steering.parameters.get("focus", ())) if steering else ()
+        past.append(Past(version.number, version.schema, parent, focus))
+    return History(tuple(past), current.number)
+
+
+def _built(family: Family, current: Version, understood: Interpretation, options: CompileOptions) -> Steered:
+    """Compile, prove and classify the result; write it where it passes."""
+    reference = current
+    if understood.reference is not None:
+        reference = next(v for v in family.versions() if v.number == understood.reference)
+    outcome, twin = _compiled(family, understood.task, options)
+    if outcome.status == "refused" or outcome.program is None:
+        return Steered(
+            understood.request, "refused", outcome, interpretation=understood, diagnostics=outcome.diagnostics
+        )
+    options.listen("steer", "prove")
+    proof, witnesses = prove(reference.schema, outcome.program.task)
+    verdict = classify(reference.schema, outcome.program.task, proof, understood.intent)
+    steering = steering_of(understood, verdict, proof, reference)
+    return Steered(
+        request=understood.request,
+        status=outcome.status,
+        outcome=outcome,
+        place=publish_version(outcome, family, content_of(outcome, steering)),
+        interpretation=understood,
+        verdict=verdict,
+        proof=proof,
+        witnesses=witnesses,
+        diagnostics=outcome.diagnostics,
+        same_as=twin,
+    )
+
+
+def _compiled(family: Family, schema: TaskSchema, options: CompileOptions) -> tuple[Outcome, int | None]:
+    """Compile a schema, or take over the validation of a version of the family with the very same code."""
+    try:
+        task = prepared(schema)
+    except Refusal as refusal:
+        return Outcome("refused", schema.instruction, diagnostics=refusal.diagnostics), None
+    digest = sha256(lower(task))
+    for version in family.versions():
+        if version.snapshot.snapshot.code_hash == digest and version.schema == task:
+            program = load_program(version.directory, task)
+            goal_text = version.snapshot.snapshot.goal_summary
+            pictures = _pictures_of(version) if options.pictures else {}
+            return Outcome(
+                "admitted", task.instruction, program, goal_text=goal_text, log=version.log, pictures=pictures
+            ), version.number
+    return compile_schema(schema, options), None
+
+
+def _pictures_of(version: Version) -> dict[str, bytes]:
+    return {
+        name: (version.directory / name).read_bytes()
+        for name in ("initial.png", "goal.png")
+        if (version.directory / name).is_file()
+    }
+
+
+def steering_of(understood: Interpretation, verdict: Verdict, proof: Proof, reference: Version) -> SteeringMeta:
+    """What a version records about how it came about."""
+    parameters: dict[str, Any] = {**understood.parameters, "focus": list(understood.focus)}
+    if verdict.reason:
+        parameters["reclassified"] = verdict.reason
+    return SteeringMeta(
+        request=understood.request,
+        intent=verdict.category,
+        parameters=parameters,
+        reference=None if verdict.category == "FRESH" else reference.number,
+        preserve_assets=verdict.preserve.assets,
+        preserve_positions=verdict.preserve.positions,
+        preserve_goals=verdict.preserve.goals,
+        parent=reference.hash,
+        edits=tuple(edit.model_dump(mode="json", exclude_defaults=False) for edit in understood.edits),
+        proof=proof.model_dump(mode="json"),
+    )
+
+
+def steered_summary(steered: Steered) -> dict[str, Any]:
+    """A steer as one JSON document: a compile's, and what is known about the change."""
+    outcome = steered.outcome or Outcome("admitted" if steered.version else "refused", steered.request)
+    document = summary(replace(outcome, diagnostics=steered.diagnostics), steered.place)
+    document["status"] = steered.status
+    version = steered.version
+    if version is not None and steered.outcome is None:
+        document["goal_text"] = version.snapshot.snapshot.goal_summary
+    verdict, proof, understood = steered.verdict, steered.proof, steered.interpretation
+    document["category"] = verdict.category if verdict else None
+    document["reference"] = (
+        None if verdict and verdict.category == "FRESH" else understood.reference if understood else None
+    )
+    document["preserve"] = verdict.preserve.model_dump() if verdict else None
+    document["proof"] = proof.model_dump(mode="json") if proof else None
+    document["axes"] = list(proof.axes) if proof else []
+    document["reason"] = verdict.reason or None if verdict else None
+    document["parameters"] = understood.parameters if understood else {}
+    document["reverted"] = bool(understood and understood.reverts)
+    document["same_as"] = steered.same_as
+    return document

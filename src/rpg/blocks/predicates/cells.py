@@ -18,6 +18,7 @@ from rpg.blocks.predicates.common import (
     largest_edge,
     set_aside,
     shift,
+    slack,
     spin,
     swap,
 )
@@ -97,10 +98,10 @@ class CellsPredicate(Predicate[Cells]):
             fit = best_fit(ideal, places, pitches, tolerance)
             if fit is None:
                 continue
-            slack = min(margin, 1.0 - fit.deviation / tolerance)
+            room = min(margin, slack(fit.deviation, tolerance))
             if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance and len(names) > 3:
-                slack = min(slack, -outdone(ideal, fit, places, pitches))
-            found = self._judge(node, ideal, fit, slack, state)
+                room = min(room, -outdone(ideal, fit, places, pitches))
+            found = self._judge(node, ideal, fit, room, state)
             if best is None or found.verdict.margin > best.verdict.margin:
                 best = found
             if best.verdict.margin > 0.5:
@@ -110,7 +111,7 @@ class CellsPredicate(Predicate[Cells]):
     def _judge(self, node: Cells, ideal: Ideal, fit: Fit, margin: float, state: BlockState) -> Found:
         blocks = [node.blocks[k] for k in fit.blocks]
         if ideal.limit is not None:
-            margin = min(margin, 1.0 - abs(math.degrees(fit.turn)) / ideal.limit)
+            margin = min(margin, slack(abs(math.degrees(fit.turn)), ideal.limit))
         parts = [holds(margin)]
         if node.pattern is not None:
             shown = symbols_shown(state, node.blocks, TO_VIEWER if upright(node) else UP)

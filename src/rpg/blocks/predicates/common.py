@@ -27,6 +27,11 @@ SPANS = {"x": WORKSPACE_X[1] - WORKSPACE_X[0] - 2 * BORDER, "y": WORKSPACE_Y[1] 
 Poses = dict[str, tuple[Vec3, Quat]]
 
 
+def slack(value: float, limit: float) -> float:
+    """Margin of "`value` is at most `limit`", over the limit (over one, where that is zero)."""
+    return (limit - value) / (limit or 1.0)
+
+
 def flatness(state: BlockState, names: Iterable[str]) -> float:
     """Margin of "none of these is tilted more than 15 degrees"."""
     return 1.0 - max([state.tilt(name) for name in names], default=0.0) / TILT

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from rpg.blocks.geometry import footprint_gap
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
-from rpg.blocks.predicates.common import BUILD_GAP, SPANS, largest_edge, put, set_aside, shift, swap
+from rpg.blocks.predicates.common import BUILD_GAP, SPANS, largest_edge, put, set_aside, shift, slack, swap
 from rpg.blocks.predicates.stack import column
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World
 from rpg.blocks.traits import UP, Trait, Traits, symbols_shown
@@ -118,7 +118,7 @@ class GroupByPredicate(Predicate[GroupBy]):
             parts.append(TRUE if strangers_fit(groups, node, traits) else FALSE)
         edge = largest_edge(state, [name for group in groups for name in group])
         inside = [max((link.gap for link in links(state, group)), default=0.0) for group in groups]
-        parts.append(holds(1.0 - max(inside) / (node.inner_edges * edge)))
+        parts.append(holds(slack(max(inside), node.inner_edges * edge)))
         nearest = separation(state, groups)
         if nearest is not None:
             parts.append(at_least(nearest.gap, node.outer_edges * edge))

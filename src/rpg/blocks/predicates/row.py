@@ -20,6 +20,7 @@ from rpg.blocks.predicates.common import (
     levelness,
     pair_edge,
     shift,
+    slack,
     spin,
     swap,
 )
@@ -82,7 +83,7 @@ def angle_to(axis: Axis, direction: tuple[float, float]) -> float:
 def straightness(line: Line, state: BlockState, line_edges: float) -> float:
     """Margin of "centres near their best line, one after the other along it"."""
     edge = largest_edge(state, line.sequence)
-    margin = 1.0 - max(map(abs, line.off)) / (line_edges * edge)
+    margin = slack(max(map(abs, line.off)), line_edges * edge)
     for k in range(1, len(line.along)):
         step, aside = line.along[k] - line.along[k - 1], abs(line.off[k] - line.off[k - 1])
         margin = min(margin, (step - aside) / edge)
@@ -108,7 +109,7 @@ def lined_up(line: Line, state: BlockState, node: Row) -> float:
         margin = min(margin, straightness(line, state, node.line_edges))
         axis = axis_of(node)
         if axis is not None:
-            margin = min(margin, 1.0 - angle_to(axis, line.direction) / node.angle)
+            margin = min(margin, slack(angle_to(axis, line.direction), node.angle))
     return margin
 
 
@@ -122,17 +123,17 @@ def spacing(node: Row, sequence: Sequence[str], state: BlockState) -> float:
     if node.touching:
         margins += [1.0 - gap / TOUCH for gap in gaps]
     if node.gap is not None:
-        margins += [1.0 - abs(gap - node.gap) / node.tolerance for gap in gaps]
+        margins += [slack(abs(gap - node.gap), node.tolerance) for gap in gaps]
     if node.spacing is not None:
         position = state.position
         steps = [math.dist(position[a][:2], position[b][:2]) for a, b in pairs]
-        margins += [1.0 - abs(step - node.spacing) / node.tolerance for step in steps]
+        margins += [slack(abs(step - node.spacing), node.tolerance) for step in steps]
     if not margins:
         edges = [pair_edge(state, a, b) for a, b in pairs]
-        margins += [1.0 - gap / (node.gap_edges * edge) for gap, edge in zip(gaps, edges, strict=True)]
+        margins += [slack(gap, node.gap_edges * edge) for gap, edge in zip(gaps, edges, strict=True)]
     if node.evenly:
         limit = node.even_edges * largest_edge(state, sequence)
-        margins.append(1.0 - (max(gaps) - min(gaps)) / limit)
+        margins.append(slack(max(gaps) - min(gaps), limit))
     return min(margins)
 
 

@@ -12,7 +12,7 @@ import pytest
 from rpg.blocks.constants import TABLE_Z
 from rpg.blocks.state import IDENTITY, BlockState, Vec3
 from rpg.core.diagnostics import Refusal
-from rpg.env import BlockTask
+from rpg.env import BlockTask, GoalPatch, Verdict
 from tests.env.sample_tasks import AlikeOnBlue, AlreadyDone, Heaped, PatchThenStack, RedOnYellow, Restack
 
 LOW, HIGH = TABLE_Z + 0.02, TABLE_Z + 0.06
@@ -173,6 +173,24 @@ def test_an_unknown_block_is_an_error_that_names_the_known_ones() -> None:
 
     with pytest.raises(ValueError, match="red_block, yellow_block"):
         Wrong().reset(0)
+
+
+def test_a_condition_on_an_unknown_block_is_an_error_that_names_the_known_ones() -> None:
+    class Wrong(RedOnYellow):
+        def _success(self) -> Verdict:
+            return self.on("green_block", "yellow_block")
+
+    with pytest.raises(ValueError, match="'green_block'; it has red_block, yellow_block"):
+        Wrong().reset(0)
+
+
+def test_a_patch_needs_a_position() -> None:
+    class Nowhere(RedOnYellow):
+        def _initialize_env(self) -> None:
+            self.add(GoalPatch(name="patch", color="red"))
+
+    with pytest.raises(ValueError, match="no position"):
+        Nowhere()
 
 
 def test_a_heap_is_the_start_of_an_episode_at_rest() -> None:

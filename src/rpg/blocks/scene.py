@@ -105,7 +105,9 @@ def _contact() -> dict[str, list[float] | float]:
 
 
 def _add_patch(spec: mujoco.MjSpec, patch: GoalPatch) -> None:
-    x, y = patch.position or (0.0, 0.0)
+    if patch.position is None:
+        raise ValueError(f"the patch {patch.name!r} has no position yet")
+    x, y = patch.position
     circle = patch.shape == "circle"
     flat = PATCH_THICKNESS / 2
     spec.worldbody.add_geom(

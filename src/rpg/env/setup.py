@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
-from rpg.ir.assets import Asset
+from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.goal import Goal
 from rpg.ir.schema import InitialState, Start, Vacancy
 
@@ -28,7 +28,9 @@ class Setup:
         self._placed: Placements = {}
 
     def add(self, asset: Asset) -> None:
-        """Put a block or a patch into the task."""
+        """Put a block or a patch into the task. A patch needs its position on the table."""
+        if isinstance(asset, GoalPatch) and asset.position is None:
+            raise ValueError(f"the patch {asset.name!r} has no position (x, y) on the table")
         self._assets.append(asset)
 
     def scatter(self, *names: str) -> None:

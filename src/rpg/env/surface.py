@@ -6,9 +6,10 @@ from collections.abc import Hashable, Sequence
 from typing import Any
 
 from rpg.blocks.evaluate import evaluate
-from rpg.blocks.state import BlockState
+from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict
 from rpg.ir.node import Highest, Lowest, Node
+from rpg.ir.walk import names
 
 Names = str | Sequence[str]
 """One name, or several."""
@@ -18,6 +19,8 @@ Where = Names | Lowest | Highest
 
 class Atoms:
     """Judges single atoms of the goal on the current state, and notes each for the report of conditions."""
+
+    world: World
 
     def __init__(self) -> None:
         self._now: BlockState | None = None
@@ -30,10 +33,17 @@ class Atoms:
         key = (kind, *map(_frozen, fields.values()))
         node = self._nodes.get(key)
         if node is None:
-            node = self._nodes[key] = kind(**fields)
+            node = kind(**fields)
+            self._check_names(node)
+            self._nodes[key] = node
         verdict = evaluate(node, self._now)  # type: ignore[arg-type]
         self._noted.append((node, verdict))
         return verdict
+
+    def _check_names(self, node: Node) -> None:
+        unknown = [name for name in names(node) if name not in self.world.assets]  # type: ignore[arg-type]
+        if unknown:
+            raise ValueError(f"the task has no object {unknown[0]!r}; it has {', '.join(self.world.assets)}")
 
     def lowest(self, *names: str) -> Lowest:
         """Whichever of these blocks is the lowest: the foot of a tower."""

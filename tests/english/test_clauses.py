@@ -82,7 +82,7 @@ def test_a_task_is_described_from_its_data_alone() -> None:
         goal=g.Stack(blocks=("A_block", "blue_block"), order=Order(by="given", ranks=(("A_block",), ("blue_block",)))),
     )
     assert describe(schema) == (
-        "There are three red blocks, a blue block, a 5 cm green block, an A block and a green patch. "
+        "There are three red blocks, a blue block, a 5 cm green block and an A block. There is a green patch. "
         "At the start, the blue block is on the A block. At the start, the three red blocks lie in a heap. "
-        "The A block and the blue block must be stacked from bottom to top in the order A, blue."
+        "The A block and the blue block must be stacked from bottom to top in the order A block, blue block."
     )

@@ -10,8 +10,9 @@ from rpg.blocks.symmetry import Canonical, interchangeable, namings
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.node import Highest, Lowest
+from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
-from rpg.ir.walk import rename, transform
+from rpg.ir.walk import instances, rename, transform
 
 EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved"})
 """Atoms that say the same of each of their blocks."""
@@ -44,13 +45,41 @@ def _normal(node: g.Goal) -> g.Goal:
     match node:
         case g.All() | g.Any():
             return _flat(node)
-        case g.Not(goal=g.Not(goal=inner)):
-            return inner
+        case g.Not():
+            return _denied(node.goal)
+        case g.Count():
+            return _counted(node)
+        case g.Stack(order=Order(first=None, by="given" | "label" | "number" | "size")):
+            return node.model_copy(update={"order": node.order.model_copy(update={"first": "bottom"})})
     if node.kind in EACH_FOR_ITSELF:
         operand: Any = node.a  # type: ignore[union-attr]
         if not isinstance(operand, Lowest | Highest) and len(operand) > 1:
             return g.All(goals=tuple(node.model_copy(update={"a": (name,)}) for name in operand))
     return node
+
+
+def _denied(goal: g.Goal) -> g.Goal:
+    """The opposite of a goal in normal form, with "not" before atoms alone."""
+    match goal:
+        case g.Not():
+            return goal.goal
+        case g.All():
+            return _flat(g.Any(goals=tuple(_denied(part) for part in goal.goals)))
+        case g.Any():
+            return _flat(g.All(goals=tuple(_denied(part) for part in goal.goals)))
+    return g.Not(goal=goal)
+
+
+def _counted(count: g.Count) -> g.Goal:
+    """Counts that say "all", "any" or "none" as what they say."""
+    parts = instances(count)
+    if count.at_least == len(parts):
+        return transform(g.All(goals=parts), _normal)
+    if count.at_least == 1 and (count.at_most is None or count.at_most >= len(parts)):
+        return transform(g.Any(goals=parts), _normal)
+    if count.at_least == 0 and count.at_most == 0:
+        return transform(g.All(goals=tuple(g.Not(goal=part) for part in parts)), _normal)
+    return count
 
 
 def _flat(node: g.All | g.Any) -> g.Goal:

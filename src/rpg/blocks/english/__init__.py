@@ -38,7 +38,7 @@ def describe(schema: TaskSchema) -> str:
     world = World(schema.assets)
     for say in (Speaker(world, modal="must"), _numbered(world, modal="must")):
         try:
-            said = [objects(schema, Speaker(world)), *starts(schema, say), *sentences(schema.goal, say)]
+            said = [*objects(schema, Speaker(world)), *starts(schema, say), *sentences(schema.goal, say)]
         except Inexpressible:
             continue
         return " ".join(f"{sentence}." for sentence in said)

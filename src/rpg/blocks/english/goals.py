@@ -21,7 +21,7 @@ def spoken(goal: g.Goal, say: Speaker) -> str:
         case g.All():
             return join([spoken(part, say) for part in goal.goals])
         case g.Any():
-            return "either " + join([spoken(part, say) for part in goal.goals], "or")
+            return " or ".join(spoken(part, say) for part in goal.goals)
         case g.Not():
             return _negated(goal.goal, say)
         case g.Count():
@@ -54,7 +54,7 @@ def _negated(goal: g.Goal, say: Speaker) -> str:
         case g.Any():
             return join([_negated(part, say) for part in goal.goals])
         case g.All():
-            return "either " + join([_negated(part, say) for part in goal.goals], "or")
+            return " or ".join(_negated(part, say) for part in goal.goals)
     say.negated = not say.negated
     text = spoken(goal, say)
     say.negated = not say.negated

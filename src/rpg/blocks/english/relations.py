@@ -129,7 +129,7 @@ def stayed(node: r.Stayed, say: Speaker) -> str:
 
 
 def moved(node: r.Moved, say: Speaker) -> str:
-    return f"{say.the(node.a)} {say.do(node.a, 'move', 'moves')} by at least {cm(node.at_least)}"
+    return f"{say.the(node.a)} {say.be(node.a)} moved by at least {cm(node.at_least)}"
 
 
 def swapped(node: r.Swapped, say: Speaker) -> str:

@@ -11,10 +11,11 @@ from rpg.ir.assets import PATCH_SIDE, GoalPatch
 from rpg.ir.schema import TaskSchema
 
 
-def objects(schema: TaskSchema, say: Speaker) -> str:
-    """ "There are two red blocks and a long green patch"."""
-    listed = [*say.some(b.name for b in schema.blocks), *(_patch(p) for p in schema.patches)]
-    return f"There {'are' if len(schema.assets) > 1 else 'is'} {join(listed)}"
+def objects(schema: TaskSchema, say: Speaker) -> list[str]:
+    """ "There are two red blocks and a blue block", "There is a long green patch"."""
+    listed = (say.some(b.name for b in schema.blocks), [_patch(p) for p in schema.patches])
+    counts = (len(schema.blocks), len(schema.patches))
+    return [f"There {'are' if n > 1 else 'is'} {join(parts)}" for n, parts in zip(counts, listed, strict=True) if parts]
 
 
 def _patch(patch: GoalPatch) -> str:

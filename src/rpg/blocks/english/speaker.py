@@ -64,10 +64,6 @@ class Speaker:
             return f"the tower of {self._listed(members(operand))}"
         return self._listed(members(operand))
 
-    def plain(self, names: Iterable[str]) -> str:
-        """The objects one by one as a list without articles: "red, green, red" or "A, B, C"."""
-        return ", ".join(self._short(name) for name in names)
-
     def some(self, names: Iterable[str]) -> list[str]:
         """The objects as if never heard of: "a red block", "two blue blocks"."""
         counts: dict[str, int] = {}
@@ -79,11 +75,6 @@ class Speaker:
     def noun(self, name: str) -> str:
         """What a block or patch is called without an article."""
         return self.aliases.get(name) or bare(name, self.world)
-
-    def _short(self, name: str) -> str:
-        """A block's noun without "block" where it is told by colour or symbol alone."""
-        noun = self.noun(name)
-        return noun.removesuffix(" block") if " " not in noun.removesuffix(" block") else noun
 
     def _listed(self, names: tuple[str, ...]) -> str:
         parts: dict[str, list[str]] = {}

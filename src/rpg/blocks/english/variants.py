@@ -35,6 +35,7 @@ COMMANDS: tuple[tuple[str, str, str, str], ...] = (
     ("be", r"sorted (?P<more>.*)", "sort {subject} {more}", "separate {subject} {more}"),
     ("be", r"turned (?P<more>.*)", "turn {subject} {more}", "rotate {subject} {more}"),
     ("be", r"(?P<more>upright|upside down)", "turn {subject} {more}", "rotate {subject} {more}"),
+    ("be", r"moved (?P<more>.*)", "move {subject} {more}", "shift {subject} {more}"),
     ("be", r"empty", "leave {subject} empty", "keep {subject} empty"),
     ("be", r"on (?P<more>.*)", "put {subject} on {more}", "move {subject} onto {more}"),
     ("be", r"(?P<more>.*)", "put {subject} {more}", "place {subject} {more}"),
@@ -42,7 +43,6 @@ COMMANDS: tuple[tuple[str, str, str, str], ...] = (
     ("spell", r"(?P<more>.*)", "spell {more} with {subject}", "arrange {subject} so that they spell {more}"),
     ("touch", r"(?P<more>.*)", "make {subject} touch {more}", "put {subject} so that it touches {more}"),
     ("stay", r"(?P<more>.*)", "leave {subject} {more}", "keep {subject} {more}"),
-    ("move", r"(?P<more>.*)", "move {subject} {more}", "shift {subject} {more}"),
     ("swap", r"(?P<more>.*)", "swap {subject}", "exchange {subject}"),
     ("face", r"(?P<more>.*)", "turn {subject} so that it faces {more}", "rotate {subject} to face {more}"),
 )
@@ -90,7 +90,7 @@ def variants(schema: TaskSchema) -> Iterator[str]:
 
 def _text(schema: TaskSchema, mood: Mood, frame: str, turned: bool, brief: bool) -> str | None:
     say = Speaker(World(schema.assets), modal=MARK)
-    opening = [] if brief else [objects(schema, Speaker(World(schema.assets)))]
+    opening = [] if brief else objects(schema, Speaker(World(schema.assets)))
     opening += starts(schema, say)
     parts, timed = _parts(schema.goal)
     if turned and not timed:

@@ -12,6 +12,7 @@ from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import Stack
 from rpg.ir.walk import instances, rename, transform
 
 EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved"})
@@ -49,7 +50,7 @@ def _normal(node: g.Goal) -> g.Goal:
             return _denied(node.goal)
         case g.Count():
             return _counted(node)
-        case g.Stack(order=Order(first=None, by="given" | "label" | "number" | "size")):
+        case Stack(order=Order(first=None, by="given" | "label" | "number" | "size")):
             return node.model_copy(update={"order": node.order.model_copy(update={"first": "bottom"})})
     if node.kind in EACH_FOR_ITSELF:
         operand: Any = node.a  # type: ignore[union-attr]

@@ -3,7 +3,7 @@ PYTHON ?= $(shell command -v python3.11 || command -v python3)
 VENV ?= .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.rpg-installed
-INSTRUCTION ?= Build a tower: white at the bottom, then blue, then red on top
+INSTRUCTION ?= Stack two green blocks on the blue patch and spell the word CAT in front of it
 
 .DEFAULT_GOAL := help
 .PHONY: help setup demo test check format schemas docs bench corpus clean

@@ -16,11 +16,15 @@ from typer.core import TyperGroup
 
 COMMANDS = {
     "compile": "Compile an instruction into a verified task.",
+    "batch": "Compile lists of instructions and sessions, and keep them up to date.",
+    "steer": "Change a task by a sentence, into a new version with its proof.",
+    "session": "Run a scripted session, or one that you type.",
     "show": "Explain a task: its assets, start, goal and checks.",
     "check": "Judge given states by a task's goal.",
     "validate": "Run a task's gates again.",
     "verify": "Check hashes, lineage, and that code still follows from task.yaml.",
     "log": "Show how a family's versions came about.",
+    "diff": "Show what differs between two versions.",
     "checkout": "Make another version of a family the current one.",
     "render": "Draw a task's start and goal.",
     "view": "Open a task in MuJoCo's interactive viewer.",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Literal
 
 from pydantic import Field, model_validator
@@ -12,11 +13,18 @@ from rpg.ir.goal import Goal
 from rpg.ir.walk import names
 
 FORMAT: Literal[1] = 1
+MAX_NAME = 60
 NAME = r"^[a-z0-9]+(-[a-z0-9]+)*$"
 """What the name of a task looks like: lower-case words and numbers joined by hyphens."""
 MAX_BLOCKS = 30
 MAX_LETTERS = 26
 MAX_DIGITS = 10
+
+
+def slug(text: str) -> str:
+    """`text` as a family's name: lower-case words and numbers joined by hyphens; empty where it has none."""
+    words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", text).lower()
+    return re.sub(r"[^a-z0-9]+", "-", words).strip("-")[:MAX_NAME].strip("-")
 
 
 class Start(Record):
@@ -57,7 +65,7 @@ class TaskSchema(Record):
     """A task: assets A, initial-state distribution rho_0, success predicate G, instruction l and paraphrases V."""
 
     format: Literal[1] = FORMAT
-    name: str = Field(pattern=NAME, max_length=60)
+    name: str = Field(pattern=NAME, max_length=MAX_NAME)
     instruction: str
     author: str | None = None
     seed: int = 0

@@ -62,7 +62,7 @@ def write_base(workspace: Workspace, name: str, content: Content, *, explicit: b
     if the user chose it (`explicit`); else the family is called `name-2`, `name-3`, ...
     """
     snapshot = content.sealed(0)
-    _make_root(workspace)
+    make_root(workspace)
     if _find_base(workspace, name, snapshot, explicit).directories():
         return _found_again(workspace, name, content, snapshot)
     with aside(workspace.root, workspace) as draft:
@@ -113,7 +113,7 @@ def set_head(version: Version) -> None:
 
 def write_rejected(workspace: Workspace, name: str, files: Files) -> Path:
     """Keep what did not pass, for looking into; returns its directory. The same content has the same directory."""
-    _make_root(workspace)
+    make_root(workspace)
     workspace.rejected.mkdir(exist_ok=True)
     digest = digest_of({file: sha256(data) for file, data in files.items()})
     target = workspace.rejected / f"{name}-{digest[:7]}"
@@ -127,7 +127,8 @@ def write_rejected(workspace: Workspace, name: str, files: Files) -> Path:
     return target
 
 
-def _make_root(workspace: Workspace) -> None:
+def make_root(workspace: Workspace) -> None:
+    """Create the workspace if it is not there; UsageError where it cannot be written to."""
     try:
         workspace.root.mkdir(parents=True, exist_ok=True)
         (workspace.root / LOCK).touch()

@@ -1,0 +1,1 @@
+"""Many instructions and sessions at once: lists in files, warm workers, rebuilt only where needed."""

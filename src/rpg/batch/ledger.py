@@ -1,0 +1,92 @@
+"""rpg.lock: which versions verified a workspace, and what a batch made of each entry, so that nothing is made twice."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any, Literal
+
+from pydantic import Field, ValidationError
+
+from rpg import __version__
+from rpg.core.diagnostics import UsageError
+from rpg.ir.base import Record
+from rpg.store import Workspace, replace_file, verify_family
+from rpg.store.disk import locked
+
+LOCKFILE = "rpg.lock"
+
+
+class Made(Record):
+    """What an entry became: the family and its version directories, or the diagnostics of a refusal.
+
+    `pictures`: whether its pictures were drawn.
+    """
+
+    status: Literal["admitted", "refused", "failed"]
+    title: str
+    family: str = ""
+    versions: tuple[str, ...] = ()
+    pictures: bool = False
+    diagnostics: tuple[dict[str, Any], ...] = ()
+
+
+class Ledger(Record):
+    """The contents of rpg.lock. `entries` are keyed by the digests of the entries."""
+
+    format: Literal[1] = 1
+    rpg: str = __version__
+    mujoco: str
+    entries: dict[str, Made] = Field({})
+
+    def text(self) -> str:
+        return json.dumps(self.model_dump(mode="json"), indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+
+    def versions_of(self, family: str) -> frozenset[str]:
+        """The version directories that batches have made in `family`."""
+        return frozenset(name for made in self.entries.values() if made.family == family for name in made.versions)
+
+
+def read_ledger(workspace: Workspace) -> Ledger:
+    """The workspace's ledger; an empty one where there is none yet."""
+    path = workspace.root / LOCKFILE
+    try:
+        return Ledger.model_validate_json(path.read_bytes())
+    except FileNotFoundError:
+        return Ledger(mujoco=mujoco_version(), entries={})
+    except OSError as error:
+        raise UsageError(f"cannot read {path}: {error.strerror}") from error
+    except ValidationError as error:
+        raise UsageError(
+            f"{path} is damaged ({error.errors()[0]['msg']}); remove it to build everything again"
+        ) from error
+
+
+def record(workspace: Workspace, made: Mapping[str, Made]) -> Ledger:
+    """Add to the ledger what a batch made, and the versions that verified it. Other batches' entries stay."""
+    with locked(workspace):
+        before = read_ledger(workspace)
+        fresh = {made_now.family for made_now in made.values() if made_now.family}
+        kept = {digest: old for digest, old in before.entries.items() if old.family not in fresh or digest in made}
+        after = Ledger(rpg=__version__, mujoco=mujoco_version(), entries={**kept, **made})
+        if after != before:
+            replace_file(workspace.root / LOCKFILE, after.text().encode())
+    return after
+
+
+def up_to_date(workspace: Workspace, made: Made | None, pictures: bool) -> bool:
+    """Whether what the ledger says of an entry is still there, byte for byte."""
+    if made is None or made.status != "admitted":
+        return made is not None
+    family = workspace.family(made.family)
+    present = {path.name for path in family.directories()}
+    if not set(made.versions) <= present or (pictures and not made.pictures):
+        return False
+    return not verify_family(family)
+
+
+def mujoco_version() -> str:
+    """The version of the installed MuJoCo, without importing it."""
+    from importlib.metadata import version
+
+    return version("mujoco")

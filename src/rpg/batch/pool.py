@@ -1,0 +1,66 @@
+"""Where entries are built: warm worker processes on this machine."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
+from multiprocessing import get_context
+from typing import Protocol
+
+from rpg.batch.entries import Entry
+from rpg.batch.work import Result, build, warm
+
+Job = tuple[Entry, bool]
+"""An entry, and whether to draw its pictures."""
+
+
+class Executor(Protocol):
+    """Builds entries somewhere; results come in the order of the jobs."""
+
+    def map(self, jobs: Sequence[Job]) -> Iterator[Result]: ...
+
+
+@dataclass(frozen=True)
+class LocalPool:
+    """`workers` processes that import everything once. A worker that dies takes only its own entry with it."""
+
+    workers: int = 0
+
+    def map(self, jobs: Sequence[Job]) -> Iterator[Result]:
+        done = 0
+        while done < len(jobs):
+            for result in self._until_broken(jobs[done:]):
+                done += 1
+                yield result
+            if done < len(jobs):
+                yield self._alone(jobs[done])
+                done += 1
+
+    def _until_broken(self, jobs: Sequence[Job]) -> Iterator[Result]:
+        """Results in order, up to the first whose worker (or one beside it) died."""
+        pool = self._pool(min(self.workers or os.cpu_count() or 1, len(jobs)))
+        futures: list[Future[Result]] = []
+        try:
+            futures = [pool.submit(build, *job) for job in jobs]
+            for future in futures:
+                yield future.result()
+        except BrokenProcessPool:
+            return
+        finally:
+            pool.shutdown(wait=True, cancel_futures=True)
+
+    def _alone(self, job: Job) -> Result:
+        """The entry that was next when a worker died, with a worker to itself to tell whether it is the culprit."""
+        results = list(self._until_broken([job]))
+        if results:
+            return results[0]
+        message = "the process that built this entry was killed, twice; it may need more memory than there is"
+        return Result("failed", diagnostics=({"code": "worker-lost", "severity": "error", "message": message},))
+
+    def _pool(self, workers: int) -> ProcessPoolExecutor:
+        context = get_context("forkserver")
+        context.set_forkserver_preload(["rpg.batch.work", "rpg.pipeline"])
+        return ProcessPoolExecutor(workers, mp_context=context, initializer=warm)

@@ -185,6 +185,18 @@ def test_spells_from_left_to_right_and_nothing_else_adjoins() -> None:
     assert not spell(word, s2=(0, -0.16))
 
 
+def test_an_alphabetical_row_has_no_other_symbol_in_it() -> None:
+    objects = world(letters("ABD7"), plain(red="red"))
+    order = Order(by="label", first="left")
+    node = Row(blocks=("s0", "s1", "s2"), order=order, readable=True)
+    places = {"s0": (0, 0.05), "s1": (0, 0), "s2": (0, -0.05), "s3": (0.15, 0.2), "red": (-0.1, 0.2)}
+    assert value(node, state(objects, places))
+    assert not value(node, state(objects, {**places, "s3": (0, -0.1)}))
+    assert not value(node, state(objects, {**places, "s0": (0, 0.09), "s3": (0, 0.045)}))
+    assert value(node, state(objects, {**places, "red": (0, 0.1)})), "a plain block is not read"
+    assert not value(node, state(objects, {**places, "red": (0, 0, 1)})), "a covered symbol is not seen"
+
+
 def test_spelled_symbols_must_be_readable() -> None:
     word = Spells(blocks=CAT, word="CAT")
     places = {"s0": (0, 0.05), "s1": (0, 0), "s2": (0, -0.05), "s3": (0.15, 0.2)}

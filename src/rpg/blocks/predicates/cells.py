@@ -25,7 +25,8 @@ from rpg.blocks.predicates.common import (
 from rpg.blocks.predicates.fit import EPS, Fit, best_fit, likeness
 from rpg.blocks.predicates.order import fixed_edges
 from rpg.blocks.predicates.pattern import fillings, follows
-from rpg.blocks.predicates.stack import alone, legible, unreadable
+from rpg.blocks.predicates.reading import legible, unreadable
+from rpg.blocks.predicates.stack import alone
 from rpg.blocks.predicates.vertical import GROUND
 from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.blocks.traits import AWAY, TO_VIEWER, UP, Traits, symbols_shown

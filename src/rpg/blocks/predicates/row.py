@@ -25,7 +25,8 @@ from rpg.blocks.predicates.common import (
     swap,
 )
 from rpg.blocks.predicates.order import ordered, sequences, swaps
-from rpg.blocks.predicates.stack import alone, legible, unreadable
+from rpg.blocks.predicates.reading import apart, legible, unreadable
+from rpg.blocks.predicates.stack import alone
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
 from rpg.blocks.traits import AWAY, UP, Traits, symbols_shown
 from rpg.blocks.verdict import Verdict, every, holds
@@ -35,6 +36,8 @@ from rpg.ir.structures import Row
 
 SIDES: dict[str, Axis] = {"left": "y", "right": "y", "front": "x", "back": "x"}
 """The axis that a first side asks for."""
+READ_ORDERS = ("label", "number")
+"""Orders of symbols: another symbol that adjoins the row would be read with it."""
 SLANT = 0.45
 """Turn (radians) of the rows that lie along no axis."""
 
@@ -149,6 +152,8 @@ class RowPredicate(Predicate[Row]):
             parts.append(ordered(node.order, from_first(node.order, line.sequence), traits, either))
         if node.readable:
             parts.append(legible(state, line.sequence, UP, AWAY, node.excused) & alone(state, line.sequence))
+            if node.order.by in READ_ORDERS:
+                parts.append(apart(state, line.sequence, line.direction, node.gap_edges, symbols=True))
         return every(parts)
 
     def build(self, node: Row, world: World, rng: Random) -> Iterator[list[Cluster]]:

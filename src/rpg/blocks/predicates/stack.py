@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from random import Random
@@ -11,17 +10,16 @@ from typing import Any
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.geometry import rests_on, table_gap
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
-from rpg.blocks.predicates.common import TILT, product, put, set_aside, shift, stand_on, strangers, swap
+from rpg.blocks.predicates.common import TILT, set_aside, shift, stand_on, strangers, swap
 from rpg.blocks.predicates.order import fixed_edges, ordered, sequences, swaps
 from rpg.blocks.predicates.patches import on_patch
+from rpg.blocks.predicates.reading import legible, unreadable
 from rpg.blocks.predicates.vertical import GROUND, directly_on
-from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
+from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
 from rpg.blocks.traits import TO_VIEWER, UP, Traits, symbols_shown
 from rpg.blocks.verdict import FALSE, TRUE, Verdict, at_most, every, holds
-from rpg.blocks.visibility import reads
 from rpg.ir.structures import Stack
 
-HALF = math.sqrt(0.5)
 YAWS = (0.0, 0.35, -0.6)
 """Turns about the vertical (radians) that stacks are offered in."""
 
@@ -40,15 +38,6 @@ def alone(state: BlockState, upward: Sequence[str]) -> Verdict:
         if any(rests_on(state, other, name) for name in upward):
             return FALSE
     return TRUE
-
-
-def legible(state: BlockState, names: Iterable[str], normal: Vec3, up: Vec3, excused: Iterable[str] = ()) -> Verdict:
-    """The symbols that these blocks have are read upright from the direction of `normal`.
-
-    Those `excused` are turned in the plane of their face as another condition says.
-    """
-    found = [reads(state, name, normal, None if name in excused else up) for name in names]
-    return holds(min((margin for symbol, margin in found if symbol), default=1.0))
 
 
 def column(upward: Sequence[str], world: World, turn: Quat, excused: Iterable[str] = ()) -> Cluster:
@@ -140,18 +129,6 @@ class StackPredicate(Predicate[Stack]):
         sign = 1.0 if y <= 0.0 else -1.0
         dy = y + sign * (patch.size[1] / 2 + state.world.edge[foot]) - fy
         return shift(state, node.blocks, x - fx, dy)
-
-
-def unreadable(
-    state: BlockState, names: Sequence[str], normal: Vec3, up: Vec3, excused: Iterable[str] = ()
-) -> Iterator[NearMiss]:
-    """One symbol upside down, or lying on its side, to the reader at `normal`."""
-    name = next((n for n in names if n not in excused and reads(state, n, normal, up)[0]), None)
-    if name is None:
-        return
-    for turn, what in (((0.0, *normal), "upside down"), ((HALF, *(HALF * c for c in normal)), "on its side")):
-        quat = product(turn, state.orientation.get(name, IDENTITY))  # type: ignore[arg-type]
-        yield NearMiss(f"{name} {what}", put(state, name, state.position[name], quat))
 
 
 TABLE: dict[str, Predicate[Any]] = {"stack": StackPredicate()}

@@ -8,11 +8,11 @@ from random import Random
 from typing import Any
 
 from rpg.blocks.equations import is_true, plain, same_equation, solutions
-from rpg.blocks.geometry import footprint_gap, rests_on
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
-from rpg.blocks.predicates.common import pair_edge, put, set_aside, shift, stand_on, strangers, swap
-from rpg.blocks.predicates.row import Line, best_line, gap_too_large, lay, lined_up, spacing
-from rpg.blocks.predicates.stack import alone, chain, column, legible, unreadable
+from rpg.blocks.predicates.common import put, set_aside, shift, stand_on, strangers, swap
+from rpg.blocks.predicates.reading import apart, legible, unreadable
+from rpg.blocks.predicates.row import best_line, gap_too_large, lay, lined_up, spacing
+from rpg.blocks.predicates.stack import alone, chain, column
 from rpg.blocks.predicates.vertical import GROUND
 from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.blocks.traits import AWAY, TO_VIEWER, UP, Traits, symbol_of, symbols_shown
@@ -22,8 +22,6 @@ from rpg.ir.structures import Equation, Row, Spells
 MAX_CHOICES = 200
 """How many choices among cubes with the same symbol are looked at."""
 MAX_BUILDS = 6
-ADJOINS_EDGES = 0.5
-"""A block whose gap to the text is at most this many edges adjoins it, in any direction."""
 READING = Row(blocks=("",), axis="y")
 """The tolerances of a row that is read from left to right."""
 
@@ -45,42 +43,13 @@ def well_read(state: BlockState, sequence: Sequence[str], node: Spells | Equatio
     if line.sequence != list(sequence):
         return FALSE
     row = READING if node.gap_edges == READING.gap_edges else row_for(node.gap_edges)
-    parts = [holds(min(lined_up(line, state, row), spacing(row, sequence, state))), apart(state, line, node.gap_edges)]
+    parts = [
+        holds(min(lined_up(line, state, row), spacing(row, sequence, state))),
+        apart(state, line.sequence, line.direction, node.gap_edges),
+    ]
     if readable:
         parts.append(legible(state, sequence, UP, AWAY, node.excused))
     return every(parts)
-
-
-def apart(state: BlockState, line: Line, gap_edges: float) -> Verdict:
-    """Nothing else adjoins the row: no block close to it or on it, and no symbol that would be read on."""
-    margin = 1.0
-    traits = Traits(state.world)
-    for other in strangers(state, line.sequence):
-        for name in (line.sequence[0], line.sequence[-1]) if traits.symbol(other) else ():
-            if _reads_on(state, line, name, other):
-                edge = pair_edge(state, name, other)
-                margin = min(margin, footprint_gap(state, name, other) / (gap_edges * edge) - 1.0)
-        for name in line.sequence:
-            edge = pair_edge(state, name, other)
-            (ax, ay, az), (bx, by, bz) = state.position[name], state.position[other]
-            if max(abs(ax - bx), abs(ay - by)) > 4.0 * edge:
-                continue
-            if abs(az - bz) < edge * 0.75:
-                margin = min(margin, footprint_gap(state, name, other) / (ADJOINS_EDGES * edge) - 1.0)
-            elif rests_on(state, other, name):
-                margin = -1.0
-    return holds(margin) if margin != 0.0 else FALSE
-
-
-def _reads_on(state: BlockState, line: Line, end: str, other: str) -> bool:
-    """Does `other` stand on the same level in the row's line beyond its `end`?"""
-    edge = pair_edge(state, end, other)
-    (ax, ay, az), (bx, by, bz) = state.position[end], state.position[other]
-    dx, dy = bx - ax, by - ay
-    ux, uy = line.direction
-    along = dx * ux + dy * uy
-    beyond = along > 0.0 if end == line.sequence[-1] else along < 0.0
-    return beyond and abs(az - bz) < edge * 0.75 and abs(dy * ux - dx * uy) < edge
 
 
 def in_reading_order(state: BlockState, names: Sequence[str], along: str) -> list[str]:

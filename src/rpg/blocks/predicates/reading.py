@@ -1,0 +1,86 @@
+"""Reading: which symbols are legible from where, and what stands so close that it would be read with them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+
+from rpg.blocks.geometry import footprint_gap, rests_on
+from rpg.blocks.predicate import NearMiss
+from rpg.blocks.predicates.common import pair_edge, product, put, strangers
+from rpg.blocks.state import IDENTITY, BlockState, Vec3
+from rpg.blocks.traits import Traits
+from rpg.blocks.verdict import FALSE, Verdict, holds
+from rpg.blocks.visibility import reads
+
+HALF = math.sqrt(0.5)
+ADJOINS_EDGES = 0.5
+"""A block whose gap to a text is at most this many edges adjoins it, in any direction."""
+
+
+def legible(state: BlockState, names: Iterable[str], normal: Vec3, up: Vec3, excused: Iterable[str] = ()) -> Verdict:
+    """The symbols that these blocks have are read upright from the direction of `normal`.
+
+    Those `excused` are turned in the plane of their face as another condition says.
+    """
+    found = [reads(state, name, normal, None if name in excused else up) for name in names]
+    return holds(min((margin for symbol, margin in found if symbol), default=1.0))
+
+
+def apart(
+    state: BlockState, sequence: Sequence[str], direction: tuple[float, float], gap_edges: float, symbols: bool = False
+) -> Verdict:
+    """Nothing else adjoins a row along `direction`: no block close to it or on it, no symbol that would be read on.
+
+    `symbols`: only blocks that show one are looked at.
+    """
+    margin = 1.0
+    traits = Traits(state.world)
+    for other in strangers(state, sequence):
+        lettered = bool(traits.symbol(other))
+        if symbols and not lettered:
+            continue
+        if lettered:
+            margin = min(margin, _reading_on(state, sequence, direction, gap_edges, other))
+        for name in sequence:
+            margin = min(margin, _closeness(state, name, other))
+    return holds(margin) if margin != 0.0 else FALSE
+
+
+def _closeness(state: BlockState, name: str, other: str) -> float:
+    """How far `other` is from adjoining `name`, over the distance at which it does; -1 where it lies on it."""
+    edge = pair_edge(state, name, other)
+    (ax, ay, az), (bx, by, bz) = state.position[name], state.position[other]
+    if max(abs(ax - bx), abs(ay - by)) > 4.0 * edge:
+        return 1.0
+    if abs(az - bz) < edge * 0.75:
+        return footprint_gap(state, name, other) / (ADJOINS_EDGES * edge) - 1.0
+    return -1.0 if rests_on(state, other, name) else 1.0
+
+
+def _reading_on(
+    state: BlockState, sequence: Sequence[str], direction: tuple[float, float], gap_edges: float, other: str
+) -> float:
+    """How far `other` is from being read as the row's next symbol, before its first or after its last."""
+    ux, uy = direction
+    margin = 1.0
+    for end, sign in ((sequence[0], -1.0), (sequence[-1], 1.0)):
+        edge = pair_edge(state, end, other)
+        (ax, ay, az), (bx, by, bz) = state.position[end], state.position[other]
+        dx, dy = bx - ax, by - ay
+        beyond = sign * (dx * ux + dy * uy) > 0.0
+        if beyond and abs(az - bz) < edge * 0.75 and abs(dy * ux - dx * uy) < edge:
+            margin = min(margin, footprint_gap(state, end, other) / (gap_edges * edge) - 1.0)
+    return margin
+
+
+def unreadable(
+    state: BlockState, names: Sequence[str], normal: Vec3, up: Vec3, excused: Iterable[str] = ()
+) -> Iterator[NearMiss]:
+    """One symbol upside down, or lying on its side, to the reader at `normal`."""
+    name = next((n for n in names if n not in excused and reads(state, n, normal, up)[0]), None)
+    if name is None:
+        return
+    for turn, what in (((0.0, *normal), "upside down"), ((HALF, *(HALF * c for c in normal)), "on its side")):
+        quat = product(turn, state.orientation.get(name, IDENTITY))  # type: ignore[arg-type]
+        yield NearMiss(f"{name} {what}", put(state, name, state.position[name], quat))

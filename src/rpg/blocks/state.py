@@ -63,8 +63,8 @@ class BlockState:
 
     def half_height(self, name: str) -> float:
         """Half of the block's vertical extent as it is turned."""
-        half = self.world.edge[name] / 2
-        return half * sum(abs(c) for c in self.axes(name)[2])
+        x, y, z = self.axes(name)[2]
+        return self.world.edge[name] / 2 * (abs(x) + abs(y) + abs(z))
 
     def bottom(self, name: str) -> float:
         """Height of the block's lowest point."""

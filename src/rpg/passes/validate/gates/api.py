@@ -14,22 +14,32 @@ from rpg.passes.validate.gates.surface import attributes, fields, methods, neare
 from rpg.passes.validate.load import ALLOWED_BUILTINS
 
 
-def check_api(filename: str, tree: ast.Module) -> list[Diagnostic]:
-    """Unknown names, methods and keywords, each with the nearest that exists."""
-    checker = _Checker(filename, tree)
+def check_api(filename: str, nodes: Iterable[ast.AST]) -> list[Diagnostic]:
+    """Unknown names, methods and keywords in the nodes of a file, each with the nearest that exists."""
+    checker = _Checker(filename, nodes)
     return [*checker.names(), *checker.members(), *checker.calls()]
 
 
 class _Checker:
-    def __init__(self, filename: str, tree: ast.Module) -> None:
+    def __init__(self, filename: str, nodes: Iterable[ast.AST]) -> None:
         self.filename = filename
-        self.tree = tree
-        self.imported = {
-            alias.asname or alias.name
-            for node in ast.walk(tree)
-            if isinstance(node, ast.ImportFrom)
-            for alias in node.names
-        }
+        self.imported: set[str] = set()
+        self.classes: set[str] = set()
+        self.name_nodes: list[ast.Name] = []
+        self.attribute_nodes: list[ast.Attribute] = []
+        self.call_nodes: list[ast.Call] = []
+        for node in nodes:
+            match node:
+                case ast.Name():
+                    self.name_nodes.append(node)
+                case ast.Attribute():
+                    self.attribute_nodes.append(node)
+                case ast.Call():
+                    self.call_nodes.append(node)
+                case ast.ImportFrom():
+                    self.imported.update(alias.asname or alias.name for alias in node.names)
+                case ast.ClassDef():
+                    self.classes.add(node.name)
 
     def _found(
         self, code: str, node: ast.expr | ast.keyword, name: str, message: str, known: Iterable[str]
@@ -41,14 +51,9 @@ class _Checker:
 
     def names(self) -> Iterator[Diagnostic]:
         """Names that nothing defines, or that are not for tasks."""
-        stored = {
-            node.id for node in ast.walk(self.tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-        }
-        classes = {node.name for node in ast.walk(self.tree) if isinstance(node, ast.ClassDef)}
-        known = stored | classes | self.imported | set(ALLOWED_BUILTINS) | {"self"}
-        for node in ast.walk(self.tree):
-            if not isinstance(node, ast.Name):
-                continue
+        stored = {node.id for node in self.name_nodes if isinstance(node.ctx, ast.Store)}
+        known = stored | self.classes | self.imported | set(ALLOWED_BUILTINS) | {"self"}
+        for node in self.name_nodes:
             if node.id.startswith("__"):
                 yield self._found("code-forbidden", node, node.id, f"{node.id} is not for tasks", ())
             elif node.id not in known and node.id in public_names():
@@ -60,14 +65,8 @@ class _Checker:
 
     def members(self) -> Iterator[Diagnostic]:
         """Attributes that do not exist, or that lead out of the task."""
-        own = {
-            node.attr
-            for node in ast.walk(self.tree)
-            if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Store) and _is_self(node.value)
-        }
-        for node in ast.walk(self.tree):
-            if not isinstance(node, ast.Attribute):
-                continue
+        own = {node.attr for node in self.attribute_nodes if isinstance(node.ctx, ast.Store) and _is_self(node.value)}
+        for node in self.attribute_nodes:
             if _is_super(node.value):
                 allowed: Iterable[str] = grammar.HOOKS
             elif _is_self(node.value):
@@ -82,9 +81,7 @@ class _Checker:
 
     def calls(self) -> Iterator[Diagnostic]:
         """Calls whose arguments do not fit."""
-        for node in ast.walk(self.tree):
-            if not isinstance(node, ast.Call):
-                continue
+        for node in self.call_nodes:
             match node.func:
                 case ast.Attribute(value=value, attr=name) if _is_self(value) and name in methods():
                     yield from self._signature(node, name, methods()[name])

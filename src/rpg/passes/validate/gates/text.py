@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -31,10 +32,11 @@ class TextGate:
             found += problems
             lines += source.count("\n")
             if tree is not None:
-                calls += sum(isinstance(node, ast.Call) for node in ast.walk(tree))
-                found += forbidden(filename, tree)
+                nodes = list(ast.walk(tree))
+                calls += sum(isinstance(node, ast.Call) for node in nodes)
+                found += forbidden(filename, nodes)
                 found += check_shape(filename, tree)
-                found += check_api(filename, tree)
+                found += check_api(filename, nodes)
         return GateReport.of(self.name, found, lines=lines, calls=calls)
 
 
@@ -54,10 +56,10 @@ def parse(filename: str, source: str) -> tuple[ast.Module | None, list[Diagnosti
     return None, [failure("text", "code-syntax", "syntax", message, **facts)]
 
 
-def forbidden(filename: str, tree: ast.Module) -> list[Diagnostic]:
+def forbidden(filename: str, nodes: Iterable[ast.AST]) -> list[Diagnostic]:
     """Constructs that no task needs."""
     found = []
-    for node in ast.walk(tree):
+    for node in nodes:
         line = getattr(node, "lineno", None)
         if not isinstance(node, grammar.NODES):
             message = f"{filename} uses a {grammar.what(node)} in line {line}; tasks are written without"

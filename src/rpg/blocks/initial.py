@@ -52,7 +52,7 @@ class _Layout:
         self.keep_clear(footprint(self.state(), name))
 
     def keep_clear(self, outline: Polygon) -> None:
-        x, y = (sum(p[k] for p in outline) / len(outline) for k in (0, 1))
+        x, y = _middle(outline)
         self.circles.append((x, y, max(math.dist((x, y), p) for p in outline)))
         self.outlines.append(outline)
 
@@ -67,7 +67,17 @@ class _Layout:
 
     def fits(self, outline: Polygon, clearance: float) -> bool:
         """Is `outline` clear of everything by `clearance`?"""
-        return all(polygon_gap(outline, other) >= clearance for other in self.outlines)
+        x, y = _middle(outline)
+        reach = math.dist((x, y), outline[0]) + clearance
+        for (a, b, r), other in zip(self.circles, self.outlines, strict=True):
+            if (x - a) ** 2 + (y - b) ** 2 < (reach + r) ** 2 and polygon_gap(outline, other) < clearance:
+                return False
+        return True
+
+
+def _middle(outline: Polygon) -> tuple[float, float]:
+    """Mean of an outline's corners."""
+    return (sum(x for x, _ in outline) / len(outline), sum(y for _, y in outline) / len(outline))
 
 
 def sample_start(init: InitialState, world: World, seed: int, attempt: int = 0) -> BlockState:

@@ -177,3 +177,56 @@ def steered_summary(steered: Steered) -> dict[str, Any]:
     document["reverted"] = bool(understood and understood.reverts)
     document["same_as"] = steered.same_as
     return document
+
+
+@dataclass(frozen=True)
+class Compared:
+    """Two versions side by side."""
+
+    a: Version
+    b: Version
+    proof: Proof
+    witnesses: tuple[Witness, ...]
+
+    def document(self, pictures: dict[str, Path]) -> dict[str, Any]:
+        """The comparison as one JSON document; `pictures`: which goal accepts the state -> where it is drawn."""
+        return {
+            "a": {"version": str(self.a), "hash": self.a.hash},
+            "b": {"version": str(self.b), "hash": self.b.hash},
+            **self.proof.model_dump(mode="json"),
+            "witnesses": [witness_data(witness, pictures.get(witness.accepted_by)) for witness in self.witnesses],
+        }
+
+
+def compared(a: Version, b: Version) -> Compared:
+    """Compare two versions, of one family or of two."""
+    return Compared(a, b, *prove(a.schema, b.schema))
+
+
+def witness_data(witness: Witness, picture: Path | None = None) -> dict[str, Any]:
+    """A witness state as `rpg check` takes it."""
+    state = witness.state
+    objects = {
+        name: {"position": list(state.position[name]), "orientation": list(state.orientation[name])}
+        for name in state.position
+    }
+    return {
+        "accepted_by": witness.accepted_by,
+        "source": witness.source,
+        "objects": objects,
+        "picture": str(picture) if picture else None,
+    }
+
+
+def draw_witnesses(found: Compared, directory: Path) -> dict[str, Path]:
+    """Draw every witness state into `directory`."""
+    from rpg.blocks.picture import draw
+    from rpg.store import replace_file
+
+    directory.mkdir(parents=True, exist_ok=True)
+    paths = {}
+    for witness in found.witnesses:
+        path = directory / f"accepted-by-{witness.accepted_by}.png"
+        replace_file(path, draw(witness.state))
+        paths[witness.accepted_by] = path
+    return {str(side): path for side, path in paths.items()}

@@ -10,7 +10,7 @@ from typing import Any
 
 import yaml
 
-from rpg.core.diagnostics import UsageError
+from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.pipeline import CompileOptions, Outcome, compile_instruction
 from rpg.publishing import publish, summary
 from rpg.steering import Steered, steer, steered_summary
@@ -21,9 +21,9 @@ STATUS = {"admitted": 0, "failed": 1, "refused": 3}
 
 @dataclass(frozen=True)
 class Session:
-    """A base instruction and its edits, under a name that the family takes over."""
+    """A base instruction and its edits, under a name that the family takes over (made up where it is None)."""
 
-    name: str
+    name: str | None
     base: str
     edits: tuple[str, ...] = ()
 
@@ -41,6 +41,11 @@ class Turn:
     def status(self) -> str:
         """One of "admitted", "refused" and "failed"."""
         return self.base.status if self.base else self.steered.status if self.steered else "refused"
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """What there is to say about the turn."""
+        return self.base.diagnostics if self.base else self.steered.diagnostics if self.steered else ()
 
     @property
     def exit_status(self) -> int:
@@ -87,7 +92,7 @@ def _session(file: Path, number: int, entry: Any) -> Session:
     edits = entry.get("edits") or []
     if not isinstance(edits, list) or not all(isinstance(edit, str) for edit in edits):
         raise UsageError(f"{file}: the `edits` of session {number} are not a list of sentences")
-    return Session(str(entry.get("name") or f"session {number}"), entry["base"], tuple(edits))
+    return Session(str(entry["name"]) if entry.get("name") else None, entry["base"], tuple(edits))
 
 
 def run_session(
@@ -95,7 +100,7 @@ def run_session(
 ) -> Iterator[Turn]:
     """Run a session turn by turn. It stops where a turn is refused or fails, unless `keep_going`."""
     options = options or CompileOptions()
-    outcome = compile_instruction(session.base, replace(options, name=family_name(session.name)))
+    outcome = compile_instruction(session.base, replace(options, name=family_name(session.name or "")))
     place = publish(outcome, workspace)
     yield Turn(session.base, base=outcome, place=place)
     if not isinstance(place, Written):

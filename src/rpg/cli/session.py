@@ -59,12 +59,12 @@ def _scripted(
     sessions = read_sessions(file)
     chosen = [session for session in sessions if only is None or session.name == only]
     if not chosen:
-        names = ", ".join(session.name for session in sessions)
+        names = ", ".join(str(session.name) for session in sessions)
         raise UsageError(f"{file} has no session called {only!r}; it has {names}")
     documents: list[dict[str, Any]] = []
     status = 0
     for session in chosen:
-        _title(out, session.name)
+        _title(out, session.name or session.base)
         turns = []
         for turn in run_session(session, place, options, keep_going=keep_going):
             turns.append(turn.document())

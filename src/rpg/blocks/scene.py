@@ -17,7 +17,7 @@ DENSITY = 600.0
 FRICTION = (0.8, 0.005, 0.0001)
 SOLREF = (0.01, 1.0)
 SOLIMP = (0.99, 0.999, 0.001, 0.5, 2.0)
-MARGIN = 2e-5
+MARGIN = 5e-6
 """Contacts act from this distance on, so that blocks placed to touch exactly rest as they are."""
 
 AMBIENT, HEADLIGHT, LAMP = 0.46, 0.26, 0.48

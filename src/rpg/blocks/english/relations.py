@@ -111,16 +111,21 @@ def in_region(node: r.InRegion, say: Speaker) -> str:
 
 def facing(node: r.Facing, say: Speaker) -> str:
     block = say.the(node.block)
+    turn = _turn(node.turn)
+    if turn and not node.face and node.toward in ("up", "viewer"):
+        return f"{block} {say.be(node.block)} {turn}"
     face = f"the {node.face} face of {block}" if node.face else f"the {node.label} of {block}" if node.label else block
     way = {"viewer": "the viewer", "front": "the front", "back": "the back"}.get(node.toward, node.toward)
-    turns = {0.0: "upright", 180.0: "upside down", 90.0: "turned a quarter turn counterclockwise"}
-    if node.turn is None:
-        return f"{face} {say.do(node.block, 'face', 'faces')} {way}"
-    turn = turns.get(node.turn % 360, "turned a quarter turn clockwise" if node.turn % 360 == 270 else "")
-    turn = turn or f"turned by {node.turn:g} degrees"
-    if node.toward == "viewer" and not node.face:
-        return f"{block} {say.be(node.block)} {turn}"
-    return f"{face} {say.do(node.block, 'face', 'faces')} {way}, {turn}"
+    return f"{face} {say.do(node.block, 'face', 'faces')} {way}{f', {turn}' if turn else ''}"
+
+
+def _turn(degrees: float | None) -> str:
+    """How a glyph is turned in the plane of its face."""
+    if degrees is None:
+        return ""
+    known = {0: "upright", 180: "upside down", 90: "turned a quarter turn counterclockwise"}
+    known[270] = "turned a quarter turn clockwise"
+    return known.get(round(degrees) % 360, f"turned by {degrees:g} degrees")
 
 
 def stayed(node: r.Stayed, say: Speaker) -> str:

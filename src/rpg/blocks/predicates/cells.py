@@ -222,7 +222,8 @@ class CellsPredicate(Predicate[Cells]):
         kind = node.pattern.kind if node.pattern is not None else ""
         rows = len({cell.row for cell in found.ideal.cells})
         columns = len({cell.column for cell in found.ideal.cells})
-        return rows == columns and (kind not in ("row", "column") or rows < 2)
+        vertical = kind == "column" and any(cell.level for cell in found.ideal.cells)
+        return rows == columns and (vertical or kind not in ("row", "column") or rows < 2)
 
     def _exchanged(self, node: Cells, found: Found, state: BlockState) -> Iterator[NearMiss]:
         """Two blocks whose exchange breaks the pattern."""

@@ -127,6 +127,7 @@ class GroupByPredicate(Predicate[GroupBy]):
         return every(parts)
 
     def build(self, node: GroupBy, world: World, rng: Random) -> Iterator[list[Cluster]]:
+        found = False
         for attempt in range(SHUFFLES + 1):
             groups = self._divisions(node, world, rng, attempt)
             if groups is None:
@@ -135,10 +136,12 @@ class GroupByPredicate(Predicate[GroupBy]):
                 whole = side_by_side(groups, world, max(apart * node.outer_edges / 1.5, 0.1))
                 if whole is not None:
                     yield [whole]
+                    found = True
                     break
-            if attempt == 0:
-                yield [blob(group, world, 1 + (len(group) - 1) // 3) for group in groups]
-                yield [column(sorted(group, key=lambda n: -world.edge[n]), world, IDENTITY) for group in groups]
+        groups = self._divisions(node, world, rng, 0) or []
+        yield [blob(group, world, 1 + (len(group) - 1) // 3) for group in groups]
+        if not found:
+            yield [column(sorted(group, key=lambda n: -world.edge[n]), world, IDENTITY) for group in groups]
 
     def _divisions(self, node: GroupBy, world: World, rng: Random, attempt: int) -> list[list[str]] | None:
         """The groups in some order, after so many members of each have gone to the next group."""
@@ -164,9 +167,9 @@ class GroupByPredicate(Predicate[GroupBy]):
         several = next((group for group in groups if len(group) > 1), None)
         if several is not None:
             yield NearMiss(f"{several[0]} away from its group", set_aside(state, several[0], clearance=0.2))
-        for one, two in combinations(groups, 2):
-            yield from self._between(node, groups, one, two, state)
-            break
+        pairs = [pair for pair in combinations(groups, 2) if len(pair[0]) + len(pair[1]) > 2]
+        if pairs:
+            yield from self._between(node, groups, *pairs[0], state)
         nearest = separation(state, groups)
         if nearest is not None:
             yield self._closer(groups, nearest, edge, state)
@@ -176,13 +179,12 @@ class GroupByPredicate(Predicate[GroupBy]):
     ) -> Iterator[NearMiss]:
         """A block moved over to another group; two unlike blocks of different groups exchanged."""
         world, traits = state.world, Traits(state.world)
-        if len(one) > 1 or len(two) > 1:
+        if not node.outliers:
             a, b = (one[0], two[-1]) if len(one) > 1 else (two[0], one[-1])
             x, y, _ = state.position[b]
             step = (world.edge[a] + world.edge[b]) / 2 + BUILD_GAP
             moved = put(state, a, (x - step, y, state.position[a][2]))
-            if not node.outliers:
-                yield NearMiss(f"{a} with {b}'s group", moved)
+            yield NearMiss(f"{a} with {b}'s group", moved)
         for a in one:
             for b in two:
                 if world.look[a] == world.look[b]:

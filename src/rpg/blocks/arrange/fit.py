@@ -25,12 +25,12 @@ def oversize(atom: g.Atom, world: World) -> Contradiction | None:
     predicate = PREDICATES[atom.kind]
     if next(predicate.build(atom, world, Random(0)), None) is not None:
         return None
+    if isinstance(atom, Row):
+        return _long_row(atom, world)
     for share in SHRUNK:
         small = _shrunk(world, share)
         for clusters in islice(predicate.build(atom, small, Random(0)), 1):
             lengths = [_extent(clusters, axis, small) / share for axis in (0, 1)]
-            if isinstance(atom, Row):
-                lengths[lengths.index(max(lengths))] = _side_by_side(atom, world)
             axis = max((0, 1), key=lambda k: lengths[k] - LENGTHS[k])
             return Contradiction((atom,), axis, lengths[axis], LENGTHS[axis])
     return None
@@ -51,6 +51,12 @@ def _extent(clusters: list[Cluster], axis: int, world: World) -> float:
 
 def _ends(cluster: Cluster, axis: int, world: World, side: int) -> Iterator[float]:
     return (place[axis] + side * world.edge[n] / 2 for n, (place, _) in cluster.poses.items())
+
+
+def _long_row(row: Row, world: World) -> Contradiction | None:
+    axis = 0 if row.axis == "x" else 1
+    needed = _side_by_side(row, world)
+    return Contradiction((row,), axis, needed, LENGTHS[axis]) if needed > LENGTHS[axis] else None
 
 
 def _side_by_side(row: Row, world: World) -> float:

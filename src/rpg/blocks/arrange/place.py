@@ -42,7 +42,7 @@ PROPOSED = 0.25
 LEAST_MARGIN = 0.02
 """What is placed later must leave conditions that any block can break this share of their tolerance."""
 GOOD_MARGIN = 0.3
-"""More slack than this share of a tolerance is not worth anything."""
+"""More slack than this share of a tolerance is worth little."""
 GOOD_CLEARANCE = 0.02
 SCATTER_CLEARANCE = 0.10
 CENTRE = (sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2)
@@ -193,7 +193,7 @@ class Search:
         clearance = self.ground.clearance(piece, origin)
         if clearance is None:
             return None
-        least = GOOD_MARGIN
+        least = 1.0
         self._write(piece, origin)
         try:
             for rule in due:
@@ -211,7 +211,12 @@ class Search:
         room = GOOD_CLEARANCE if bound else SCATTER_CLEARANCE
         x, y, _ = next(iter(piece.position.values()))
         off = hypot(x + origin[0] - CENTRE[0], y + origin[1] - CENTRE[1])
-        merit = 2.0 * least / GOOD_MARGIN + min(clearance, room) / room - (0.8 * off if bound else 0.0)
+        merit = (
+            1.5 * min(least, GOOD_MARGIN) / GOOD_MARGIN
+            + 0.5 * least
+            + min(clearance, room) / room
+            - (0.8 * off if bound else 0.0)
+        )
         merit -= self.ground.trespass(piece, origin)
         return merit + self.noise * self.rng.random()
 

@@ -12,7 +12,7 @@ from rpg.blocks.verdict import FALSE, TRUE, Verdict
 from rpg.ir.order import Order
 
 SORTED = ("label", "number", "rainbow", "size")
-SHUFFLES = 6
+SHUFFLES = 24
 """How many further sequences are offered where the order leaves a choice."""
 
 

@@ -162,14 +162,19 @@ class CodegenPass:
 
 @dataclass(frozen=True)
 class ValidatePass:
-    """The gates, and repair where one fails. `asked`: what no repair may lose, the schema's goal unless given."""
+    """The gates, and repair where one fails.
+
+    `asked`: what no repair may lose, the schema's goal unless given. `lowered`: the program comes from the lowering.
+    """
 
     asked: Goal | None = None
+    lowered: bool = False
     name: str = "validate"
 
     def run(self, item: Program, context: Context) -> tuple[Program, Report]:
         """The best program that was found; the report holds its gates and the attempts at repair."""
-        reports = validate_program(item, context.options, context.listen)
+        trusted = self.lowered or is_lowered(item)
+        reports = validate(item, trusted=trusted, measures=context.options, listen=context.listen)
         mended = Repaired(item, reports)
         if not admitted(reports):
             tools = Tools(lower, lower_goal, read_goal, goal_path, _validator(context))
@@ -178,7 +183,7 @@ class ValidatePass:
         return mended.program, Report((*mended.diagnostics, *found), mended)
 
 
-_PASSES: tuple[Pass, ...] = (ArrangePass(), CodegenPass(), ValidatePass())
+_PASSES: tuple[Pass, ...] = (ArrangePass(), CodegenPass(), ValidatePass(lowered=True))
 
 
 def verify(name: str, item: object) -> None:

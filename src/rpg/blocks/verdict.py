@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
@@ -53,16 +54,28 @@ def at_least(value: float, limit: float, scale: float | None = None) -> Verdict:
 
 def every(verdicts: Iterable[Verdict]) -> Verdict:
     """All hold; the least margin. An empty conjunction holds."""
-    parts = list(verdicts)
-    if not parts:
-        return TRUE
-    value = all(v.value for v in parts)
-    return Verdict(value, min(v.margin for v in parts if v.value == value))
+    held, broken = math.inf, math.inf
+    for value, margin in verdicts:
+        if value:
+            held = min(held, margin)
+        else:
+            broken = min(broken, margin)
+    if broken < math.inf:
+        return Verdict(False, broken)
+    return Verdict(True, held) if held < math.inf else TRUE
 
 
 def some(verdicts: Iterable[Verdict]) -> Verdict:
     """At least one holds; the greatest margin. An empty disjunction does not hold."""
-    return ~every(~v for v in verdicts)
+    held, broken = -math.inf, -math.inf
+    for value, margin in verdicts:
+        if value:
+            held = max(held, margin)
+        else:
+            broken = max(broken, margin)
+    if held > -math.inf:
+        return Verdict(True, held)
+    return Verdict(False, broken) if broken > -math.inf else FALSE
 
 
 def between(count_at_least: int, count_at_most: int | None, verdicts: Iterable[Verdict]) -> Verdict:

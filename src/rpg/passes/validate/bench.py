@@ -21,7 +21,7 @@ class Measures:
     settle_steps: int = 50
     hold_steps: int = 50
     resets: int = 8
-    other_goals: int = 3
+    other_goals: int = 2
     drift_m: float = 0.01
     topple_m: float = 0.02
     overlap_m: float = 0.001

@@ -13,6 +13,8 @@ NODES: tuple[type[ast.AST], ...] = (
 )  # fmt: skip
 """What a task is written with. Loops without an end, exceptions, closures and formatting are not among it."""
 
+TYPES = frozenset(kind for base in NODES for kind in (base, *base.__subclasses__()))
+"""The same, with the kinds of operators one by one."""
 ORDINARY_ATTRIBUTES = frozenset(
     {"value", "margin", "append", "extend", "items", "keys", "values", "get", "index", "count"}
 )
@@ -24,6 +26,19 @@ LONGEST_FILE = 200_000
 """Characters; a task of 30 blocks takes a tenth of it."""
 DEEPEST = 60
 """Levels of nesting."""
+
+
+def walk(tree: ast.AST) -> list[ast.AST]:
+    """All nodes of a tree, parents before children."""
+    found: list[ast.AST] = [tree]
+    for node in found:
+        for field in node._fields:
+            value = getattr(node, field, None)
+            if isinstance(value, list):
+                found += [item for item in value if isinstance(item, ast.AST)]
+            elif isinstance(value, ast.AST):
+                found.append(value)
+    return found
 
 
 def what(node: ast.AST) -> str:

@@ -32,7 +32,7 @@ class TextGate:
             found += problems
             lines += source.count("\n")
             if tree is not None:
-                nodes = list(ast.walk(tree))
+                nodes = grammar.walk(tree)
                 calls += sum(isinstance(node, ast.Call) for node in nodes)
                 found += forbidden(filename, nodes)
                 found += check_shape(filename, tree)
@@ -60,14 +60,14 @@ def forbidden(filename: str, nodes: Iterable[ast.AST]) -> list[Diagnostic]:
     """Constructs that no task needs."""
     found = []
     for node in nodes:
-        line = getattr(node, "lineno", None)
-        if not isinstance(node, grammar.NODES):
+        if type(node) not in grammar.TYPES:
+            line = getattr(node, "lineno", None)
             message = f"{filename} uses a {grammar.what(node)} in line {line}; tasks are written without"
             found.append(failure("text", "code-forbidden", "api", message, file=filename, line=line))
         elif isinstance(node, ast.Constant) and isinstance(node.value, bytes | complex):
-            message = f"{filename} has a {type(node.value).__name__} literal in line {line}"
-            found.append(failure("text", "code-forbidden", "api", message, file=filename, line=line))
+            message = f"{filename} has a {type(node.value).__name__} literal in line {node.lineno}"
+            found.append(failure("text", "code-forbidden", "api", message, file=filename, line=node.lineno))
         elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow | ast.LShift):
-            message = f"{filename} raises to a power in line {line}; numbers that large have no place in a task"
-            found.append(failure("text", "code-forbidden", "api", message, file=filename, line=line))
+            message = f"{filename} raises to a power in line {node.lineno}; numbers that large have no place in a task"
+            found.append(failure("text", "code-forbidden", "api", message, file=filename, line=node.lineno))
     return found

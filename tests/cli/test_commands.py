@@ -175,3 +175,30 @@ def test_options_may_stand_anywhere(rpg: Rpg, compiled: Path) -> None:
 def test_the_workspace_may_come_from_the_environment(rpg: Rpg, compiled: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RPG_TASKS", str(compiled))
     assert rpg("log", "red-on-blue").status == 0
+
+
+def test_an_instruction_is_compiled(rpg: Rpg, tmp_path: Path) -> None:
+    result = rpg("compile", "Put the pink block on the brown block", "--tasks", tmp_path, "--no-pictures", "--json")
+    assert result.status == 0
+    data = result.json
+    shown = rpg("show", data["family"], "--tasks", tmp_path, "--json").json
+    assert {asset["color"] for asset in shown["assets"]} == {"pink", "brown"}
+    assert shown["instruction"] == "Put the pink block on the brown block"
+    again = rpg("compile", "Put the pink block on the brown block", "--tasks", tmp_path, "--no-pictures", "--json").json
+    assert again == data
+
+
+def test_a_refusal_is_data_and_a_picture_of_it(rpg: Rpg, tmp_path: Path) -> None:
+    text = "Put the pink zorgle on the brown block"
+    result = rpg("compile", text, "--tasks", tmp_path / "tasks", "--json")
+    assert result.status == 3
+    data = result.json
+    assert (data["status"], data["family"], data["directory"]) == ("refused", None, None)
+    (diagnostic,) = [d for d in data["diagnostics"] if d["severity"] == "error"]
+    assert text[slice(*diagnostic["span"])] == "zorgle" and diagnostic["code"] == "unknown-word"
+    people = rpg("compile", text, "--tasks", tmp_path / "tasks")
+    assert (people.status, people.out) == (3, "")
+    lines = [line.rstrip() for line in people.err.splitlines()]
+    at = lines.index(f"  │ {text}")
+    assert lines[at + 1] == "  │ " + " " * text.index("zorgle") + "^" * len("zorgle")
+    assert not (tmp_path / "tasks").exists()

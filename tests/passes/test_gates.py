@@ -336,3 +336,19 @@ def test_logs_are_the_same_every_time_and_name_no_machine() -> None:
     logs = {render_log(subject, run(subject)) for _ in range(2)}
     assert len(logs) == 1
     assert "/" not in logs.pop().replace("mm/s", "")
+
+
+@pytest.mark.parametrize("line", ["on = 5", "reset = 1", "_memory = 1", "blocks = [().__class__]", "step = None"])
+def test_values_of_the_class_hide_nothing(line: str) -> None:
+    subject = edited(program(tasks.RED_ON_YELLOW), "    def _initialize_env", f"    {line}\n\n    def _initialize_env")
+    reports = run(subject)
+    assert [r.name for r in reports] == ["text"]
+    assert not reports[0].passed
+
+
+def test_values_of_the_class_may_be_lists_of_names() -> None:
+    subject = edited(
+        program(tasks.RED_ON_YELLOW), "    def _init", '    both = ("red_block", "yellow_block")\n\n    def _init'
+    )
+    subject = edited(subject, 'self.scatter("red_block", "yellow_block")', "self.scatter(*self.both)")
+    assert admitted(run(subject))

@@ -8,25 +8,30 @@ from typing import Any
 from pydantic import BaseModel
 
 from rpg.ir import goal as g
-from rpg.ir.node import Highest, Lowest
+from rpg.ir.node import Highest, Lowest, Node
 from rpg.ir.walk import NAME_FIELDS
 from rpg.passes.codegen.layout import Each, Expr, Group, Infix, Labelled, quoted
 
 POSITIONAL = ("a", "b", "c", "block", "blocks", "groups", "patch", "region", "word")
 """Required fields that need no keyword: they come first and name what the atom is about."""
-HIDDEN = ("kind", "span", "type")
+
+
+def _shown(record: BaseModel) -> Iterator[tuple[str, Any, bool]]:
+    """Name, value and need of the fields that say something: not what the class or a default says already."""
+    hidden = ("kind", "span") if isinstance(record, Node) else ("type",)
+    for name, info in type(record).model_fields.items():
+        value = getattr(record, name)
+        if name not in hidden and (info.is_required() or value != info.default):
+            yield name, value, info.is_required()
 
 
 def arguments(record: BaseModel, bound: frozenset[str], positional: bool) -> tuple[Expr, ...]:
     """The fields of `record` that are not at their defaults, in the order of their definition."""
     places: list[Expr] = []
     keywords: list[Expr] = []
-    for name, info in type(record).model_fields.items():
-        value = getattr(record, name)
-        if name in HIDDEN or (not info.is_required() and value == info.default):
-            continue
+    for name, value, required in _shown(record):
         expr = literal(value, bound, name in NAME_FIELDS or name == "ranks")
-        if positional and info.is_required() and name in POSITIONAL and not keywords:
+        if positional and required and name in POSITIONAL and not keywords:
             places.append(expr)
         else:
             keywords.append(Labelled(f"{name}=", expr))
@@ -56,12 +61,8 @@ def literal(value: Any, bound: frozenset[str], is_name: bool = False) -> Expr:
 def constructor(node: Any) -> Expr:
     """A goal as data: `On(a="red_block", b="yellow_block")`."""
     if isinstance(node, BaseModel):
-        parts: list[Expr] = []
-        for name, info in type(node).model_fields.items():
-            value = getattr(node, name)
-            if name not in HIDDEN and (info.is_required() or value != info.default):
-                parts.append(Labelled(f"{name}=", constructor(value)))
-        return Group(type(node).__name__, tuple(parts))
+        parts = tuple(Labelled(f"{name}=", constructor(value)) for name, value, _ in _shown(node))
+        return Group(type(node).__name__, parts)
     if isinstance(node, tuple):
         if len(node) == 1 and isinstance(node[0], str):
             return quoted(node[0])

@@ -12,6 +12,7 @@ from rpg.ir.walk import names
 from rpg.passes.codegen.calls import arguments, constructed, constructor
 from rpg.passes.codegen.layout import Expr, Group, Infix, Labelled, long_string, quoted, statement
 from rpg.passes.codegen.naming import class_name
+from rpg.passes.codegen.sharing import replaced, shared
 from rpg.passes.codegen.specification import docstring
 from rpg.passes.codegen.success import Success, looks_over_time
 
@@ -23,29 +24,41 @@ def lower(schema: TaskSchema) -> str:
     """The text of code.py: byte-identical for equal schemas."""
     success = Success(schema.goal)
     check = success.check
+    blocks = tuple(block.name for block in schema.blocks)
     assets = [Group(type(asset).__name__, arguments(asset, frozenset(), positional=False)) for asset in schema.assets]
-    reset = on_reset(schema.init, tuple(block.name for block in schema.blocks))
-    cells = interchangeable(schema.goal, World(schema.assets))
+    reset, conditions = on_reset(schema.init, blocks), success.bindings
+    lists = shared((*reset, *conditions.values()), blocks, conditions)
+    reset = [replaced(call, lists) for call in reset]
+    conditions = {name: replaced(expr, lists) for name, expr in conditions.items()}
     body = [
-        *docstring(schema, tuple(success.bindings)),
+        *docstring(schema, tuple(conditions)),
         "",
         *long_string("instruction = ", schema.instruction, 1),
-        *(statement("interchangeable = ", _nested(cells), 1) if cells else ()),
+        *_constants(schema, lists),
         "",
         *method("_initialize_env", "None", [line for asset in assets for line in _call("self.add", asset)]),
         "",
         *method("_on_reset", "None", [line for call in reset for line in statement("", call, 2)]),
         "",
-        *method("_success", "Verdict", _success_lines(success, check)),
+        *method("_success", "Verdict", _success_lines(conditions, check)),
         *_fail_lines(schema.goal),
     ]
-    used = {name for expr in (*assets, *reset, *success.bindings.values()) for name in constructed(expr)}
-    header = [*_module_docstring(schema), "", *imports(("BlockTask", "Verdict", *used)), "", ""]
-    return "\n".join([*header, f"class {class_name(schema.name)}(BlockTask):", *body]) + "\n"
+    used = {name for expr in (*assets, *reset, *conditions.values()) for name in constructed(expr)}
+    header = [
+        f'"""The task {schema.name}, generated from its task.yaml."""',
+        "",
+        *imports(("BlockTask", "Verdict", *used)),
+    ]
+    return "\n".join([*header, "", "", f"class {class_name(schema.name)}(BlockTask):", *body]) + "\n"
 
 
-def _module_docstring(schema: TaskSchema) -> list[str]:
-    return [f'"""The task {schema.name}, generated from its task.yaml."""']
+def _constants(schema: TaskSchema, lists: dict[tuple[str, ...], str]) -> list[str]:
+    """Attributes of the class: look-alikes that the goal tells apart, and lists that are used more than once."""
+    cells = interchangeable(schema.goal, World(schema.assets))
+    lines = statement("interchangeable = ", _nested(cells), 1) if cells else []
+    for members, attribute in lists.items():
+        lines += statement(f"{attribute} = ", Group("", members), 1)
+    return lines
 
 
 def imports(classes: Sequence[str]) -> list[str]:
@@ -103,8 +116,8 @@ def _nested(value: object) -> Expr:
     return quoted(str(value))
 
 
-def _success_lines(success: Success, check: Expr) -> list[str]:
-    lines = [line for name, expr in success.bindings.items() for line in statement(f"{name} = ", expr, 2)]
+def _success_lines(conditions: dict[str, Expr], check: Expr) -> list[str]:
+    lines = [line for name, expr in conditions.items() for line in statement(f"{name} = ", expr, 2)]
     return [
         *lines,
         *statement("at_rest = ", "self.at_rest()", 2),

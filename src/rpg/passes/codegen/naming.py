@@ -100,6 +100,15 @@ def _words(value: object) -> str:
     names = [short(name) for name in found if isinstance(name, str)]
     if len(names) <= 2:
         return "_and_".join(names)
+    return _kind_of(names)
+
+
+def collective(names: Iterable[str]) -> str:
+    """What many blocks are called together."""
+    return _tidy(_kind_of([short(name) for name in names]))
+
+
+def _kind_of(names: list[str]) -> str:
     stems = {re.sub(r"_\d+$", "", name) for name in names}
     if len(stems) == 1:
         return f"{stems.pop()}_blocks"

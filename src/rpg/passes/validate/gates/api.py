@@ -25,6 +25,7 @@ class _Checker:
         self.filename = filename
         self.imported: set[str] = set()
         self.classes: set[str] = set()
+        self.constants: set[str] = set()
         self.name_nodes: list[ast.Name] = []
         self.attribute_nodes: list[ast.Attribute] = []
         self.call_nodes: list[ast.Call] = []
@@ -40,6 +41,7 @@ class _Checker:
                     self.imported.update(alias.asname or alias.name for alias in node.names)
                 case ast.ClassDef():
                     self.classes.add(node.name)
+                    self.constants.update(plain_names(node))
 
     def _found(
         self, code: str, node: ast.expr | ast.keyword, name: str, message: str, known: Iterable[str]
@@ -70,7 +72,7 @@ class _Checker:
             if _is_super(node.value):
                 allowed: Iterable[str] = grammar.HOOKS
             elif _is_self(node.value):
-                allowed = attributes() | own
+                allowed = attributes() | own | self.constants
             else:
                 allowed = grammar.ORDINARY_ATTRIBUTES
             writes = isinstance(node.ctx, ast.Store) and (not _is_self(node.value) or node.attr in attributes())
@@ -114,6 +116,13 @@ class _Checker:
         for keyword in sorted(required - given):
             if not node.args and not any(k.arg is None for k in node.keywords):
                 yield self._found("code-bad-call", node, keyword, f"{name} needs its field {keyword!r}", ())
+
+
+def plain_names(node: ast.ClassDef) -> list[str]:
+    """Names that the body of a class gives values to."""
+    targets = [target for inner in node.body if isinstance(inner, ast.Assign) for target in inner.targets]
+    targets += [inner.target for inner in node.body if isinstance(inner, ast.AnnAssign)]
+    return [target.id for target in targets if isinstance(target, ast.Name)]
 
 
 def _is_self(node: ast.expr) -> bool:

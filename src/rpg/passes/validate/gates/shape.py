@@ -8,9 +8,11 @@ from typing import Any
 from rpg.core.diagnostics import Diagnostic
 from rpg.passes.validate.findings import failure
 from rpg.passes.validate.gates import grammar
-from rpg.passes.validate.gates.surface import nearest, public_names
+from rpg.passes.validate.gates.surface import attributes, nearest, public_names
 
 GOAL_FILE = "goal_state_code.py"
+SETTABLE = frozenset({"instruction", "interchangeable"})
+"""What BlockTask has for its subclasses to set; a class must not hide anything else of it."""
 
 
 def check_shape(filename: str, tree: ast.Module) -> list[Diagnostic]:
@@ -81,7 +83,7 @@ def _is_plain(node: ast.stmt) -> bool:
         case (
             ast.Assign(targets=[ast.Name(id=name)], value=value) | ast.AnnAssign(target=ast.Name(id=name), value=value)
         ):
-            if name.startswith("_") or value is None:
+            if name.startswith("_") or value is None or name in attributes() - SETTABLE:
                 return False
             return all(isinstance(part, ast.Constant | ast.Tuple | ast.Load) for part in ast.walk(value))
     return False

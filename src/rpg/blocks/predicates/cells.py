@@ -8,7 +8,7 @@ from random import Random
 from typing import Any, NamedTuple
 
 from rpg.blocks.constants import SUPPORT_GAP
-from rpg.blocks.figures import Ideal, flat_forms, ideals, upright
+from rpg.blocks.figures import NAMED, NEAREST, Ideal, flat_forms, ideals, upright
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.cells_build import layouts, resting
 from rpg.blocks.predicates.common import (
@@ -32,7 +32,7 @@ from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.blocks.traits import AWAY, TO_VIEWER, UP, Traits, symbols_shown
 from rpg.blocks.verdict import FALSE, TRUE, Verdict, every, holds
 from rpg.blocks.visibility import reads
-from rpg.ir.structures import Cells
+from rpg.ir.structures import Cells, Figure
 
 MAX_FILLINGS = 4
 """How many ways to fill a figure's cells are offered for each of its forms."""
@@ -206,19 +206,17 @@ class CellsPredicate(Predicate[Cells]):
             yield NearMiss(f"{far} a level higher", shift(state, [far], 0.0, 0.0, edge))
 
     def _turned(self, node: Cells, found: Found, state: BlockState) -> Iterator[NearMiss]:
-        """The figure turned away from the direction that it must have."""
+        """The figure turned away from the direction that it must have, or so that its rows lie along x."""
         limit = found.ideal.limit
         assert limit is not None
-        directed = limit < 20.0 and len(node.blocks) > 1
-        square = found.ideal.limit == 45.0
-        if directed or square:
-            turn = limit + 20.0 if directed else 90.0
-            turned = spin(state, node.blocks, turn, centroid(state, node.blocks))
-            if directed or not self._same_when_turned(node, found):
-                yield NearMiss("the figure turned", turned)
+        centre = centroid(state, node.blocks)
+        if limit == NAMED:
+            yield NearMiss("the figure turned", spin(state, node.blocks, limit + 20.0, centre))
+        elif limit == NEAREST and not isinstance(node, Figure) and not self._same_when_turned(node, found):
+            yield NearMiss("the figure turned", spin(state, node.blocks, 90.0, centre))
 
     def _same_when_turned(self, node: Cells, found: Found) -> bool:
-        """Would a quarter turn leave rows and columns as they must be?"""
+        """Could rows and columns be as they must be after a quarter turn?"""
         kind = node.pattern.kind if node.pattern is not None else ""
         rows = len({cell.row for cell in found.ideal.cells})
         columns = len({cell.column for cell in found.ideal.cells})

@@ -34,6 +34,23 @@ def evaluate(goal: g.Goal, state: BlockState) -> Verdict:
     raise TypeError(f"no predicate is registered for {goal.kind!r}")
 
 
+def satisfied(goal: g.Goal, state: BlockState) -> bool:
+    """The truth of `goal` alone: as `evaluate`, but it stops at the first part that decides."""
+    match goal:
+        case g.All():
+            return all(satisfied(part, state) for part in goal.goals)
+        case g.Any():
+            return any(satisfied(part, state) for part in goal.goals)
+        case g.Not():
+            return not satisfied(goal.goal, state)
+        case g.Always():
+            return satisfied(goal.goal, state)
+        case g.Sequence():
+            return all(satisfied(stage.goal, state) for stage in goal.stages if not stage.undone)
+        case _:
+            return evaluate(goal, state).value
+
+
 def settled(state: BlockState) -> Verdict:
     """Every block is at rest, released, and supported: nothing floats."""
     if state.moving or state.held:

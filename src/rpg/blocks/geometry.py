@@ -264,8 +264,11 @@ def table_gap(state: BlockState, name: str) -> float:
 
 def rests_on(state: BlockState, a: str, b: str) -> bool:
     """Does part of `a` rest on `b`: bottom within a centimetre of its top, footprints overlapping?"""
-    if abs(state.bottom(a) - state.top(b)) > SUPPORT_GAP:
-        return False
+    return abs(state.bottom(a) - state.top(b)) <= SUPPORT_GAP and _overlap(state, a, b)
+
+
+def _overlap(state: BlockState, a: str, b: str) -> bool:
+    """Does one of the two blocks stand over part of the other?"""
     reach = (state.world.edge[a] + state.world.edge[b]) * 0.875
     if plane_distance(state, a, b) >= reach:
         return False
@@ -274,12 +277,22 @@ def rests_on(state: BlockState, a: str, b: str) -> bool:
 
 def supporters(state: BlockState, name: str) -> list[str]:
     """The blocks that `name` rests on."""
-    return [other for other in state.position if other != name and rests_on(state, name, other)]
+    bottom = state.bottom(name)
+    return [
+        other
+        for other in state.position
+        if abs(bottom - state.top(other)) <= SUPPORT_GAP and other != name and _overlap(state, name, other)
+    ]
 
 
 def riders(state: BlockState, name: str) -> list[str]:
     """The blocks that rest on `name`."""
-    return [other for other in state.position if other != name and rests_on(state, other, name)]
+    top = state.top(name)
+    return [
+        other
+        for other in state.position
+        if abs(state.bottom(other) - top) <= SUPPORT_GAP and other != name and _overlap(state, other, name)
+    ]
 
 
 def carried(state: BlockState, name: str) -> list[str]:

@@ -13,7 +13,7 @@ from random import Random
 
 from rpg.blocks.arrange.explain import conditions
 from rpg.blocks.arrange.solve import Solver
-from rpg.blocks.evaluate import evaluate, settled
+from rpg.blocks.evaluate import satisfied, settled
 from rpg.blocks.geometry import riders
 from rpg.blocks.predicate import NearMiss
 from rpg.blocks.predicates import PREDICATES
@@ -49,14 +49,12 @@ class Judge:
 
     def renamed(self, state: BlockState) -> bool:
         """Does the goal hold once look-alikes change places? The names as they stand are left for others to judge."""
-        return any(self._holds(rename_state(state, naming)) for naming in self.namings[1:])
+        others = self.namings[1:] if settled(state) else ()
+        return any(satisfied(self.goal, rename_state(state, naming)) for naming in others)
 
     def any_name(self, state: BlockState) -> bool:
         """Does the goal hold under any naming?"""
-        return self._holds(state) or self.renamed(state)
-
-    def _holds(self, state: BlockState) -> bool:
-        return settled(state).value and evaluate(self.goal, state).value
+        return settled(state).value and (satisfied(self.goal, state) or self.renamed(state))
 
 
 def _of_conditions(goal: g.Goal, state: BlockState, rng: Random) -> Iterator[NearMiss]:

@@ -12,7 +12,7 @@ from rpg.blocks.arrange.explain import conditions
 from rpg.blocks.arrange.pieces import Assembly, Clash, Piece
 from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.evaluate import evaluate
+from rpg.blocks.evaluate import satisfied
 from rpg.blocks.geometry import patch_outline, polygon_gap
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
@@ -195,7 +195,7 @@ def _placed(schema: TaskSchema, sized: dict[str, GoalPatch]) -> dict[str, GoalPa
 
 def _honours(layout: dict[str, GoalPatch], between: list[g.Goal]) -> bool:
     state = BlockState(World(layout.values()), {}, {})
-    return all(evaluate(goal, state) for goal in between)
+    return all(satisfied(goal, state) for goal in between)
 
 
 def _layouts(patches: list[GoalPatch]) -> Iterator[dict[str, GoalPatch]]:

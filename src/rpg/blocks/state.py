@@ -58,7 +58,8 @@ class BlockState:
 
     def tilt(self, name: str) -> float:
         """Angle in degrees between the vertical and the block's axis nearest to it (0 on any face)."""
-        vertical = max(abs(c) for c in self.axes(name)[2])
+        x, y, z = self.axes(name)[2]
+        vertical = max(abs(x), abs(y), abs(z))
         return math.degrees(math.acos(min(1.0, vertical)))
 
     def half_height(self, name: str) -> float:

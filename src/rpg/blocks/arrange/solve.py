@@ -14,7 +14,7 @@ from rpg.blocks.arrange.fixed import Poses, fixed_poses
 from rpg.blocks.arrange.pieces import Assembly, Clash
 from rpg.blocks.arrange.place import Budget, Exhausted, Search, rules_of
 from rpg.blocks.arrange.turning import orientation_for
-from rpg.blocks.evaluate import evaluate, settled
+from rpg.blocks.evaluate import satisfied, settled
 from rpg.blocks.geometry import is_level
 from rpg.blocks.predicate import Cluster
 from rpg.blocks.state import BlockState, World
@@ -79,7 +79,7 @@ class Solver:
         search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, noise)
         try:
             for state in islice(search.run(), LEAVES):
-                if evaluate(self.goal, state) and settled(state):
+                if satisfied(self.goal, state) and settled(state):
                     return state
         except Exhausted:
             pass

@@ -106,7 +106,7 @@ class StackPredicate(Predicate[Stack]):
     def near_misses(self, node: Stack, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         upward = sorted(node.blocks, key=lambda name: state.position[name][2])
         top, foot = upward[-1], upward[0]
-        edge = state.world.edge[top]
+        edge = max(state.world.edge[name] for name in upward[-2:])
         if len(upward) > 1:
             yield NearMiss(f"{top} set down on the table", set_aside(state, top))
             yield NearMiss(f"{top} past the edge of what is below it", shift(state, [top], 0.0, edge * 0.5 + 0.006))

@@ -165,7 +165,7 @@ class TowersPredicate(Predicate[Towers]):
             yield NearMiss(f"{one[-1]} moved to the other tower", stand_on(state, one[-1], two[-1]))
 
     def _past_edge(self, name: str, state: BlockState) -> BlockState:
-        return shift(state, [name], 0.0, state.world.edge[name] * 0.5 + 0.006)
+        return shift(state, [name], 0.0, max(state.world.edge.values()) * 0.5 + 0.006)
 
 
 def _on_patches(

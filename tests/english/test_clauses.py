@@ -84,5 +84,5 @@ def test_a_task_is_described_from_its_data_alone() -> None:
     assert describe(schema) == (
         "There are three red blocks, a blue block, a 5 cm green block and an A block. There is a green patch. "
         "At the start, the blue block is on the A block. At the start, the three red blocks lie in a heap. "
-        "The A block and the blue block must be stacked from bottom to top in the order A block, blue block."
+        "The A block and the blue block must be stacked from bottom to top in the order the A block, the blue block."
     )

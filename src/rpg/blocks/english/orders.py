@@ -52,8 +52,10 @@ def _values(attribute: Attribute) -> str:
 
 
 def _ranks(order: Order, say: Speaker) -> str:
+    if order.match == "name":
+        return ", then ".join(say.the(rank) for rank in order.ranks)
     if all(len(rank) == 1 for rank in order.ranks):
-        return ", ".join(say.noun(rank[0]) for rank in order.ranks)
+        return ", ".join(say.one(rank[0]) for rank in order.ranks)
     return ", then ".join(say.the(rank) for rank in order.ranks)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -9,6 +10,9 @@ from dataclasses import dataclass, field
 from rpg.blocks.nouns import bare, join, number
 from rpg.blocks.state import World
 from rpg.ir.node import Highest, Lowest, Operand, members
+
+_COLOR = re.compile(r"[a-z]+ block")
+_LABEL = re.compile(r"[A-Z0-9] block")
 
 
 class Inexpressible(Exception):
@@ -64,6 +68,11 @@ class Speaker:
             return f"the tower of {self._listed(members(operand))}"
         return self._listed(members(operand))
 
+    def one(self, name: str) -> str:
+        """One object, whichever of those that look like it: "the blue block", "a red block"."""
+        noun = self.noun(name)
+        return f"the {noun}" if len(self._alike(noun)) == 1 else f"{_article(noun)} {noun}"
+
     def some(self, names: Iterable[str]) -> list[str]:
         """The objects as if never heard of: "a red block", "two blue blocks"."""
         counts: dict[str, int] = {}
@@ -80,12 +89,21 @@ class Speaker:
         parts: dict[str, list[str]] = {}
         for name in names:
             parts.setdefault(self.noun(name), []).append(name)
+        whole = join([noun.removesuffix(" block") for noun in parts])
+        if len(parts) > 1 and all(len(self._alike(noun)) == 1 for noun in parts):
+            if all(_COLOR.fullmatch(noun) for noun in parts):
+                return f"the {whole} blocks"
+            if all(_LABEL.fullmatch(noun) for noun in parts):
+                return f"the blocks {whole}"
         return join([self._reference(noun, mine) for noun, mine in parts.items()])
+
+    def _alike(self, noun: str) -> list[str]:
+        return [name for name in self.world.assets if self.noun(name) == noun]
 
     def _reference(self, noun: str, names: list[str]) -> str:
         if names[0] in self.aliases:
             return self.aliases[names[0]]
-        alike = [n for n in self.world.assets if self.noun(n) == noun]
+        alike = self._alike(noun)
         count = len(names)
         if count == len(alike):
             return f"the {noun}" if count == 1 else f"the {number(count)} {_plural(noun)}"

@@ -19,6 +19,7 @@ COMMANDS = {
     "batch": "Compile lists of instructions and sessions, and keep them up to date.",
     "steer": "Change a task by a sentence, into a new version with its proof.",
     "session": "Run a scripted session, or one that you type.",
+    "bench": "Measure the compiler on its benchmark, beside published figures.",
     "show": "Explain a task: its assets, start, goal and checks.",
     "check": "Judge given states by a task's goal.",
     "validate": "Run a task's gates again.",

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import islice
 from random import Random
 
+from rpg.blocks.arrange.alternatives import Conjunction
+from rpg.blocks.arrange.seats import reseated
 from rpg.blocks.constants import TABLE_Z
 from rpg.blocks.predicate import Cluster
 from rpg.blocks.predicates import PREDICATES
@@ -13,6 +16,9 @@ from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.ir import goal as g
 from rpg.ir.walk import names
 
+ABSOLUTE = frozenset({"in_region", "on_patch", "empty", "facing", "stayed", "moved", "swapped", "turned"})
+"""Atoms about places in the world, even where their blocks are of one piece."""
+MOST_RESEATED = 3
 MAX_BUILDS = 12
 MOST_BUILDS = 40
 MOST_STRETCHED = 24
@@ -20,8 +26,35 @@ STRETCHES = (1.5, 1.25)
 CENTRE = (0.55, 0.0)
 
 
-def builds_of(atom: g.Atom, world: World, rng: Random, thorough: bool) -> list[list[Cluster]]:
-    """Layouts of a structure, most natural first; none for a relation. `thorough`: unusual ones as well."""
+def layouts_of(
+    literals: Conjunction, world: World, rng: Random, thorough: bool
+) -> Iterator[tuple[g.Atom, list[list[Cluster]]]]:
+    """For every structure that must be, ways to lay it out, most natural first. `thorough`: unusual ones as well.
+
+    Where the blocks of one structure are all part of another one, it may have nothing to lay out itself.
+    """
+    wanted = [literal.atom for literal in literals if literal.holds]
+    found = [(atom, builds) for atom in wanted if (builds := _builds(atom, world, rng, thorough))]
+    for atom, builds in found:
+        inside = set(names(atom))
+        asked = [part for part in literals if part.atom is not atom and _within(part.atom, inside)]
+        seated = [reseated(atom, clusters, asked, world) for clusters in builds[:MOST_RESEATED]] if asked else []
+        part_of_another = any(other is not atom and inside < set(names(other)) for other, _ in found)
+        yield (
+            atom,
+            [
+                *([[]] if part_of_another else []),
+                *(clusters for clusters in seated if clusters is not None),
+                *builds,
+            ],
+        )
+
+
+def _within(atom: g.Atom, blocks: set[str]) -> bool:
+    return atom.kind not in ABSOLUTE and blocks.issuperset(names(atom))
+
+
+def _builds(atom: g.Atom, world: World, rng: Random, thorough: bool) -> list[list[Cluster]]:
     found = list(islice(PREDICATES[atom.kind].build(atom, world, rng), MOST_BUILDS if thorough else MAX_BUILDS))
     if not thorough or any(name in world.patches for name in names(atom)):
         return found

@@ -10,6 +10,7 @@ from random import Random
 
 from rpg.blocks.arrange.alternatives import Literal
 from rpg.blocks.arrange.bounds import Bounds
+from rpg.blocks.arrange.builds import ABSOLUTE
 from rpg.blocks.arrange.ground import Ground
 from rpg.blocks.arrange.pieces import Assembly, Piece
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
@@ -28,8 +29,6 @@ STRUCTURES = frozenset(
 )
 OPEN = STRUCTURES | {"clear", "empty", "facing"}
 """Atoms that other blocks can break: judged again whenever something is placed."""
-ABSOLUTE = frozenset({"in_region", "on_patch", "empty", "facing", "stayed", "moved", "swapped", "turned"})
-"""Atoms about places in the world, even where their blocks are of one piece."""
 
 WIDTH = 6
 """Candidates that are followed at each piece."""

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from rpg.blocks.arrange.alternatives import Conjunction, alternatives, single
 from rpg.blocks.arrange.bounds import Bounds, Contradiction
-from rpg.blocks.arrange.builds import builds_of
+from rpg.blocks.arrange.builds import layouts_of
 from rpg.blocks.arrange.fixed import Poses, fixed_poses
 from rpg.blocks.arrange.pieces import Assembly, Clash
 from rpg.blocks.arrange.place import Budget, Exhausted, Search, rules_of
@@ -23,6 +23,8 @@ from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.relations import Above, Facing, On, Turned
 
 MAX_ALTERNATIVES = 200
+MOST_COMBINED = 300
+"""Combinations of layouts of several structures that are put together."""
 LEAVES = 12
 """Arrangements of one layout that are checked against the whole goal."""
 
@@ -91,12 +93,11 @@ class Solver:
         fixed = fixed_poses(wanted, self.world, self.start)
         if fixed is None:
             return
-        builds = [builds_of(atom, self.world, rng, thorough) for atom in wanted]
-        layouts = [clusters for clusters in builds if clusters]
+        layouts = [builds for _, builds in layouts_of(literals, self.world, rng, thorough)]
         if vary:
             for clusters in layouts:
                 rng.shuffle(clusters)
-        for chosen in product(*layouts):
+        for chosen in islice(product(*layouts), MOST_COMBINED):
             assembly = Assembly(self.world)
             try:
                 self._assemble(assembly, literals, fixed, chosen)

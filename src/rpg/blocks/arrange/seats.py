@@ -1,0 +1,96 @@
+"""Which block goes where in a structure that leaves it open: blocks change places until further conditions hold."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+
+from rpg.blocks.arrange.alternatives import Literal
+from rpg.blocks.constants import TABLE_Z
+from rpg.blocks.predicate import Cluster
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World
+from rpg.ir import goal as g
+
+UPRIGHT = frozenset({"on", "above", "clear", "stack"})
+"""Conditions that do not depend on where the pieces of a structure stand relative to each other."""
+FAR = 5.0
+"""Distance (m) at which the pieces of a structure are judged, so that none is near another."""
+ROUNDS = 10
+SPOILT = 10.0
+"""How much worse a structure that no longer holds is than a condition that does not."""
+Seats = list[tuple[int, Vec3, Quat | None]]
+
+
+def reseated(atom: g.Atom, clusters: Sequence[Cluster], asked: Sequence[Literal], world: World) -> list[Cluster] | None:
+    """The layout with blocks of one size exchanged so that `asked` holds; None if that is not found, or needed.
+
+    `asked` mentions blocks of the structure only.
+    """
+    kept = [literal for literal in asked if len(clusters) == 1 or literal.atom.kind in UPRIGHT]
+    if not kept or any(cluster.fixed for cluster in clusters):
+        return None
+    table = _Table(atom, clusters, kept, world)
+    faults = table.faults()
+    if faults == 0.0:
+        return None
+    for _ in range(ROUNDS):
+        better, pair = min(((table.faults_after(*pair), pair) for pair in table.pairs()), default=(faults, None))
+        if pair is None or better >= faults:
+            return None
+        table.exchange(*pair)
+        faults = better
+        if faults == 0.0:
+            return table.clusters()
+    return None
+
+
+class _Table:
+    """Blocks in the seats of a structure, far from everything else."""
+
+    def __init__(self, atom: g.Atom, clusters: Sequence[Cluster], asked: list[Literal], world: World) -> None:
+        self.atom, self.asked, self.world = atom, asked, world
+        self.count = len(clusters)
+        self.seats = {n: (k, place, quat) for k, c in enumerate(clusters) for n, (place, quat) in c.poses.items()}
+        self.whole = PREDICATES[atom.kind].evaluate(atom, self._state()).value
+
+    def pairs(self) -> list[tuple[str, str]]:
+        """Blocks that may change places and do not look alike."""
+        edge, look = self.world.edge, self.world.look
+        return [(a, b) for a, b in combinations(self.seats, 2) if edge[a] == edge[b] and look[a] != look[b]]
+
+    def exchange(self, a: str, b: str) -> None:
+        """Let two blocks change seats; one that may be turned in any way stays so."""
+        (i, p, q), (j, r, s) = self.seats[a], self.seats[b]
+        free = q is None or s is None
+        self.seats[a], self.seats[b] = (j, r, q if free else s), (i, p, s if free else q)
+
+    def faults_after(self, a: str, b: str) -> float:
+        self.exchange(a, b)
+        found = self.faults()
+        self.exchange(a, b)
+        return found
+
+    def faults(self) -> float:
+        """How far the conditions are from holding; 0 when they do."""
+        state = self._state()
+        found = 0.0
+        for atom, wanted, _ in self.asked:
+            verdict = PREDICATES[atom.kind].evaluate(atom, state)
+            found += 0.0 if verdict.value == wanted else 1.0 + min(abs(verdict.margin), 5.0) / 10.0
+        if self.whole and not PREDICATES[self.atom.kind].evaluate(self.atom, state).value:
+            found += SPOILT
+        return found
+
+    def clusters(self) -> list[Cluster]:
+        parts: list[dict[str, tuple[Vec3, Quat | None]]] = [{} for _ in range(self.count)]
+        for name, (k, place, quat) in self.seats.items():
+            parts[k][name] = (place, quat)
+        return [Cluster(poses) for poses in parts]
+
+    def _state(self) -> BlockState:
+        return BlockState(
+            self.world,
+            {name: (x + FAR * k, y, z + TABLE_Z) for name, (k, (x, y, z), _) in self.seats.items()},
+            {name: quat or IDENTITY for name, (_, _, quat) in self.seats.items()},
+        )

@@ -14,7 +14,7 @@ from typing import Literal, Protocol
 from rpg.blocks.english import describe
 from rpg.blocks.patches import place_patches
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.symmetry import link
+from rpg.blocks.symmetry import interchangeable, link, namings
 from rpg.blocks.waypoints import waypoints
 from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.core.passes import Context, Listener, Manager, Pass, Report, silent
@@ -27,6 +27,8 @@ from rpg.passes.repair.placing import scene_of
 from rpg.passes.validate import Measures, admitted, render_log, validate
 
 Status = Literal["admitted", "refused", "failed"]
+NO_START = frozenset({"start-solves-goal", "start-no-room", "start-unstable"})
+"""Codes of instructions that leave no start."""
 FILES = ("task.yaml", "code.py", "goal_state_code.py", "validation.log")
 
 
@@ -109,7 +111,7 @@ def _run(item: object, instruction: str, passes: tuple[Pass, ...], options: Comp
     program, reports = mended.program, mended.reports
     whole = admitted(reports)
     return Outcome(
-        status="admitted" if whole else "failed",
+        status="admitted" if whole else "refused" if _asked_for(reports) else "failed",
         instruction=instruction,
         program=program,
         gates=reports,
@@ -119,6 +121,11 @@ def _run(item: object, instruction: str, passes: tuple[Pass, ...], options: Comp
         log=render_log(program, reports),
         pictures=_pictures(program, options) if options.pictures and whole else {},
     )
+
+
+def _asked_for(reports: tuple[GateReport, ...]) -> bool:
+    """Is what failed the task itself, however it is written? It has no start from which its goal is still ahead."""
+    return all(diagnostic.code in NO_START for diagnostic in reports[-1].failures)
 
 
 @dataclass(frozen=True)
@@ -199,10 +206,12 @@ def verify(name: str, item: object) -> None:
 def prepared(schema: TaskSchema) -> TaskSchema:
     """The schema with what the compiler decides: where patches lie, how orders name look-alikes.
 
-    Raises Refusal where the patches find no place.
+    Raises Refusal where the patches find no place, or look-alikes have too many different duties.
     """
     placed = place_patches(schema)
-    goal = link(placed.goal, World(placed.assets))
+    world = World(placed.assets)
+    goal = link(placed.goal, world)
+    namings(interchangeable(goal, world))
     return placed if goal is placed.goal else placed.model_copy(update={"goal": goal})
 
 

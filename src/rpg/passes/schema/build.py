@@ -20,7 +20,9 @@ from rpg.passes.schema.resolve.world import Scene, refuse
 MAX_COMBINATIONS = 48
 
 
-def build(sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None) -> TaskSchema:
+def build(
+    sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None
+) -> TaskSchema:
     """The task that the sentences state."""
     first: Refusal | None = None
     best: tuple[int, TaskSchema] | None = None
@@ -78,7 +80,13 @@ def _ambiguous(a: TaskSchema, b: TaskSchema, text: str) -> Refusal:
 
 
 def resolve(
-    links: list[str], chains: tuple[Chain, ...], text: str, notes: list[str], name: str | None, seed: int, author: str | None
+    links: list[str],
+    chains: tuple[Chain, ...],
+    text: str,
+    notes: list[str],
+    name: str | None,
+    seed: int,
+    author: str | None,
 ) -> TaskSchema:
     """One reading of every sentence -> the task, or a refusal."""
     scene = Scene()
@@ -115,5 +123,9 @@ def _sets_scene(chain: Chain) -> bool:
 
 def _no_goal(scene: Scene, text: str) -> Refusal:
     if scene.picked:
-        return refuse("no-goal", "a block that is held has no place at the end", scene.picked, "say where to put it down")
-    return refuse("no-goal", "it is not said what should be done", (0, len(text)), "say where the blocks should be at the end")
+        return refuse(
+            "no-goal", "a block that is held has no place at the end", scene.picked, "say where to put it down"
+        )
+    return refuse(
+        "no-goal", "it is not said what should be done", (0, len(text)), "say where the blocks should be at the end"
+    )

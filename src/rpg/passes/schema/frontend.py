@@ -39,8 +39,22 @@ class BuiltinFrontEnd:
             return None, refusal.diagnostics
         except RecursionError:
             message = "this is too tangled to be read"
-            return None, (Diagnostic(code="too-complex", message=message, span=(0, len(text)), hint="use several short sentences", origin="schema"),)
+            return None, (
+                Diagnostic(
+                    code="too-complex",
+                    message=message,
+                    span=(0, len(text)),
+                    hint="use several short sentences",
+                    origin="schema",
+                ),
+            )
 
 
 def _stray(text: str, span: tuple[int, int]) -> Diagnostic:
-    return Diagnostic(code="stray-character", message=f"the character {text!r} means nothing here", span=span, hint="leave it out", origin="schema")
+    return Diagnostic(
+        code="stray-character",
+        message=f"the character {text!r} means nothing here",
+        span=span,
+        hint="leave it out",
+        origin="schema",
+    )

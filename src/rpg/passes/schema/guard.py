@@ -8,7 +8,9 @@ import unicodedata
 from rpg.passes.schema.resolve.world import refuse
 
 LONGEST = 1000
-_CODE = re.compile(r"\b(?:def|import|lambda|return|SELECT|DROP|print|eval|exec|function|var|const)\b\s*[\w(*]*\s*[({;=]|</?\w+>|[{}]|;\s*$|==|->|\$\(|&&|\|\|")
+_CODE = re.compile(
+    r"\b(?:def|import|lambda|return|SELECT|DROP|print|eval|exec|function|var|const)\b\s*[\w(*]*\s*[({;=]|</?\w+>|[{}]|;\s*$|==|->|\$\(|&&|\|\|"
+)
 _FOREIGN = re.compile(
     r"\b(?:der|die|das|und|auf|den|dem|einen|roten|bloque|rojo|sobre|encima|coloca|pon|le|les|sur|mets|rouge|vert|il|lo|sul|metti|rosso|"
     r"stapel|stapele|stelle|lege|mache|empile|empilez|apila|pila|baue|turm|tour|cubo|cubes rouges|blok|rode|een|het|coloque|bloco)\b",
@@ -19,21 +21,47 @@ _FOREIGN = re.compile(
 def guard(text: str) -> None:
     """Refuse what no grammar need look at."""
     if not text.strip():
-        raise refuse("empty", "the instruction is empty", None, "say what should be done, such as 'Put the red block on the blue block'")
+        raise refuse(
+            "empty",
+            "the instruction is empty",
+            None,
+            "say what should be done, such as 'Put the red block on the blue block'",
+        )
     if len(text) > LONGEST:
-        raise refuse("too-long", f"the instruction has {len(text)} characters; {LONGEST} is the limit", (LONGEST, len(text)), "shorten it", characters=len(text), limit=LONGEST)
+        raise refuse(
+            "too-long",
+            f"the instruction has {len(text)} characters; {LONGEST} is the limit",
+            (LONGEST, len(text)),
+            "shorten it",
+            characters=len(text),
+            limit=LONGEST,
+        )
     for index, char in enumerate(text):
         if char not in "\n\t\r " and unicodedata.category(char) in ("Cc", "Cf", "Cs", "Co", "Cn"):
-            raise refuse("control-character", f"there is a control character (U+{ord(char):04X}) in the instruction", (index, index + 1), "leave it out")
+            raise refuse(
+                "control-character",
+                f"there is a control character (U+{ord(char):04X}) in the instruction",
+                (index, index + 1),
+                "leave it out",
+            )
     letters = [c for c in text if c.isalpha()]
     if not letters and not re.search(r"\d", text):
-        raise refuse("no-words", "there are no words in this", (0, len(text)), "say what should be done with which blocks")
+        raise refuse(
+            "no-words", "there are no words in this", (0, len(text)), "say what should be done with which blocks"
+        )
     other = next((i for i, c in enumerate(text) if c.isalpha() and not c.isascii()), None)
     if other is not None:
         raise refuse("other-language", "only English is understood here", (other, other + 1), "say it in English")
     if found := _CODE.search(text):
-        raise refuse("code", "this looks like program code, not an instruction", found.span(), "say in plain English what should be done")
+        raise refuse(
+            "code",
+            "this looks like program code, not an instruction",
+            found.span(),
+            "say in plain English what should be done",
+        )
     foreign = _FOREIGN.findall(text)
     if len(set(w.lower() for w in foreign)) > 1:
         first = _FOREIGN.search(text)
-        raise refuse("other-language", "only English is understood here", first.span() if first else None, "say it in English")
+        raise refuse(
+            "other-language", "only English is understood here", first.span() if first else None, "say it in English"
+        )

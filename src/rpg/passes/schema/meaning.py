@@ -69,6 +69,15 @@ class Noun(Meaning):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Size(Meaning):
+    """Dimensions said after the noun: "three blocks high", "with a base of 3 x 3"."""
+
+    what: str
+    amount: Amount | None = None
+    dims: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Structure(Meaning):
     """Something that blocks form. `size`: blocks along it; `dims`: its extents; `details`: adjuncts of its own."""
 
@@ -76,7 +85,6 @@ class Structure(Meaning):
     det: str = "a"
     amount: Amount | None = None
     plural: bool = False
-    size: Amount | None = None
     dims: tuple[int, ...] = ()
     members: Meaning | None = None
     traits: Traits = Traits()
@@ -85,6 +93,17 @@ class Structure(Meaning):
     filled: bool | None = None
     upright: bool | None = None
     each_size: bool = False
+    sizes: tuple[Size, ...] = ()
+
+    def extent(self, *whats: str) -> int | None:
+        """The plain number said of one of `whats` ("high", "rows" ...)."""
+        found = next((s.amount for s in self.sizes if s.what in whats and s.amount is not None), None)
+        return found.low if found is not None and found.low == found.high else None
+
+    @property
+    def size(self) -> Amount | None:
+        """The first number said of its size."""
+        return next((s.amount for s in self.sizes if s.amount is not None), None)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,6 +165,7 @@ class OrderBy(Meaning):
 
     by: str
     items: tuple[Meaning, ...] = ()
+    first: str | None = None
     attribute: str = "color"
     descending: bool = False
     reverse: bool = False
@@ -206,15 +226,6 @@ class Spacing(Meaning):
     kind: str
     low: float | None = None
     high: float | None = None
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Size(Meaning):
-    """Dimensions said after the noun: "three blocks high", "with a base of 3 x 3"."""
-
-    what: str
-    amount: Amount | None = None
-    dims: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

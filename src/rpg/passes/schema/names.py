@@ -13,7 +13,7 @@ LONGEST = 48
 
 
 def family_name(goal: g.Goal) -> str:
-    """"red-on-yellow", "stack-of-3", "spell-cat" ...; two atoms at most."""
+    """ "red-on-yellow", "stack-of-3", "spell-cat" ...; two atoms at most."""
     parts = list(dict.fromkeys(_part(atom) for atom in atoms(goal)))
     text = "-and-".join(parts[:2]) or "task"
     slug = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-") or "task"

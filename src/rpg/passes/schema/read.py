@@ -12,7 +12,22 @@ from rpg.passes.schema.tokens import Token
 
 MAX_KEPT = 24
 _ENDS = frozenset({".", "!", "?"})
-_THEN = ("and then", "then", "after that", "afterwards", "finally", "next", "lastly", "subsequently", "thereafter", "second", "third", "secondly", "thirdly", "after this")
+_THEN = (
+    "and then",
+    "then",
+    "after that",
+    "afterwards",
+    "finally",
+    "next",
+    "lastly",
+    "subsequently",
+    "thereafter",
+    "second",
+    "third",
+    "secondly",
+    "thirdly",
+    "after this",
+)
 
 
 @dataclass(frozen=True)
@@ -29,7 +44,13 @@ def split(tokens: list[Token]) -> list[list[Token]]:
     for index, token in enumerate(tokens):
         ends = token.word in _ENDS or token.word == ";"
         if ends and token.kind == "punct":
-            if token.word == "." and out[-1] and len(out[-1]) == 1 and out[-1][0].kind == "number" and index + 1 < len(tokens):
+            if (
+                token.word == "."
+                and out[-1]
+                and len(out[-1]) == 1
+                and out[-1][0].kind == "number"
+                and index + 1 < len(tokens)
+            ):
                 out[-1] = []
                 continue
             out.append([])
@@ -42,7 +63,16 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
     sentences = [read_sentence(part) for part in split(tokens)]
     if not sentences:
-        raise Refusal([Diagnostic(code="no-words", message="there are no words in this", hint="say what should be done with which blocks", origin="schema")])
+        raise Refusal(
+            [
+                Diagnostic(
+                    code="no-words",
+                    message="there are no words in this",
+                    hint="say what should be done with which blocks",
+                    origin="schema",
+                )
+            ]
+        )
     return sentences
 
 
@@ -71,7 +101,13 @@ def _ends(p: Parser, j: int) -> bool:
 
 
 def _tangled(p: Parser) -> Diagnostic:
-    return Diagnostic(code="too-complex", message="this sentence is too tangled to be read", span=p.span(0, p.end), hint="use several short sentences", origin="schema")
+    return Diagnostic(
+        code="too-complex",
+        message="this sentence is too tangled to be read",
+        span=p.span(0, p.end),
+        hint="use several short sentences",
+        origin="schema",
+    )
 
 
 def stuck(p: Parser) -> Diagnostic:

@@ -11,7 +11,7 @@ from rpg.ir.node import Highest, Lowest
 
 
 def sketch(goal: g.Goal) -> str:
-    """"on(red_block, blue_block) and row(A_block, B_block; axis=y)"."""
+    """ "on(red_block, blue_block) and row(A_block, B_block; axis=y)"."""
     match goal:
         case g.All():
             return " and ".join(_wrapped(x) for x in goal.goals)

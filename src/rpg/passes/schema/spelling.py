@@ -5,37 +5,79 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
+from importlib import import_module
+from types import CodeType
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.passes.schema import lexicon
+from rpg.passes.schema.grammar.frames import Phrases
 from rpg.passes.schema.tokens import Token
 
+GRAMMAR = ("amounts", "adjectives", "adjuncts", "clauses", "frames", "labels", "nouns", "orders", "regions", "relations",
+           "relatives", "structures")  # fmt: skip
 LONG_WORD = 7
 """From this length on, two slips are still taken for a misspelling."""
 _SPELLERS = frozenset({"spell", "spells", "spelling", "spelled", "spelt"})
 _WORD_LEADS = frozenset({"word", "name"})
-_NOT_LITERAL = frozenset({"a", "an", "the", "out", "word", "words", "some", "any", "it", "with", "using", "from", "by", "something", "my", "your"})
+_NOT_LITERAL = frozenset(
+    {
+        "a",
+        "an",
+        "the",
+        "out",
+        "word",
+        "words",
+        "some",
+        "any",
+        "it",
+        "with",
+        "using",
+        "from",
+        "by",
+        "something",
+        "my",
+        "your",
+    }
+)
 
 
 @cache
 def vocabulary() -> frozenset[str]:
-    """Every word of the language."""
-    from rpg.passes.schema.grammar import frames, orders, relations
-    from rpg.passes.schema.grammar.adjuncts import _LITTLE
-
+    """Every word of the language: those of the lexicon's tables and those that the grammar names."""
     words: set[str] = set(lexicon.FUNCTION_WORDS.split()) | set(lexicon.DEGREES.split())
-    tables = (lexicon.COLOR, lexicon.NUMBER, lexicon.ORDINAL, lexicon.UNIT, lexicon.BLOCK, lexicon.LOOSE_BLOCK, lexicon.PATCH, lexicon.TABLE, lexicon.LETTER,
-              lexicon.DIGIT, lexicon.SYMBOL, lexicon.STRUCTURE, lexicon.SHAPE_ADJECTIVE, lexicon.SIZE, lexicon.VERB)  # fmt: skip
-    for table in tables:
-        words.update(str(word) for word in table)
-    words |= lexicon.POSTURE | lexicon.SHADE
-    for phrases in (frames.COMMAND_FRAMES, frames.STATE_FRAMES, frames.START_FRAMES, frames.FIRST, frames.TAG):
-        words |= phrases.words
-    for phrase, *_ in (*orders._NAMED, *_LITTLE):
-        words.update(phrase.split())
-    for phrase in (*relations._SIMPLE, *frames.THEN):
-        words.update(phrase.split())
+    for value in vars(lexicon).values():
+        if isinstance(value, dict | frozenset):
+            words.update(str(word) for word in value)
+    for name in GRAMMAR:
+        module = import_module(f"rpg.passes.schema.grammar.{name}")
+        for value in vars(module).values():
+            code = getattr(getattr(value, "__wrapped__", value), "__code__", None)
+            if code is not None and code.co_filename == module.__file__:
+                words |= _words_in(code)
+            elif isinstance(value, Phrases):
+                words |= value.words
+            elif isinstance(value, dict | tuple | frozenset):
+                words |= _words_of(value)
     return frozenset(w for w in words if w.isalpha())
+
+
+def _words_in(code: CodeType) -> set[str]:
+    """The words of the strings in a function, its documentation left out."""
+    found: set[str] = set()
+    for index, constant in enumerate(code.co_consts):
+        if isinstance(constant, CodeType):
+            found |= _words_in(constant)
+        elif not (index == 0 and isinstance(constant, str)):
+            found |= _words_of(constant)
+    return found
+
+
+def _words_of(value: object) -> set[str]:
+    if isinstance(value, str):
+        return set(value.split())
+    if isinstance(value, dict | tuple | frozenset):
+        return {word for item in value for word in _words_of(item)}
+    return set()
 
 
 def distance(a: str, b: str, limit: int) -> int:
@@ -58,7 +100,9 @@ def distance(a: str, b: str, limit: int) -> int:
 
 def nearest(word: str, limit: int) -> list[str]:
     """Known words within `limit` slips, nearest first."""
-    scored = sorted((distance(word, known, limit), known) for known in vocabulary() if abs(len(known) - len(word)) <= limit)
+    scored = sorted(
+        (distance(word, known, limit), known) for known in vocabulary() if abs(len(known) - len(word)) <= limit
+    )
     return [known for slips, known in scored if slips <= limit]
 
 
@@ -82,7 +126,10 @@ def _families(words: Iterable[str]) -> list[str]:
 def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagnostic]]:
     """The tokens with misspellings mended and words to be spelt marked; assumptions; unknown words."""
     known = vocabulary()
-    shouting = sum(t.raw.isupper() and len(t.raw) > 1 for t in tokens) * 2 > len([t for t in tokens if t.kind == "word"]) and len(tokens) > 3
+    shouting = (
+        sum(t.raw.isupper() and len(t.raw) > 1 for t in tokens) * 2 > len([t for t in tokens if t.kind == "word"])
+        and len(tokens) > 3
+    )
     out: list[Token] = []
     notes: list[str] = []
     wrong: list[Diagnostic] = []
@@ -111,7 +158,9 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     before = tokens[index - 1].word if index else ""
     two = tokens[index - 2].word if index > 1 else ""
     if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
-        return word not in _NOT_LITERAL and not (word in known and word in ("is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from"))
+        return word not in _NOT_LITERAL and not (
+            word in known and word in ("is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from")
+        )
     if before in _SPELLERS or (before == "out" and two in _SPELLERS):
         return word not in _NOT_LITERAL and (word not in known or not tokens[index].raw.islower() or True)
     return False
@@ -120,7 +169,16 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
 def unknown(token: Token) -> Diagnostic:
     """A diagnostic for a word that means nothing here."""
     close = nearest(token.word, 2 if len(token.word) < LONG_WORD else 3)[:3]
-    hint = f"did you mean {' or '.join(repr(c) for c in close)}?" if close else "describe the task with blocks, patches and where they should be"
+    hint = (
+        f"did you mean {' or '.join(repr(c) for c in close)}?"
+        if close
+        else "describe the task with blocks, patches and where they should be"
+    )
     return Diagnostic(
-        code="unknown-word", message=f"{token.raw!r} means nothing here", span=token.span, hint=hint, facts={"word": token.raw, "nearest": close}, origin="schema"
+        code="unknown-word",
+        message=f"{token.raw!r} means nothing here",
+        span=token.span,
+        hint=hint,
+        facts={"word": token.raw, "nearest": close},
+        origin="schema",
     )

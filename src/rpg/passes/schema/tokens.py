@@ -34,11 +34,19 @@ CONTRACTIONS = {
     "onto": "onto", "into": "into",
 }  # fmt: skip
 
+AMERICAN = {
+    "colour": "color", "colours": "colors", "coloured": "colored", "colourful": "colorful", "grey": "gray", "centre": "center",
+    "centres": "centers", "centred": "centered", "neighbour": "neighbor", "neighbours": "neighbors", "neighbouring": "neighboring",
+    "metre": "meter", "metres": "meters", "organise": "organize", "multicoloured": "multicolored", "storey": "story",
+}  # fmt: skip
+"""Spellings that are read as one."""
+
 _SIGN = "[-+*/×÷−–x]"
 _EQUATION = re.compile(rf"\d+(?:\s*{_SIGN}\s*\d+)+\s*=\s*\d+|\d+\s*=\s*\d+(?:\s*{_SIGN}\s*\d+)+")
 _PIECES = re.compile(
     rf"""
-    (?P<equation>(?:{_EQUATION.pattern})(?!\w))
+    (?P<bullet>(?:(?<=\n)|^)\s*(?:[-*•]|\d{{1,2}}[.)])(?=\s)|(?<!\w)\d{{1,2}}\)(?=\s))
+  | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
   | (?P<dims>\d+(?:\s*[x×*]\s*\d+){{1,2}}(?![\w.]))
   | (?P<number>\d+(?:\.\d+)?(?![A-Za-z]))
@@ -68,10 +76,10 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
     strays: list[Stray] = []
     at = 0
     while at < len(text):
-        if text[at].isspace():
+        found = _PIECES.match(text, at)
+        if found is None and text[at].isspace():
             at += 1
             continue
-        found = _PIECES.match(text, at)
         if found is None:
             strays.append(Stray(text[at], (at, at + 1)))
             at += 1
@@ -94,6 +102,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("number", raw, raw, span, float(raw[:12]))]
         case "word":
             return _word(raw, span)
+        case "bullet":
+            return [Token("punct", ";", raw, span)]
         case "ellipsis":
             return [Token("punct", "…", raw, span)]
         case "sign":
@@ -120,7 +130,7 @@ def _word(raw: str, span: Span) -> list[Token]:
                 Token("word", stem, raw[: len(stem)], (span[0], middle)),
                 Token("punct", "'s", raw[len(stem) :], (middle, span[1])),
             ]
-    return [Token("word", lower, raw, span)]
+    return [Token("word", AMERICAN.get(lower, lower), raw, span)]
 
 
 def _ordinals(tokens: list[Token]) -> list[Token]:

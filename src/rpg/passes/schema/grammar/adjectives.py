@@ -165,11 +165,16 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
     if p.words[i : i + 1] == ["last"]:
         yield Marks({"rank": "last"}), p.reach(i + 1)
     for (labels, more), j in label_list(p, i):
+        plural = lexicon.BLOCK.get(p.words[j]) if j < p.end else None
+        if len(labels) == 1 and (plural is not False or (p.words[i - 1 : i] not in (["the"], ["a"], ["an"]) and labels[0].isdigit())):
+            continue
+        if len(labels) > 1 and plural is not True:
+            continue
         yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
 
 
 _LABELLED = ("labelled", "labeled", "marked", "showing", "named", "called", "bearing", "reading", "saying", "carrying",
-             "with the", "with", "numbered", "displaying", "lettered")  # fmt: skip
+             "with", "numbered", "displaying", "lettered")  # fmt: skip
 _LABEL_NOUNS = frozenset({"letter", "letters", "label", "labels", "number", "numbers", "digit", "digits", "symbol",
                           "symbols", "sign"})  # fmt: skip
 _KINDS = {"letter": "letter", "letters": "letter", "number": "digit", "numbers": "digit", "digit": "digit",
@@ -185,19 +190,19 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         yield from _labelled(p, i)
     for phrase, value in (
         ("of the same color", "same"), ("of the same colour", "same"), ("of one color", "same"), ("of one colour", "same"),
-        ("of a single color", "same"), ("of the same kind", "same"), ("of identical color", "same"), ("in the same color", "same"),
+        ("of a single color", "same"), ("of identical color", "same"), ("in the same color", "same"),
         ("of different colors", "different"), ("of different colours", "different"), ("in different colors", "different"),
         ("of a different color", "different"), ("each of a different color", "different"), ("with different colors", "different"),
         ("of distinct colors", "different"), ("of various colors", "different"), ("of assorted colors", "mixed"),
         ("of mixed colors", "mixed"), ("of any color", "mixed"), ("of all different colors", "different"),
         ("all of different colors", "different"), ("of multiple colors", "different"), ("in assorted colors", "mixed"),
-        ("of varying colors", "different"), ("with the same color", "same"), ("in various colors", "different"),
+        ("of varying colors", "different"), ("in a single color", "same"), ("of just one color", "same"), ("in various colors", "different"),
     ):  # fmt: skip
         if j := p.seq(i, phrase):
             yield Marks({"scheme": value}), j
     for phrase in ("of its color", "of its own color", "of the same color", "of matching color", "of that color",
                    "of its colour", "of its own colour", "of the corresponding color", "of their color", "in its color", "of their own color",
-                   "of the matching color", "with the same color", "with matching color", "that matches its color",
+                   "of the matching color", "with matching color", "that matches its color",
                    "matching its color", "that matches their color", "matching their color", "matching in color",
                    "with its color", "that match its color", "that match their color", "with the matching color",
                    "that has the same color", "that has its color", "in the same color"):  # fmt: skip
@@ -216,7 +221,7 @@ def _labelled(p: Parser, i: int) -> Results[Marks]:
     j = p.opt(j, "with", "as", "by")
     j = p.opt(j, "the", "a", "an")
     noun = p.one(j, _LABEL_NOUNS)
-    if noun or p.words[i] not in ("with", "carrying"):
+    if noun or p.words[i] not in ("with", "carrying") or j > p.any_of(i, ("with",)):
         for (labels, more), k in label_list(p, noun or j, True):
             yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), k
     if noun and p.words[j] in _KINDS:

@@ -83,7 +83,8 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
 
 def _absolute(p: Parser, i: int) -> Results[Meaning]:
     """ "with the red block on top and the blue one below it"; "the green one on top" after a comma."""
-    j = p.any_of(i, ("with", "having", "where", "keeping")) or p.one(i, ",")
+    comma = p.opt(i, ",")
+    j = p.any_of(comma, ("with", "having", "where", "keeping", "and with", "but with")) or p.one(i, ",")
     if not j:
         return
     for theme, k in noun_phrase(p, j):
@@ -91,7 +92,8 @@ def _absolute(p: Parser, i: int) -> Results[Meaning]:
         k = p.opt(k, "be")
         k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put")
         for found, end in _places(p, k):
-            yield Absolute(theme=theme, adjuncts=found, span=p.span(i, end)), end
+            cost = 2 if p.words[i] == "," and isinstance(found[0], Loc) else 0
+            yield Absolute(theme=theme, adjuncts=found, span=p.span(i, end), cost=cost), end
             yield from _absolute_more(p, i, end, (Absolute(theme=theme, adjuncts=found, span=p.span(i, end)),))
 
 

@@ -21,7 +21,7 @@ class Quantity(NamedTuple):
 THE = frozenset({"the", "these", "those", "this", "that", "my", "your", "our"})
 _VAGUE = (
     "several", "a few", "many", "multiple", "various", "a number of", "a set of", "a collection of", "a series of",
-    "a bunch of", "a handful of", "some", "lots of", "a lot of", "a variety of", "a group of",
+    "a bunch of", "a handful of", "some", "lots of", "a lot of", "a variety of", "a group of", "a mix of", "a mixture of", "any number of",
 )  # fmt: skip
 _LOW = ("at least", "no fewer than", "no less than", "a minimum of", "minimum")
 _HIGH = ("at most", "no more than", "up to", "a maximum of", "maximum", "not more than")
@@ -77,6 +77,8 @@ def amount(p: Parser, i: int) -> Results[Amount]:
 def quantity(p: Parser, i: int) -> Results[Quantity]:
     """Everything that may stand before the adjectives of a noun phrase."""
     yield from _universal(p, i)
+    if p.words[i : i + 1] in (["n"], ["k"]) and i + 1 < p.end and (p.words[i + 1].endswith("s") or p.words[i + 2 : i + 3] != [""]):
+        yield Quantity("some", None, True), p.reach(i + 1)
     if j := p.one(i, frozenset({"a", "an"})):
         yield Quantity("a", Amount(1, 1), False), j
         if k := p.one(j, "single"):
@@ -111,6 +113,8 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
         j = p.opt(j, "single") if det in ("each", "no") else j
         of = p.one(j, "of")
         if of:
+            yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
+        if word in ("each", "every", "any") and (of := p.seq(j, "one of")):
             yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
         if word in ("none", "one"):
             continue

@@ -7,6 +7,7 @@ import string
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 
 _AND = frozenset({"and", "&", "plus"})
+_SIGN_WORDS = {"plus": "+", "minus": "-", "times": "*", "equals": "=", "equal": "=", "divide": "/", "divided": "/"}
 _TO = frozenset({"to", "through", "thru", "until", "till"})
 
 
@@ -23,6 +24,8 @@ def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
             found = token.raw.upper()
     elif (token.kind == "number" and token.word in string.digits) or token.kind == "sign":
         found = token.word
+    elif token.word in _SIGN_WORDS:
+        found = _SIGN_WORDS[token.word]
     elif spoken:
         number = p.number(i)
         found = str(number) if number is not None and number < 10 else None
@@ -43,7 +46,7 @@ def _between(first: str, last: str) -> tuple[str, ...]:
 def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[str, ...], bool]]:
     """Labels in the order said, longest list first, and whether it goes on ("A, B, C...")."""
     first = symbol(p, i, spoken)
-    if first is None:
+    if first is None or (first in "+-*/=" and p.words[i] in ("plus", "times", "minus", "equals", "equal", "divided", "divide") and not spoken):
         return
     if (j := p.one(i + 1, _TO)) and (last := symbol(p, j, spoken)) and (run := _between(first, last)):
         yield (run, False), j + 1
@@ -56,7 +59,7 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
             readings.append(((tuple(labels), True), j + 1))
             break
         after = symbol(p, j, spoken)
-        if after is None or j == at:
+        if after is None or (j == at and not _bare_row(p, at)):
             break
         labels.append(after)
         at = j + 1
@@ -65,6 +68,12 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
             at = k + 1
         readings.append(((tuple(labels), False), at))
     yield from reversed(readings)
+
+
+def _bare_row(p: Parser, at: int) -> bool:
+    """"A B C", "7 8 9": symbols side by side without commas."""
+    token = p.token(at)
+    return token is not None and (token.kind in ("sign", "number") or (len(token.raw) == 1 and token.raw.isupper()))
 
 
 def literal(p: Parser, i: int) -> str | None:

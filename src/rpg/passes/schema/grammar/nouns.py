@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.passes.schema import lexicon
 from rpg.passes.schema.grammar import amounts
-from rpg.passes.schema.grammar.adjectives import EMPTY, Marks, adjectives, clash, merge, of_quality
+from rpg.passes.schema.grammar.adjectives import Marks, adjectives, clash, merge, of_quality
 from rpg.passes.schema.grammar.amounts import Quantity
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.labels import label_list, literal
@@ -36,10 +36,15 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
     comma = p.opt(at, ",", ";")
     joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
     word = p.words[comma] if joined else ""
+    if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
+        for item, j in simple(p, k):
+            yield Coord(op="except", items=(*items, item), span=p.span(i, j)), j
+    if not joined and (k := p.any_of(comma, ("followed by", "then"))):
+        joined, word = k, "then"
     now = {"or": "or", "nor": "or"}.get(word, "and") if joined else op
     if comma == at and not joined:
         return
-    if joined and p.words[joined - 1] == "then":
+    if joined and p.words[joined - 1] == "then" or word == "then":
         now = "then"
     if op is not None and now != op and op != "comma":
         return
@@ -47,7 +52,7 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
     for item, j in simple(p, nxt):
         whole = (*items, item)
         if joined:
-            yield Coord(op="and" if now == "then" else str(now), items=whole, span=p.span(i, j)), j
+            yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=2 if now == "then" else 0), j
             yield from _list(p, i, whole, j, now)
         else:
             yield Coord(op="and", items=whole, span=p.span(i, j), cost=1), j
@@ -71,6 +76,16 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
         else:
             yield from _noun(p, i, j, found)
     yield from _noun(p, i, i, _SINGLE)
+    if of := p.one(i, "of"):
+        yield from _of_these(p, i, of)
+
+
+def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
+    """"of the four red blocks, two ..."."""
+    for whole, j in simple(p, of):
+        if isinstance(whole, Noun) and (whole.plural or whole.amount):
+            for found, k in amounts.amount(p, p.opt(j, ",")):
+                yield Noun(head=whole.head, det="some", amount=found, plural=True, part_of=whole, span=p.span(i, k)), k
 
 
 def _pronoun(p: Parser, i: int) -> Results[Meaning]:
@@ -182,15 +197,26 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     """ "red on blue", "the other two", "A", "a red and a blue block"."""
     if j > start and (marks.get("colors") or marks.get("size") or marks.get("rank") or marks.get("edge")):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
-        yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1)
+        several = len(marks.get("colors", ())) > 1 and not marks.get("either")
+        yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1 if several else 0)
     counted = quantity.amount is not None and quantity.det in ("the", "bare", "other", "another", "both", "some")
     if j == start and (counted or quantity.det in ("other", "another")):
         yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=2)
     if (quantity.det in ("bare", "the", "all", "both") and quantity.amount is None) or quantity.det == "a":
         for (labels, more), k in label_list(p, j):
             held = merge(marks, {"labels": labels, "open_ended": more})
+            digit = len(labels) == 1 and labels[0].isdigit()
+            if digit and (_goes_on(p, k) or quantity.det == "all"):
+                continue
             if held is not None and (len(labels) == 1 or quantity.det != "a"):
-                yield from _finish(p, i, k, quantity, "block", len(labels) > 1, held, cost=1)
+                yield from _finish(p, i, k, quantity, "block", len(labels) > 1, held, cost=2 if digit else 1)
+
+
+def _goes_on(p: Parser, k: int) -> bool:
+    """Whether what follows a digit makes it a number: "3 blocks", "2 red ..."."""
+    word = p.words[k] if k < p.end else ""
+    tables = (lexicon.BLOCK, lexicon.LOOSE_BLOCK, lexicon.COLOR, lexicon.STRUCTURE, lexicon.UNIT, lexicon.LETTER, lexicon.DIGIT, lexicon.SIZE, lexicon.PATCH)
+    return any(word in table for table in tables) or word in ("of", "by", "x", "more", "steps", "rows", "layers", "high", "wide", "each", "other", "letters")
 
 
 def _finish(
@@ -211,21 +237,21 @@ def _finish(
     noun = Noun(
         head=head, det=quantity.det, amount=low, plural=many, traits=Traits(**marks), span=p.span(i, j), cost=cost
     )  # fmt: skip
-    yield from _after(p, i, j, noun, marks)
+    yield from _after(p, i, j, noun)
 
 
 @rule
-def _after(p: Parser, i: int, j: int, noun: Noun, marks: Any) -> Results[Meaning]:
+def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
     from rpg.passes.schema.grammar.relatives import relative
 
     yield noun, j
-    tried = [(noun, j, dict(EMPTY))]
+    tried = [(noun, j)]
     for update, k in of_quality(p, j, noun.head):
         changed = _with(noun, update, p.span(i, k))
         if changed is not None:
             yield changed, k
-            tried.append((changed, k, update))
-    for base, at, _ in tried:
+            tried.append((changed, k))
+    for base, at in tried:
         for condition, k in relative(p, at, base.head):
             if isinstance(condition, Traits):
                 more = {n: getattr(condition, n) for n in Traits.__dataclass_fields__}

@@ -8,7 +8,7 @@ from rpg.passes.schema.grammar.amounts import length
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.nouns import noun_phrase
 from rpg.passes.schema.grammar.regions import region
-from rpg.passes.schema.meaning import Loc, Meaning, PartOf, Pronoun, TableTop
+from rpg.passes.schema.meaning import Coord, Loc, Meaning, Noun, PartOf, Pronoun, TableTop
 
 _SIMPLE = {
     "on top of": "on", "on the top of": "on", "atop of": "on", "atop": "on", "on top": "on", "onto": "on", "on to": "on", "upon": "on",
@@ -100,7 +100,11 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
     """One statement of place, perhaps negated."""
     j = p.one(i, "not")
     for found, k in _loc(p, j or i):
-        if j and isinstance(found, Loc):
+        if j and isinstance(found, Loc | Coord):
+            if isinstance(found, Coord):
+                parts = tuple(replace(x, negated=True) for x in found.items if isinstance(x, Loc))
+                yield Coord(op="and" if found.op == "or" else "or", items=parts, span=p.span(i, k)), k
+                continue
             yield replace(found, negated=True, span=p.span(i, k)), k
         elif not j:
             yield found, k
@@ -123,9 +127,26 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 else 0
             )
             yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost), k
+    yield from _either_relation(p, i)
     yield from _between(p, i)
     yield from _possessive(p, i)
     yield from _bare(p, i)
+
+
+def _either_relation(p: Parser, i: int) -> Results[Meaning]:
+    """"to the left or to the right of", "left of and behind": two relations with one landmark."""
+    start = p.one(i, "either") or i
+    firsts = [(name, j) for (name, _), j in relation(p, start)] + [(s.rstrip("?"), j) for (s, _), j in side_relation(p, start)]
+    for first, j in firsts:
+        k = p.one(j, frozenset({"or", "and"}))
+        op = p.words[j] if k else ""
+        for (second, mods), m in relation(p, k) if k else ():
+            for landmark, end in noun_phrase(p, m):
+                if isinstance(landmark, TableTop):
+                    continue
+                span = p.span(i, end)
+                parts = (Loc(rel=first, landmark=landmark, span=span), Loc(rel=second, landmark=landmark, mods=mods, span=span))
+                yield Coord(op=op, items=parts, span=span), end
 
 
 def _between(p: Parser, i: int) -> Results[Meaning]:
@@ -192,10 +213,11 @@ def _bare(p: Parser, i: int) -> Results[Meaning]:
         ("each on top of the other", "heaped"), ("on top of each", "heaped"), ("one by one on top of each other", "heaped"),
         ("all on top of each other", "heaped"), ("upon each other", "heaped"), ("directly on top of each other", "heaped"),
         ("one next to the other", "side_by_side"), ("one beside the other", "side_by_side"), ("each next to the other", "side_by_side"),
+        ("in between", "between"), ("between them", "between"), ("in between them", "between"), ("between the two", "between"), ("in the space between them", "between"),
         ("one in front of the other", "one_behind"), ("one behind the other", "one_behind"), ("one behind another", "one_behind"),
     ):  # fmt: skip
         if j := p.seq(i, phrase):
-            landmark = Pronoun(word="each other", span=p.span(i, j))
+            landmark = Pronoun(word="them" if name == "between" else "each other", span=p.span(i, j))
             yield Loc(rel=name, landmark=landmark, span=p.span(i, j)), j
 
 
@@ -266,7 +288,7 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
         measure = "centres"
         if not end:
             end = p.any_of(j, ("between them", "between each other", "in between them", "in between", "between the two",
-                               "between the blocks", "between each", "between neighbors", "between neighbours", "between each block",
+                               "between the blocks", "between each", "between neighbors", "between each block", "between neighboring blocks",
                                "of space between them", "of empty space between them", "of space between the blocks"))  # fmt: skip
             measure = "faces"
         if not end and p.words[start - 1 : start] == ["by"]:
@@ -274,6 +296,17 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
         if end:
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
+    if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")):
+        for (low, high), k in bounds(p, j):
+            gap = p.any_of(k, ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance"))
+            end = p.any_of(gap, _AMONG) if gap else 0
+            if gap:
+                measure = "centres" if p.words[gap - 1] in ("spacing", "distance") else "faces"
+                each = Pronoun(word="each other", span=p.span(i, end or gap))
+                yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end or gap)), end or gap
+            if end := p.any_of(k, ("between their centers", "between centers", "between the centers", "from center to center", "center to center")):
+                each = Pronoun(word="each other", span=p.span(i, end))
+                yield Loc(rel="distance", landmark=each, low=low, high=high, span=p.span(i, end)), end
     if j := p.any_of(i, ("with a gap of", "with gaps of", "leaving a gap of", "with a spacing of", "leaving gaps of",
                          "at intervals of", "with a distance of", "with spacing of")):  # fmt: skip
         for (low, high), k in bounds(p, j):
@@ -282,6 +315,13 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
             measure = "faces" if "gap" in p.words[i:j] or "gaps" in p.words[i:j] else "centres"
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
+
+
+def _listed_cost(landmark: Meaning) -> int:
+    """A list as a landmark is less natural than a clause that begins with its last item."""
+    if isinstance(landmark, Coord):
+        return 1 if landmark.op == "and" else 0
+    return 1 if isinstance(landmark, Noun) and landmark.head == "any" and len(landmark.traits.colors) > 1 else 0
 
 
 def is_part(meaning: Meaning) -> bool:

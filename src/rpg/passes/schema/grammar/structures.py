@@ -12,7 +12,9 @@ from rpg.passes.schema.grammar.adjectives import EMPTY, Marks, adjective, merge
 from rpg.passes.schema.grammar.amounts import Quantity
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.labels import literal
-from rpg.passes.schema.meaning import Amount, Meaning, Size, Structure, Traits
+from rpg.passes.schema.grammar.lists import listed
+from rpg.passes.schema.grammar.sizes import dimensions, size_phrase
+from rpg.passes.schema.meaning import Amount, Coord, Meaning, OrderBy, Pattern, Pronoun, Size, Spacing, Structure, Traits
 
 _LETTER_SHAPES = frozenset("LTVUX")
 _MODIFIERS = {
@@ -20,10 +22,21 @@ _MODIFIERS = {
     "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
     "simple": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {}, "upright": {"upright": True},
     "single file": {}, "standing": {"upright": True}, "tall": {}, "long": {}, "closed": {}, "proper": {}, "full": {"filled": True},
-    "correct": {}, "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {}, "addition": {}, "small": {},
-    "single digit": {}, "ordered": {}, "sorted": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
+    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "equal": {}, "equally tall": {}, "neatly": {}, "regular": {}, "loose": {}, "big": {}, "huge": {}, "large": {}, "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {}, "addition": {}, "small": {},
+    "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
 }  # fmt: skip
 _OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
+
+
+_NOWHERE = (0, 0)
+_DETAILS: dict[str, OrderBy | Spacing] = {
+    "alternating": OrderBy(by="alternating", span=_NOWHERE), "symmetric": OrderBy(by="mirrored", span=_NOWHERE),
+    "symmetrical": OrderBy(by="mirrored", span=_NOWHERE), "mirrored": OrderBy(by="mirrored", span=_NOWHERE),
+    "alphabetical": OrderBy(by="label", span=_NOWHERE), "alphabetically sorted": OrderBy(by="label", span=_NOWHERE), "palindromic": OrderBy(by="mirrored", span=_NOWHERE),
+    "rainbow": OrderBy(by="rainbow", span=_NOWHERE), "touching": Spacing(kind="touching", span=_NOWHERE), "tight": Spacing(kind="touching", span=_NOWHERE),
+    "evenly spaced": Spacing(kind="even", span=_NOWHERE), "equally spaced": Spacing(kind="even", span=_NOWHERE), "gapless": Spacing(kind="touching", span=_NOWHERE),
+    "sorted": OrderBy(by="in_order", span=_NOWHERE), "ordered": OrderBy(by="in_order", span=_NOWHERE), "numerical": OrderBy(by="number", span=_NOWHERE),
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -31,11 +44,12 @@ class _Before:
     """What stood in front of the structure's noun."""
 
     marks: Marks = EMPTY
-    size: Amount | None = None
+    sizes: tuple[Size, ...] = ()
     dims: tuple[int, ...] = ()
     upright: bool | None = None
     filled: bool | None = None
     operator: str | None = None
+    details: tuple[Meaning, ...] = ()
 
 
 @rule
@@ -65,222 +79,219 @@ def _before(p: Parser, i: int) -> Results[_Before]:
 
 def _join(a: _Before, b: _Before) -> _Before | None:
     marks = merge(a.marks, b.marks)
-    if marks is None or (a.size and b.size) or (a.dims and b.dims):
+    if marks is None or (a.sizes and b.sizes) or (a.dims and b.dims):
         return None
     return _Before(
-        marks, a.size or b.size, a.dims or b.dims,
+        marks, a.sizes or b.sizes, a.dims or b.dims,
         a.upright if a.upright is not None else b.upright,
-        a.filled if a.filled is not None else b.filled, a.operator or b.operator,
+        a.filled if a.filled is not None else b.filled, a.operator or b.operator, (*a.details, *b.details),
     )  # fmt: skip
+
+
+_BEFORE_UNITS = {
+    "block high": "high", "blocks high": "high", "block tall": "high", "blocks tall": "high", "block long": "long", "high": "high", "tall": "high",
+    "block": "size", "blocks": "size", "cube": "size", "cubes": "size", "level": "layers", "layer": "layers", "step": "steps", "story": "layers",
+    "tier": "layers", "letter": "size", "stepped": "steps", "tiered": "layers", "layered": "layers", "digit": "size", "block wide": "wide",
+    "blocks wide": "wide", "brick": "size", "item": "size", "wide": "wide",
+}  # fmt: skip
 
 
 def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     for phrase, update in _MODIFIERS.items():
         if j := p.seq(i, phrase):
-            operator = _OPERATORS.get(phrase)
-            yield _Before(upright=update.get("upright"), filled=update.get("filled"), operator=operator), j
+            yield _Before(upright=update.get("upright"), filled=update.get("filled"), operator=_OPERATORS.get(phrase)), j
+    for word, detail in _DETAILS.items():
+        if j := p.seq(i, word):
+            yield _Before(details=(replace(detail, span=p.span(i, j)),)), j
     for found, j in dimensions(p, i):
-        yield _Before(dims=found), p.opt(j, "block", "cube")
+        yield _Before(dims=found), p.opt(j, "block", "cube", "based")
     for n, j in amounts.count(p, i):
-        for unit in ("block high", "blocks high", "block tall", "blocks tall", "block long", "high", "tall", "block", "blocks", "cube",
-                     "cubes", "level", "layer", "step", "story", "storey", "tier", "letter", "stepped", "tiered", "layered", "digit",
-                     "block wide", "blocks wide", "brick", "item"):  # fmt: skip
+        for unit, what in _BEFORE_UNITS.items():
             if k := p.seq(j, unit):
-                yield _Before(size=Amount(n, n)), k
+                yield _Before(sizes=(Size(what=what, amount=Amount(n, n), span=p.span(i, k)),)), k
     for marks, j in adjective(p, i):
-        if ("rank" not in marks and "labels" not in marks) or ("rank" in marks and marks["rank"] in ("left", "right")):
+        if "labels" not in marks and ("rank" not in marks or marks["rank"] in ("left", "right")):
             yield _Before(marks=Marks({k: v for k, v in marks.items() if k not in ("target", "long")})), j
-    for table in (lexicon.BLOCK,):
-        plural = p.lex(i, table)
-        if plural is not None:
-            yield _Before(), i + 1
+    if p.lex(i, lexicon.BLOCK) is not None:
+        yield _Before(), i + 1
 
 
-@rule
-def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
-    """ "3x3", "3 by 3 by 3", "two by four"."""
-    token = p.token(i)
-    if token is not None and token.kind == "dims" and isinstance(token.value, tuple):
-        p.reach(i + 1)
-        yield token.value, i + 1
-    first = p.number(i)
-    if first is not None and p.words[i + 1 : i + 2] in (["by"], ["x"], ["times"]):
-        second = p.number(i + 2)
-        if second is not None:
-            third = p.number(i + 4) if p.words[i + 3 : i + 4] in (["by"], ["x"], ["times"]) else None
-            if third is not None:
-                yield (first, second, third), i + 5
-            else:
-                yield (first, second), i + 3
-
-
-def _noun(p: Parser, i: int) -> Iterator[tuple[str, bool, dict[str, Any], int]]:
-    """The structure's noun: (kind, plural, fields, next)."""
+def _noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
+    """The structure's noun: (kind, plural, next)."""
     found = p.lex(i, lexicon.STRUCTURE)
-    if found is not None and not (p.tokens[i].kind != "word"):
+    if found is not None and p.tokens[i].kind == "word":
         kind, plural = found
-        j = i + 1
-        j = (
-            p.opt(j, "shape", "formation", "outline", "pattern", "arrangement", "figure")
-            if kind not in ("stack", "pile", "word")
-            else j
-        )
-        yield kind, plural, {}, j
-        if kind == "plus":
-            yield "plus", plural, {}, p.opt(j, "sign", "shape")
+        j = i + 1 if kind in ("stack", "pile", "word") else p.opt(i + 1, "shape", "formation", "outline", "pattern", "arrangement", "figure", "sign")
+        j = p.opt(j, "tower") if kind == "pyramid" else j
+        yield kind, plural, j
     shape = p.lex(i, lexicon.SHAPE_ADJECTIVE)
-    if shape and (
-        j := p.one(
-            i + 1,
-            frozenset(
-                {"shape", "arrangement", "formation", "pattern", "layout", "outline", "figure", "form", "line", "ring"}
-            ),
-        )
-    ):
-        yield shape, False, {}, j
-    if p.words[i : i + 1] in (["cube"], ["cubes"], ["box"], ["block"]):
-        yield "cube", p.words[i] == "cubes", {}, p.reach(i + 1)
-    token = p.token(i)
-    if token is not None and token.kind in ("word", "quote", "literal") and len(token.raw.strip("'\"`")) == 1:
-        letter = token.raw.strip("'\"`").upper()
-        if letter in _LETTER_SHAPES or (letter == "O"):
-            for tail in ("shape", "shapes", "formation", "shaped figure", "shaped structure", "shaped pattern", "shaped arrangement", "figure",
-                         "shaped formation", "shaped line"):  # fmt: skip
-                if j := p.seq(i + 1, tail):
-                    yield ("circle" if letter == "O" else letter), tail == "shapes", {}, j
-    for lead in ("shape of an", "shape of a", "shape of the letter", "form of an", "form of a", "figure of an", "figure of a", "shape of the",
-                 "form of the letter", "capital", "figure of the letter", "letter"):  # fmt: skip
+    if shape and (j := p.one(i + 1, _FORMS)):
+        yield shape, False, j
+    if p.words[i : i + 1] in (["cube"], ["cubes"]):
+        yield "cube", p.words[i] == "cubes", p.reach(i + 1)
+    for lead in ("color gradient", "gradient", "rainbow"):
         if j := p.seq(i, lead):
-            token = p.token(j)
-            if token is not None and len(token.word) == 1 and token.word.upper() in _LETTER_SHAPES:
-                if lead not in ("capital", "letter") or p.one(j + 1, frozenset({"shape", "formation"})):
-                    p.reach(j + 1)
-                    yield token.word.upper(), False, {}, p.opt(j + 1, "shape", "formation")
-            elif lead.startswith(("shape", "form", "figure")):
+            yield "gradient", False, j
+    yield from _letter_shapes(p, i)
+
+
+_FORMS = frozenset({"shape", "arrangement", "formation", "pattern", "layout", "outline", "figure", "form", "line", "ring"})
+_TAILS = ("shape", "shapes", "formation", "shaped figure", "shaped structure", "shaped pattern", "shaped arrangement", "figure", "shaped formation",
+          "shaped line", "shaped form", "shaped outline")  # fmt: skip
+_LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "form of a", "figure of an", "figure of a", "shape of the", "outline of a", "outline of an",
+          "form of the letter", "capital", "figure of the letter", "letter", "shape of capital", "shape of a capital", "shape")  # fmt: skip
+
+
+def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
+    """"L shape", "shape of a T", "an L"."""
+    letter = _letter_at(p, i)
+    if letter:
+        for tail in _TAILS:
+            if j := p.seq(i + 1, tail):
+                yield letter, tail == "shapes", j
+        if p.words[i - 1 : i] in (["a"], ["an"]) and i > 0 and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK) and p.tokens[i].raw.isupper():
+            yield letter, False, p.reach(i + 1)
+    for lead in _LEADS:
+        if j := p.seq(i, lead):
+            letter = _letter_at(p, j)
+            if letter and (lead not in ("letter",) or p.one(j + 1, frozenset({"shape", "formation"})) or p.words[i - 1 : i] in (["like"], ["the"])):
+                yield letter, False, p.opt(p.reach(j + 1), "shape", "formation")
+            elif not letter and lead not in ("capital", "letter"):
                 inner = p.lex(j, lexicon.STRUCTURE)
                 if inner:
-                    yield inner[0], False, {}, p.opt(j + 1, "sign", "shape")
+                    yield inner[0], False, p.opt(j + 1, "sign", "shape")
+
+
+def _letter_at(p: Parser, i: int) -> str | None:
+    token = p.token(i)
+    if token is None or token.kind not in ("word", "quote", "literal"):
+        return None
+    raw = token.raw.strip("'\"`")
+    letter = raw.upper()
+    if len(raw) != 1 or letter not in _LETTER_SHAPES | {"O"}:
+        return None
+    return "circle" if letter == "O" else letter
 
 
 def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Results[Meaning]:
-    for kind, plural, extra, k in _noun(p, j):
-        if kind == "cube" and len(before.dims) != 3:
+    for kind, plural, k in _noun(p, j):
+        if kind == "cube" and len(before.dims) != 3 and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "with", ",")):
             continue
-        if (
-            kind == "set"
-            or (plural and quantity.det in ("a", "each"))
-            or (quantity.amount and quantity.amount.low > 1 and not plural)
-        ):
-            continue
-        if kind == "grid" and not before.dims and p.words[j] in ("array",) and False:
+        if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
             continue
         base = Structure(
-            kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, size=before.size, dims=before.dims,
-            traits=Traits(**before.marks), filled=before.filled, upright=before.upright, letter=before.operator,
-            span=p.span(i, k), **extra,
+            kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
+            traits=Traits(**before.marks), filled=before.filled, upright=before.upright, letter=before.operator, details=before.details,
+            span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
         )  # fmt: skip
         yield from _tail(p, i, k, base)
-    if (e := p.token(j)) is not None and e.kind == "equation" and isinstance(e.value, str):
-        p.reach(j + 1)
-        yield Structure(kind="equation", det="the", letter=e.value, span=p.span(i, j + 1)), j + 1
+    for text, k in equation(p, j):
+        yield Structure(kind="equation", det="the", letter=text, span=p.span(j, k)), k
+
+
+_WORD_SIGNS = {"plus": "+", "minus": "-", "times": "*", "multiplied by": "*", "divided by": "/", "x": "*"}
+_WORD_EQUALS = ("is equal to", "equals", "equal", "is", "makes", "gives", "equals to")
+
+
+@rule
+def equation(p: Parser, i: int) -> Results[str]:
+    """"2+3=5", "two plus three equals five"."""
+    token = p.token(i)
+    if token is not None and token.kind == "equation" and isinstance(token.value, str):
+        yield token.value, p.reach(i + 1)
+    text, at, equals, signs = "", i, 0, 0
+    while True:
+        number = p.number(at)
+        if number is None:
+            break
+        text, at = text + str(number), at + 1
+        if equals and signs:
+            yield text, at
+        sign = next(((s, j) for w, s in _WORD_SIGNS.items() if (j := p.seq(at, w))), None)
+        token = p.token(at)
+        if sign is None and token is not None and token.kind == "sign" and token.word in "+-*/":
+            sign = (token.word, p.reach(at + 1))
+        if sign is not None:
+            text, at, signs = text + sign[0], sign[1], signs + 1
+            continue
+        j = p.one(at, "=") or p.any_of(at, _WORD_EQUALS)
+        if not j or equals:
+            break
+        text, at, equals = text + "=", j, 1
 
 
 def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     """What follows the noun: "of three green blocks", "three blocks high", "with a 3x3 base", a word in quotes."""
     if base.kind == "word":
-        text = literal(p, j)
+        text = literal(p, p.opt(p.any_of(j, (", namely", "namely", ", for example", "such as")) or j, ":"))
         if text is not None:
-            yield replace(base, letter=text, span=p.span(i, j + 1)), j + 1
+            end = p.opt(p.any_of(j, (", namely", "namely", ", for example", "such as")) or j, ":") + 1
+            yield replace(base, letter=text, span=p.span(i, end)), end
         elif base.det != "the":
             yield base, j
         return
     if base.kind == "equation":
-        token = p.token(j)
-        if token is not None and token.kind == "equation" and isinstance(token.value, str):
-            yield replace(base, letter=token.value, span=p.span(i, j + 1)), p.reach(j + 1)
+        for text, k in equation(p, p.opt(j, ":")):
+            yield replace(base, letter=text, span=p.span(i, k)), k
+    for pattern, k in per_color(p, j):
+        base = replace(base, plural=True, details=(*base.details, pattern))
+        yield from _sized_members(p, i, k, base)
+        return
+    yield from _sized_members(p, i, j, base)
+
+
+def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     for sized, k in _sized(p, i, j, base):
         yield sized, k
-        yield from _members(p, i, k, sized)
+        for whole, end in _members(p, i, k, sized):
+            yield whole, end
+            yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
+        if base.kind in ("stack", "row", "line", "column"):
+            for items, end in listed(p, p.opt(k, ":", ",")):
+                given = OrderBy(by="named", items=items, span=p.span(k, end))
+                yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
+
+
+@rule
+def per_color(p: Parser, i: int) -> Results[Pattern]:
+    """"per colour", "for each colour"."""
+    if j := p.any_of(i, ("per color", "for each color", "for every color", "of each color")):
+        yield Pattern(unit="stack", span=p.span(i, j)), j
 
 
 @rule
 def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     yield base, j
+    if len(base.sizes) > 3:
+        return
     for size, k in size_phrase(p, j):
-        if not base.size and not base.dims:
-            changed = replace(base, size=size.amount, dims=size.dims, span=p.span(i, k))
-            yield changed, k
+        changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
+        yield from _sized(p, i, k, changed)
 
 
-@rule
-def size_phrase(p: Parser, i: int) -> Results[Size]:
-    """ "three blocks high", "of height 3", "with a 3x3 base", "with four steps", "5 long"."""
-    j = p.opt(i, ",")
-    j = p.opt(j, "that", "which")
-    j = p.opt(j, "is", "are") if j > i else j
-    for found, k in amounts.amount(p, j):
-        k = p.opt(k, "block", "blocks", "cube", "cubes", "level", "levels", "layer", "layers")
-        if end := p.any_of(k, ("high", "tall", "long", "wide", "in height", "in length", "in a row", "deep")):
-            yield Size(what="size", amount=found, span=p.span(i, end)), end
-    if k := p.any_of(i, ("of height", "with height", "of length", "with a height of", "with a length of", "of size")):
-        for found, end in amounts.amount(p, k):
-            yield Size(what="size", amount=found, span=p.span(i, end)), p.opt(end, "blocks", "cubes")
-        for dims, end in dimensions(p, k):
-            yield Size(what="dims", dims=dims, span=p.span(i, end)), end
-    if k := p.any_of(i, ("with", "of", "having", "that has", "which has", "containing")):
-        for found, e in amounts.amount(p, k):
-            if end := p.one(
-                e, frozenset({"steps", "levels", "layers", "tiers", "rows", "stairs", "stories", "step", "floors"})
-            ):
-                yield Size(what="size", amount=found, span=p.span(i, end)), end
-        k = p.opt(k, "a", "an")
-        for dims, e in dimensions(p, k):
-            if end := p.one(p.opt(e, "block", "blocks"), frozenset({"base", "foundation", "bottom", "footprint"})):
-                yield Size(what="base", dims=dims, span=p.span(i, end)), end
-        for found, e in amounts.amount(p, k):
-            if end := p.any_of(
-                e,
-                ("block base", "blocks base", "cube base", "wide base", "block wide base", "base", "blocks wide base"),
-            ):
-                yield Size(what="base", amount=found, span=p.span(i, end)), end
-        if e := p.any_of(
-            k, ("base of", "bottom layer of", "bottom row of", "foundation of", "side of", "sides of", "side length of")
-        ):
-            for dims, end in dimensions(p, e):
-                yield Size(what="base", dims=dims, span=p.span(i, end)), p.opt(end, "blocks", "cubes")
-            for found, end in amounts.amount(p, e):
-                yield Size(what="base", amount=found, span=p.span(i, end)), p.opt(end, "blocks", "cubes")
+_OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of", "built of", "formed by", "formed of", "comprising",
+       "containing", "using", "constructed from", "out of", "built with", "made with", "with only", "from", "built out of", "formed from", "constructed of", "for")  # fmt: skip
 
 
-def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
-    from rpg.passes.schema.grammar.nouns import noun_phrase, simple
+def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
+    from rpg.passes.schema.grammar.nouns import noun_phrase
 
-    k = p.any_of(j, ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
-                     "built of", "formed by", "formed of", "comprising", "containing", "using", "constructed from", "out of",
-                     "built with", "made with", "with only", "from"))  # fmt: skip
+    k = p.any_of(j, _OF)
     if not k:
         return
-    whole = "of" in p.words[j:k]
-    for each in (False, True):
-        start = p.one(k, "each") if each else k
+    for start in dict.fromkeys((k, p.one(k, "each"))):
         if not start:
             continue
-        for members, end in noun_phrase(p, start) if whole else simple(p, start):
-            if isinstance(members, Structure) and base.kind not in (
-                "row",
-                "grid",
-                "pile",
-                "circle",
-                "column",
-                "square",
-            ):
+        for members, end in noun_phrase(p, start):
+            if isinstance(members, Structure) or (isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)):
                 continue
-            count = members_amount(members)
-            listed = replace(base, members=members, span=p.span(i, end), each_size=count is not None and base.plural)
-            yield listed, (p.opt(end, "each") if base.plural else end)
-    if base.size is None and not base.plural:
+            counted = members_amount(members) is not None and base.plural
+            listed_ = replace(base, members=members, span=p.span(i, end), each_size=counted)
+            yield listed_, (p.opt(end, "each", "apiece") if base.plural else end)
+    if not base.sizes and not base.plural:
         for found, end in amounts.amount(p, k):
-            yield replace(base, size=found, span=p.span(i, end), cost=1), end
+            size = Size(what="size", amount=found, span=p.span(k, end))
+            yield replace(base, sizes=(size,), span=p.span(i, end), cost=base.cost + 1), end
 
 
 def members_amount(members: Meaning) -> Amount | None:

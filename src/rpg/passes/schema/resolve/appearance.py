@@ -30,11 +30,22 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
             thing.extra = True
         return
     if len(traits.colors) > 1 and len(traits.colors) != len(things):
-        raise refuse("count-mismatch", f"{len(traits.colors)} colours for {len(things)} objects", quality.span, "name one colour for each")
+        raise refuse(
+            "count-mismatch",
+            f"{len(traits.colors)} colours for {len(things)} objects",
+            quality.span,
+            "name one colour for each",
+        )
     for index, thing in enumerate(things):
         color = traits.colors[index if len(traits.colors) > 1 else 0] if traits.colors else None
         if color and thing.color not in (None, color):
-            raise refuse("contradiction", f"{said(thing)} is said to be {color} here", quality.span, "name one colour", labels=((theme.span, f"{thing.color} here"),))
+            raise refuse(
+                "contradiction",
+                f"{said(thing)} is said to be {color} here",
+                quality.span,
+                "name one colour",
+                labels=((theme.span, f"{thing.color} here"),),
+            )
         from dataclasses import replace
 
         give(thing, replace(traits, colors=(color,) if color else ()))

@@ -71,7 +71,9 @@ def _each_need(spec: Spec) -> int:
 
 
 def _is_shape(theme: Meaning | None) -> bool:
-    return isinstance(theme, Structure) or (isinstance(theme, Coord) and any(isinstance(i, Structure) for i in theme.items))
+    return isinstance(theme, Structure) or (
+        isinstance(theme, Coord) and any(isinstance(i, Structure) for i in theme.items)
+    )
 
 
 def _counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
@@ -79,7 +81,13 @@ def _counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
     from rpg.passes.schema.resolve.orders import implied_kind
 
     kind = implied_kind(spec)
-    if isinstance(theme, Noun) and kind and not theme.traits.kind and not theme.traits.labels and not theme.traits.colors:
+    if (
+        isinstance(theme, Noun)
+        and kind
+        and not theme.traits.kind
+        and not theme.traits.labels
+        and not theme.traits.colors
+    ):
         return replace(theme, traits=replace(theme.traits, kind=kind))
     return theme
 
@@ -111,8 +119,10 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         raise refuse("misplaced", "towers are spoken of, but nothing is stacked", spec.patterns[0].span, "say 'stack'")
     goals += _places(ref, spec, scene, scope, span)
     goals += loose_ats(ref, spec, scene, span) if spec.ats else []
-    if not goals and not structured and not spec.thats and not spec.absolutes:
-        raise refuse("no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'")
+    if not goals and not structured and not spec.thats:
+        raise refuse(
+            "no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'"
+        )
     if spec.absolutes:
         goals += absolutes(spec, scene, scope)
     return goals
@@ -128,9 +138,13 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
     into = spec.intos.pop(0)
     target = into.structure
     if spec.intos:
-        raise refuse("order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them")
+        raise refuse(
+            "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
+        )
     if isinstance(target, Coord):
-        raise refuse("ambiguous", "it is not said which blocks go into which structure", target.span, "use a clause for each")
+        raise refuse(
+            "ambiguous", "it is not said which blocks go into which structure", target.span, "use a clause for each"
+        )
     if not isinstance(target, Structure):
         raise refuse("misplaced", "this is nothing that blocks can form", target.span)
     if theme.quant is not None:
@@ -160,7 +174,12 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         names = (*base, *names)
         ranks = order.ranks if order.by == "given" else ((theme.names),)
         if order.by not in ("any", "given") or order.first == "top":
-            raise refuse("ambiguous", "an order of part of a tower is not understood here", span, "name every block from the bottom up")
+            raise refuse(
+                "ambiguous",
+                "an order of part of a tower is not understood here",
+                span,
+                "name every block from the bottom up",
+            )
         order = Order(by="given", ranks=tuple((*((b,) for b in base), *ranks)), first="bottom")
     node = s.Stack(blocks=names, order=order, readable=order.by in ("label", "number"), span=span)
     built = stack_built(node, scene)
@@ -170,9 +189,15 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
 
 
 def _base(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[str, ...]:
-    """"stack the green and the red block on the blue one": the blue block is the bottom of the tower."""
+    """ "stack the green and the red block on the blue one": the blue block is the bottom of the tower."""
     for item in list(spec.places):
-        if isinstance(item, Loc) and item.rel == "on" and isinstance(item.landmark, Noun) and not item.negated and item.landmark.head != "patch":
+        if (
+            isinstance(item, Loc)
+            and item.rel == "on"
+            and isinstance(item.landmark, Noun)
+            and not item.negated
+            and item.landmark.head != "patch"
+        ):
             if item.landmark.traits.matching:
                 continue
             mark = refer(item.landmark, scene, replace(scope, role="landmark"))
@@ -187,7 +212,7 @@ def _base(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[str, ...]
 
 
 def _towers_by(theme: Ref, spec: Spec, scene: Scene, span: Span) -> tuple[Ref, Goals]:
-    """"stack the blocks by colour", "where each stack is one colour"."""
+    """ "stack the blocks by colour", "where each stack is one colour"."""
     from rpg.passes.schema.resolve.groups import fill, value_of
 
     attribute = attribute_of(spec) or "color"
@@ -227,11 +252,20 @@ def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, 
     if respectively and isinstance(item, Loc) and item.landmark is not None:
         mark = refer(item.landmark, scene, replace(scope, role="landmark"))
         if len(mark.names) != len(ref.names):
-            raise refuse("count-mismatch", f"'respectively' pairs {len(ref.names)} with {len(mark.names)}", item.span, "list as many of both", left=len(ref.names), right=len(mark.names))
+            raise refuse(
+                "count-mismatch",
+                f"'respectively' pairs {len(ref.names)} with {len(mark.names)}",
+                item.span,
+                "list as many of both",
+                left=len(ref.names),
+                right=len(mark.names),
+            )
         goals: Goals = []
         for a, b in zip(ref.names, mark.names, strict=True):
             single = replace(item, landmark=Pronoun(word="@" + b, span=item.span))
-            goals += _direct(Ref(names=(a,), span=ref.span), Ref(names=(b,), patch=mark.patch, span=mark.span), single, scene, where)
+            goals += _direct(
+                Ref(names=(a,), span=ref.span), Ref(names=(b,), patch=mark.patch, span=mark.span), single, scene, where
+            )
         return goals
     return place(ref, item, scene, scope, where)
 
@@ -245,13 +279,16 @@ def _direct(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Goals:
 def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) -> Goals | None:
     """A structure on patches: one patch for all, or a matching one for each tower."""
     landmark = item.landmark
-    if isinstance(landmark, Noun) and (landmark.traits.matching or (landmark.head == "patch" and landmark.traits.scheme in ("some", "different") and not landmark.traits.colors)):
+    if isinstance(landmark, Noun) and (
+        landmark.traits.matching
+        or (landmark.head == "patch" and landmark.traits.scheme in ("some", "different") and not landmark.traits.colors)
+    ):
         return matching_patches(ref, Ref(patch=True, matching=True), scene, span)
     return None
 
 
 def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
-    """"on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
+    """ "on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
     goals: Goals = []
     for at_ in spec.ats:
         scene.loose.append((ref, at_, span))
@@ -260,7 +297,7 @@ def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
 
 
 def absolutes(spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"with a red block next to it": further conditions."""
+    """ "with a red block next to it": further conditions."""
     goals: Goals = []
     for item in spec.absolutes:
         theme = refer(item.theme, scene, replace(scope, role="theme"))
@@ -299,10 +336,18 @@ def _shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             built += ref.built
             parts.append(ref)
     names = tuple(dict.fromkeys(n for p in parts for n in p.names))
-    ref = Ref(names=names, built=tuple(built), plural=len(built) > 1, parts=tuple(parts) if len(parts) > 1 else (), span=clause.span)
+    ref = Ref(
+        names=names,
+        built=tuple(built),
+        plural=len(built) > 1,
+        parts=tuple(parts) if len(parts) > 1 else (),
+        span=clause.span,
+    )
     scene.mention(ref, "theme")
     if spec.intos:
-        raise refuse("order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them")
+        raise refuse(
+            "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
+        )
     used = list(goals)
     spec.orders = []
     goals += _places(ref, spec, scene, scope, clause.span)
@@ -322,7 +367,7 @@ def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:
 
 
 def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"align in a row", "sort by colour": the blocks spoken of before."""
+    """ "align in a row", "sort by colour": the blocks spoken of before."""
     if not any(True for _ in scene.blocks()) and not spec.usings:
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
     source = spec.usings.pop(0).members if spec.usings else Pronoun(word="everything", span=clause.span)
@@ -331,13 +376,15 @@ def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
 
 def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"there are three red blocks": objects; with a place in a goal: a condition."""
+    """ "there are three red blocks": objects; with a place in a goal: a condition."""
     if clause.mode == "given":
         theme = refer(clause.theme, scene, replace(scope, given=True, start=True)) if clause.theme else Ref()
         scene.mentions[-1].role = "given"
         for name in theme.names:
             scene.things[name].declared = True
-        goals = [goal for item in spec.places for goal in place(theme, item, scene, replace(scope, start=True), clause.span)]
+        goals = [
+            goal for item in spec.places for goal in place(theme, item, scene, replace(scope, start=True), clause.span)
+        ]
         spec.places = []
         scene.start_goals += [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
         return []
@@ -376,7 +423,7 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
 
 def _sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
+    """ "sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
     line = any(getattr(i.structure, "kind", "") in ("row", "line", "column", "stack", "grid") for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
@@ -385,7 +432,11 @@ def _sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.theme is None and not any(True for _ in scene.blocks()):
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
     apart = next((p for p in spec.places if isinstance(p, Loc) and p.rel in ("apart", "off") and not p.negated), None)
-    theme_meaning = _counted(clause.theme, spec, clause) if clause.theme is not None else Pronoun(word="everything", span=clause.span)
+    theme_meaning = (
+        _counted(clause.theme, spec, clause)
+        if clause.theme is not None
+        else Pronoun(word="everything", span=clause.span)
+    )
     if isinstance(theme_meaning, Structure):
         return _shaped(clause, spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
@@ -421,7 +472,7 @@ def _sort_piles(shape: Structure, spec: Spec, scene: Scene, scope: Scope) -> tup
 
 
 def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Scope, clause: Clause) -> Goals:
-    """"separate the red blocks from the blue ones"."""
+    """ "separate the red blocks from the blue ones"."""
     target = _pile_target(spec)
     if apart is None and len(theme.parts) == 2:
         groups: tuple[tuple[str, ...], ...] = tuple(p.names for p in theme.parts)
@@ -452,7 +503,7 @@ def _spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
 
 def _thats(spec: Spec, scene: Scene, start: bool) -> Goals:
-    """"so that ...", "without ...": the clauses inside."""
+    """ "so that ...", "without ...": the clauses inside."""
     from rpg.passes.schema.resolve.chains import chain_goals
 
     goals: Goals = []
@@ -467,12 +518,34 @@ def _thats(spec: Spec, scene: Scene, start: bool) -> Goals:
 
 def _leftovers(spec: Spec, clause: Clause) -> None:
     """Refuse what no reading of the verb has used: a word must never be dropped in silence."""
-    for name in ("orders", "toward", "ats", "absolutes", "usings", "patterns", "spacings", "sizes", "places", "intos", "qualities"):
+    for name in (
+        "orders",
+        "toward",
+        "ats",
+        "absolutes",
+        "usings",
+        "patterns",
+        "spacings",
+        "sizes",
+        "places",
+        "intos",
+        "qualities",
+    ):
         for item in getattr(spec, name):
-            raise refuse("misplaced", "this is understood, but does not fit what is said here", item.span, "say it in a sentence of its own")
+            raise refuse(
+                "misplaced",
+                "this is understood, but does not fit what is said here",
+                item.span,
+                "say it in a sentence of its own",
+            )
     for manner in spec.manners:
         if manner.kind not in ("idle", "finally", "always"):
-            raise refuse("misplaced", "this is understood, but does not fit what is said here", manner.span, "say it in a sentence of its own")
+            raise refuse(
+                "misplaced",
+                "this is understood, but does not fit what is said here",
+                manner.span,
+                "say it in a sentence of its own",
+            )
 
 
 __all__ = ["In", "Into", "Manner", "Pronoun", "clause_goals", "conj", "foot", "r"]

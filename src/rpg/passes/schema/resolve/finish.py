@@ -33,7 +33,13 @@ def label_of(thing: Thing, scene: Scene) -> str:
         if thing.kind == "digit" and not free and "0" not in taken:
             free = ["0"]
         if not free:
-            raise refuse("too-many-labels", "there are not enough different symbols for so many blocks", None, "use fewer blocks", labels=len(row))
+            raise refuse(
+                "too-many-labels",
+                "there are not enough different symbols for so many blocks",
+                None,
+                "use fewer blocks",
+                symbols=len(row),
+            )
         thing.label = free[0]
         scene.assume("the symbols are not said: chosen in order")
     return thing.label
@@ -72,7 +78,14 @@ def _paint_blocks(open_: list[Thing], scene: Scene) -> None:
             chosen.append(color)
             continue
         if batch[0].scheme == "different" and len(batch) > len(palette):
-            raise refuse("too-many-colors", f"there are {len(BLOCK_COLORS)} colours, not {len(batch)}", None, f"use at most {len(palette)} blocks of different colours", asked=len(batch), there=len(BLOCK_COLORS))
+            raise refuse(
+                "too-many-colors",
+                f"there are {len(BLOCK_COLORS)} colours, not {len(batch)}",
+                None,
+                f"use at most {len(palette)} blocks of different colours",
+                asked=len(batch),
+                there=len(BLOCK_COLORS),
+            )
         palette = palette or list(BLOCK_COLORS)
         for index, thing in enumerate(batch):
             thing.color = palette[index % len(palette)]
@@ -109,12 +122,26 @@ def assets(scene: Scene, names: dict[str, str]) -> tuple[Asset, ...]:
         made.append(_asset(thing, names[thing.name]))
     blocks = [a for a in made if not isinstance(a, GoalPatch)]
     if len(blocks) > MAX_BLOCKS:
-        raise refuse("too-many-blocks", f"this takes {len(blocks)} blocks; a task has at most {MAX_BLOCKS}", None, f"use at most {MAX_BLOCKS} blocks", blocks=len(blocks), limit=MAX_BLOCKS)
+        raise refuse(
+            "too-many-blocks",
+            f"this takes {len(blocks)} blocks; a task has at most {MAX_BLOCKS}",
+            None,
+            f"use at most {MAX_BLOCKS} blocks",
+            blocks=len(blocks),
+            limit=MAX_BLOCKS,
+        )
     labels = [t.label or "" for t in scene.blocks()]
     for row, limit, what in ((string.ascii_uppercase, MAX_LETTERS, "letter"), (string.digits, MAX_DIGITS, "digit")):
         count = sum(1 for label in labels if label and label in row)
         if count > limit:
-            raise refuse("too-many-labels", f"this takes {count} {what} cubes; a task has at most {limit}", None, f"use at most {limit}", labels=count, limit=limit)
+            raise refuse(
+                "too-many-labels",
+                f"this takes {count} {what} cubes; a task has at most {limit}",
+                None,
+                f"use at most {limit}",
+                cubes=count,
+                limit=limit,
+            )
     if not blocks:
         raise refuse("no-goal", "there is no block in this task", None, "name a block and say where it should be")
     return tuple(made)
@@ -133,7 +160,13 @@ def _asset(thing: Thing, name: str) -> Asset:
         return GoalPatch(name=name, color=thing.color or "green", shape=shape, size=size)  # type: ignore[arg-type]
     edge = thing.edge or EDGES.get(thing.size or "", 0.04)
     if not 0.01 <= edge <= 0.12:
-        raise refuse("size-out-of-range", f"a block of {edge * 100:g} cm cannot be made", None, "blocks have edges from 1 to 12 cm", edge_m=edge)
+        raise refuse(
+            "size-out-of-range",
+            f"a block of {edge * 100:g} cm cannot be made",
+            None,
+            "blocks have edges from 1 to 12 cm",
+            edge_m=edge,
+        )
     if thing.kind:
         faces = Faces(**thing.faces) if thing.faces else None
         body = thing.color or "ivory"

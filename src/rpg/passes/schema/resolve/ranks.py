@@ -17,7 +17,10 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     rank = noun.traits.rank or ""
     plain = replace(noun, traits=replace(noun.traits, rank=None))
     if rank in ("largest", "smallest"):
-        sized = sorted(((t.edge or {"small": 0.03, "big": 0.05}.get(t.size or "", 0.04), t.name) for t in scene.blocks()), reverse=rank == "largest")
+        sized = sorted(
+            ((t.edge or {"small": 0.03, "big": 0.05}.get(t.size or "", 0.04), t.name) for t in scene.blocks()),
+            reverse=rank == "largest",
+        )
         if len(sized) > 1 and sized[0][0] != sized[1][0]:
             return Ref(names=(sized[0][1],))
         raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
@@ -28,15 +31,29 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if found is not None and (noun.head != "patch"):
             return Ref(names=(found,))
     if rank.isdigit() or rank == "last":
-        raise refuse("no-referent", "it is not clear in which order the blocks are counted", noun.span, "name its colour or its label")
+        raise refuse(
+            "no-referent",
+            "it is not clear in which order the blocks are counted",
+            noun.span,
+            "name its colour or its label",
+        )
     if rank in ("bottom", "top") and noun.traits.colors:
         return Ref(names=select(plain, scene, scope, False))
-    raise refuse("no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label")
+    raise refuse(
+        "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
+    )
 
 
 def _in(built: Built, rank: str) -> str | None:
     first = built.side or _FIRST.get(built.kind, "")
-    opposite = {"bottom": "top", "top": "bottom", "left": "right", "right": "left", "front": "back", "back": "front"}.get(first)
+    opposite = {
+        "bottom": "top",
+        "top": "bottom",
+        "left": "right",
+        "right": "left",
+        "front": "back",
+        "back": "front",
+    }.get(first)
     members = built.members
     if rank == first:
         return members[0]

@@ -319,7 +319,7 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
         chosen = claimed
     else:
         scene.new_batch()
-        chosen = [create(noun.traits, scene, patch) for _ in range(count)]
+        chosen = elastic([create(noun.traits, scene, patch) for _ in range(count)], noun, patch)
         for thing in chosen:
             thing.declared = scope.given
     if not scope.given:
@@ -407,7 +407,7 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
         return tuple(t.name for t in found)
     count = wanted(noun, scene, scope, patch)
     scene.new_batch()
-    found = found + [create(noun.traits, scene, patch) for _ in range(max(0, count - len(found)))]
+    found = found + elastic([create(noun.traits, scene, patch) for _ in range(max(0, count - len(found)))], noun, patch)
     return tuple(t.name for t in found)
 
 
@@ -417,10 +417,20 @@ def wanted(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> int:
         return noun.amount.low if noun.amount.low else noun.amount.high or 1
     if not noun.plural and noun.det in ("a", "the", "bare", "another", "its"):
         return 1
-    count = scope.need or (3 if noun.det in ("all", "each", "any", "no", "some") else 2)
-    kind = "patches" if patch else "blocks"
-    scene.assume(f"the number of {_words(noun.traits)}{kind} is not said: {count}")
-    return count
+    return scope.need or (3 if noun.det in ("all", "each", "any", "no", "some") else 2)
+
+
+def is_open(noun: Noun) -> bool:
+    """Whether a phrase leaves the number of its objects open."""
+    return noun.amount is None and not (not noun.plural and noun.det in ("a", "the", "bare", "another", "its")) and noun.det != "both"
+
+
+def elastic(things: list[Thing], noun: Noun, patch: bool) -> list[Thing]:
+    """Mark new objects whose number is open."""
+    if is_open(noun):
+        for thing in things:
+            thing.elastic = _words(noun.traits) + ("patches" if patch else "blocks")
+    return things
 
 
 def _words(traits: Traits) -> str:

@@ -12,7 +12,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import Amount, In, Loc, Meaning
+from rpg.passes.schema.meaning import Amount, Coord, In, Loc, Meaning
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
@@ -44,6 +44,9 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
     match meaning:
         case In():
             return [_negate(_region(theme, meaning.region, span), meaning.negated, span)]
+        case Coord():
+            parts = [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
+            return [disj(parts, span)] if meaning.op == "or" else parts
         case Loc():
             goals = _loc(theme, meaning, scene, scope, span)
             return [_negate(conj(goals, span), True, span)] if meaning.negated else goals
@@ -109,7 +112,9 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         raise refuse("misplaced", "it is not said of what", loc.span)
     like = scope.like_patch or (scene.last_landmark_patch and loc.rel in ("on", "in"))
     mark = refer(
-        loc.landmark, scene, replace(scope, role="landmark", like_patch=like and loc.rel in ("on", "in"), pool=(), need=None)
+        loc.landmark,
+        scene,
+        replace(scope, role="landmark", like_patch=like and loc.rel in ("on", "in"), pool=(), need=None),
     )
     return related(theme, mark, loc, scene, span)
 

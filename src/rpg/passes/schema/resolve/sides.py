@@ -56,7 +56,9 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose]) -> g.Goal:
             continue
         for index, name in zip(_indices(at_, total, len(ref.names), sides, kind), ref.names, strict=False):
             if index in places or index >= total:
-                raise refuse("contradiction", "two blocks are given the same place", span, "give each a place of its own")
+                raise refuse(
+                    "contradiction", "two blocks are given the same place", span, "give each a place of its own"
+                )
             places[index] = name
     rest = iter([n for n in node.blocks if n not in places.values()])
     ranks: list[tuple[str, ...]] = []
@@ -90,7 +92,7 @@ def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
 
 
 def _across(loose: list[Loose]) -> g.Goal:
-    """"A on the left and B on the right": each left of the next."""
+    """ "A on the left and B on the right": each left of the next."""
     rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
     ranked = sorted(loose, key=lambda item: rank[item[1].side if isinstance(item[1], At) else "middle"])
     sides = {item[1].side for item in loose if isinstance(item[1], At)}
@@ -105,5 +107,7 @@ def _region(item: Loose) -> g.Goal:
     ref, at_, span = item
     side = at_.side if isinstance(at_, At) else ""
     if side not in _REGION or (isinstance(at_, At) and at_.index):
-        raise refuse("no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row")
+        raise refuse(
+            "no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row"
+        )
     return r.InRegion(a=ref.names, region=_REGION[side], span=span)  # type: ignore[arg-type]

@@ -66,6 +66,8 @@ def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
     for item in adjuncts:
         if isinstance(item, Coord) and item.op == "absolutes":
             spec.absolutes += [a for a in item.items if isinstance(a, Absolute)]
+        elif isinstance(item, Coord):
+            spec.places.append(item)
         elif not (isinstance(item, Manner) and item.kind == "idle"):
             getattr(spec, _KINDS[type(item)]).append(item)
     return spec

@@ -37,7 +37,9 @@ def _stack_patches(goal: g.Goal) -> g.Goal:
 def _tower_patches(goals: list[g.Goal]) -> list[g.Goal]:
     """all(towers(...), on_patch of every colour) is towers(..., matching=patches)."""
     for towers in [x for x in goals if isinstance(x, s.Towers)]:
-        patched = [x for x in goals if isinstance(x, r.OnPatch) and isinstance(x.a, tuple) and set(x.a) <= set(towers.blocks)]
+        patched = [
+            x for x in goals if isinstance(x, r.OnPatch) and isinstance(x.a, tuple) and set(x.a) <= set(towers.blocks)
+        ]
         covered = {n for x in patched for n in members(x.a)}
         if towers.each == "color" and len(patched) > 1 and covered == set(towers.blocks) and towers.matching is None:
             new = towers.model_copy(update={"matching": tuple(x.patch for x in patched)})
@@ -54,6 +56,7 @@ def _open_tops(goal: g.Goal) -> g.Goal:
             topped.update(members(atom.a))
         elif isinstance(atom, s.Stack) and atom.order.by == "given":
             topped.update(())
+
     def change(node: g.Goal) -> g.Goal:
         if isinstance(node, s.Stack) and node.exact and topped & set(node.blocks):
             return node.model_copy(update={"exact": False})

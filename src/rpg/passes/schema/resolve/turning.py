@@ -17,7 +17,7 @@ Goals = list[g.Goal]
 
 
 def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"leave the red block where it is", "keep the blue block on the table"."""
+    """ "leave the red block where it is", "keep the blue block on the table"."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     stays = [m for m in spec.manners if m.kind == "stay"]
     spec.manners = [m for m in spec.manners if m.kind not in ("stay", "always")]
@@ -46,15 +46,17 @@ def _stayed(theme: Ref, span: Span) -> g.Goal:
 
 
 def stay(clause: Clause, spec: Spec, scene: Scene, scope: Scope, stays: bool) -> Goals:
-    """"do not move the red block" (the negation is in the verb's meaning), "move ..." alone: moved."""
+    """ "do not move the red block" (the negation is in the verb's meaning), "move ..." alone: moved."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     if not stays:
-        raise refuse("no-goal", "touching a block leaves nothing to check", clause.span, "say where the block should be")
+        raise refuse(
+            "no-goal", "touching a block leaves nothing to check", clause.span, "say where the block should be"
+        )
     return [g.Not(goal=_stayed(theme, clause.span), span=clause.span)]
 
 
 def without(that: That, scene: Scene) -> Goals:
-    """"without moving the red block", "without touching it"."""
+    """ "without moving the red block", "without touching it"."""
     goals: Goals = []
     chain = that.clauses
     for clause in chain.clauses if isinstance(chain, Chain) else ():
@@ -81,7 +83,7 @@ def _moved_theme(clause: Clause) -> Meaning:
 
 
 def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"pick up the red block" (and put it ...): on its own it is no goal that can be checked at rest."""
+    """ "pick up the red block" (and put it ...): on its own it is no goal that can be checked at rest."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     off = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
     if clause.lemma == "take" and off:
@@ -97,13 +99,13 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
 
 def _picked_from(theme: Ref, using: Using, scene: Scene, scope: Scope, span: Span) -> None:
-    """"pick up the red block from the blue patch": where it starts."""
+    """ "pick up the red block from the blue patch": where it starts."""
     loc = Loc(rel="on", landmark=using.members, span=using.span)
     scene.start_goals += place(theme, loc, scene, replace(scope, start=True), span)
 
 
 def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | None = None) -> Goals:
-    """"take the red block off the blue one", "unstack the blocks", "clear the patch"."""
+    """ "take the red block off the blue one", "unstack the blocks", "clear the patch"."""
     theme = theme or (refer(clause.theme, scene, scope) if clause.theme else Ref())
     if theme.patch:
         return [r.Empty(patch=p, span=clause.span) for p in theme.names]
@@ -126,7 +128,12 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         return goals
     names = theme.names
     if not landmarks and clause.lemma in ("remove", "clear"):
-        raise refuse("no-goal", "blocks cannot leave the table; it is not said where they should go", clause.span, "say 'take the red block off the blue block'")
+        raise refuse(
+            "no-goal",
+            "blocks cannot leave the table; it is not said where they should go",
+            clause.span,
+            "say 'take the red block off the blue block'",
+        )
     if len(names) > 1 and not landmarks and not _stacked_at_start(names, scene):
         from rpg.ir import structures as s
 
@@ -155,7 +162,7 @@ def _off(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Goals:
 
 
 def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"swap the red and the blue block", "swap A with B"."""
+    """ "swap the red and the blue block", "swap A with B"."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     parts: tuple[Ref, ...] = theme.parts
     if spec.usings:
@@ -165,14 +172,19 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         parts = tuple(Ref(names=(n,)) for n in theme.names)
     spec.manners = [m for m in spec.manners if m.kind != "idle"]
     if len(parts) != 2 or len(parts[0].names) != len(parts[1].names):
-        raise refuse("count-mismatch", "two blocks are swapped with each other", clause.span, "say 'swap the red block and the blue block'")
+        raise refuse(
+            "count-mismatch",
+            "two blocks are swapped with each other",
+            clause.span,
+            "say 'swap the red block and the blue block'",
+        )
     if any(p.patch for p in parts):
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
     return [r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)]
 
 
 def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"turn the A upside down", "rotate the red block by 90 degrees", "face the letter A left"."""
+    """ "turn the A upside down", "rotate the red block by 90 degrees", "face the letter A left"."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     if theme.patch or theme.table:
         raise refuse("fixed-patch", "patches and the table cannot be turned", theme.span, "name a block")
@@ -196,9 +208,17 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return _target_letter(theme, spec, scene, clause.span)
     if not goals:
         if clause.lemma == "flip" and not spec.places:
-            goals = [_facing(n, None, Manner(kind="turn", value=180.0, span=clause.span), scene, clause.span) for n in theme.names]
+            goals = [
+                _facing(n, None, Manner(kind="turn", value=180.0, span=clause.span), scene, clause.span)
+                for n in theme.names
+            ]
         elif not spec.places and not spec.thats:
-            raise refuse("no-goal", "it is not said how far or which way to turn it", clause.span, "say 'by 90 degrees' or 'upside down'")
+            raise refuse(
+                "no-goal",
+                "it is not said how far or which way to turn it",
+                clause.span,
+                "say 'by 90 degrees' or 'upside down'",
+            )
     for item in spec.places:
         goals += place(theme, item, scene, scope, clause.span)
     spec.places = []
@@ -209,7 +229,12 @@ def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene,
     thing = scene.things[name]
     if thing.kind is None and thing.label is None:
         if flat is not None or facing is not None:
-            raise refuse("order-misfit", "a plain block looks the same on every side", span, "use a letter block, or say 'by 90 degrees'")
+            raise refuse(
+                "order-misfit",
+                "a plain block looks the same on every side",
+                span,
+                "use a letter block, or say 'by 90 degrees'",
+            )
     toward = str(facing.value) if facing is not None else "viewer"
     turned = float(flat.value or 0.0) if flat is not None else None
     if facing is not None and flat is None and toward in ("up", "viewer"):
@@ -236,7 +261,7 @@ def _target(clause: Clause, spec: Spec) -> bool:
 
 
 def _target_letter(theme: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
-    """"so that the target letter is in the target orientation": the letter is chosen."""
+    """ "so that the target letter is in the target orientation": the letter is chosen."""
     return []
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from rpg.core.diagnostics import Diagnostic, Label, Refusal, Span
@@ -33,6 +33,7 @@ class Thing:
     hidden_label: bool = False
     faces: dict[str, str] | None = None
     claims: int = 0
+    elastic: str | None = None
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,7 @@ class Ref:
     parts: tuple[Ref, ...] = ()
     plural: bool = False
     each: bool = False
+    listed: bool = False
     matching: bool = False
     reciprocal: bool = False
     part: str | None = None
@@ -90,6 +92,7 @@ class Scope:
     like_patch: bool = False
     given: bool = False
     need_each: int = 1
+    share: bool = False
 
 
 @dataclass
@@ -133,6 +136,24 @@ class Scene:
 
     def blocks(self) -> Iterator[Thing]:
         yield from (t for t in self.things.values() if not t.patch)
+
+    def fit(self, names: tuple[str, ...], need: int | None) -> tuple[str, ...]:
+        """`names`, with as many blocks as are needed where their number was left open."""
+        things = [self.things[n] for n in names]
+        if need is None or len(names) == need or not names or any(t.elastic is None for t in things) or need < 1:
+            return names
+        for name in names[need:]:
+            del self.things[name]
+        kept = list(names[:need])
+        while len(kept) < need:
+            like = things[0]
+            more = self.fresh(kind=like.kind, color=like.color, scheme=like.scheme, elastic=like.elastic, size=like.size, edge=like.edge, quality=like.quality)
+            more.batch = like.batch
+            kept.append(more.name)
+        for mention in self.mentions:
+            if set(mention.ref.names) == set(names):
+                mention.ref = replace(mention.ref, names=tuple(kept))
+        return tuple(kept)
 
     def mention(self, ref: Ref, role: str) -> None:
         """Remember what was spoken of, for pronouns."""

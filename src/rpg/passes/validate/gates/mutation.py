@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from random import Random
 from typing import Any
 
+from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.evaluate import evaluate, settled
 from rpg.blocks.near_miss import near_misses
 from rpg.blocks.predicate import NearMiss
 from rpg.blocks.state import BlockState, Quat
-from rpg.blocks.waypoints import waypoints
-from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.core.diagnostics import Diagnostic
 from rpg.env import BlockTask
 from rpg.ir.artifact import GateReport, Program
 from rpg.passes.validate.bench import Bench
@@ -22,6 +22,8 @@ from rpg.passes.validate.subgoals import subgoals
 SHAKES = (0.008, 0.004, 0.002)
 """How far (m) the blocks of a goal state are moved when it is shaken; they turn by ten times that in radians."""
 SLACK = 0.05
+TRIES = 4000
+"""Candidate places judged for another goal state before it is left out."""
 MOST_NAMED = 5
 """Survivors listed in a failure."""
 
@@ -101,21 +103,14 @@ def unsettled(goal: BlockState) -> list[NearMiss]:
 
 
 def other_goals(program: Program, bench: Bench) -> list[tuple[BlockState, ...]]:
-    """Paths to further goal states: arranged apart from the one that the program has, and each a little shaken."""
+    """Paths to further goal states: the program's own a little shaken, and others, as they are and shaken."""
     assert bench.trace is not None
-    found = []
-    start = bench.trace.history[0] if bench.trace.history else None
-    for number in range(bench.measures.other_goals):
-        rng = Random(f"other goal {number} of {program.task.name}")
-        try:
-            path = waypoints(program.task.goal, program.task.init, bench.world, rng, start)
-        except Refusal:
-            continue
-        found.append(tuple(path))
-        shaken = shake(program, path[-1], rng)
-        if shaken is not None:
-            found.append((*path[:-1], shaken))
-    return found
+    history, rng = bench.trace.history, Random(f"other goals of {program.task.name}")
+    solver = Solver(program.task.goal, bench.world, history[0] if history else None, TRIES)
+    drawn = [solver.solve(rng, vary=True) for _ in range(bench.measures.other_goals)]
+    others = [state for state in drawn if state is not None]
+    shaken = [shake(program, state, rng) for state in (bench.trace.authored, *others)]
+    return [(*history, state) for state in (*others, *shaken) if state is not None]
 
 
 def shake(program: Program, state: BlockState, rng: Random) -> BlockState | None:

@@ -78,7 +78,7 @@ def test_what_is_wrong_is_said_with_its_line(tmp_path: Path, name: str, text: st
 
 
 def test_missing_files_are_named(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match="cannot read .*none.txt"):
+    with pytest.raises(UsageError, match=r"cannot read .*none\.txt"):
         read_entries([str(tmp_path / "none.txt")])
     with pytest.raises(UsageError, match="no file matches"):
         read_entries([str(tmp_path / "*.none")])

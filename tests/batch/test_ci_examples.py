@@ -1,0 +1,64 @@
+"""The workflow and the hook of examples/ci do what they say, with the commands that stand in them."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+CI = Path(__file__).parents[2] / "examples" / "ci"
+
+
+@pytest.fixture
+def repository(tmp_path: Path) -> Path:
+    (tmp_path / "lists").mkdir()
+    (tmp_path / "lists" / "ours.txt").write_text("Stack the red block on the blue block\n")
+    subprocess.run(["git", "init", "-q", str(tmp_path)], check=True)
+    return tmp_path
+
+
+def shell(repository: Path, command: str) -> subprocess.CompletedProcess[str]:
+    binaries = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    environment = {**os.environ, "PATH": binaries, "GITHUB_STEP_SUMMARY": str(repository / "summary.md")}
+    return subprocess.run(["sh", "-c", command], cwd=repository, env=environment, capture_output=True, text=True)
+
+
+def steps() -> list[str]:
+    """The commands of the workflow, but for the installation, which a test cannot do over."""
+    job = yaml.safe_load((CI / "check-tasks.yml").read_text())["jobs"]["check"]
+    return [step["run"] for step in job["steps"] if "run" in step and step["name"] != "install"]
+
+
+def test_the_hook_builds_and_the_workflow_then_agrees(repository: Path) -> None:
+    hook = shell(repository, str(CI / "pre-commit"))
+    assert hook.returncode == 0, hook.stderr
+    staged = shell(repository, "git diff --cached --name-only").stdout
+    assert "tasks/red-on-blue/HEAD" in staged and "tasks/rpg.lock" in staged
+    for command in steps():
+        done = shell(repository, command)
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert "1 same" in (repository / "summary.md").read_text()
+
+
+def test_the_workflow_finds_a_changed_instruction_and_a_flipped_byte(repository: Path) -> None:
+    assert shell(repository, str(CI / "pre-commit")).returncode == 0
+    check = next(command for command in steps() if "--check" in command)
+    (repository / "lists" / "ours.txt").write_text("Stack the red block on the green block\n")
+    changed = shell(repository, check)
+    assert changed.returncode == 1 and "not in the workspace" in changed.stdout
+    (repository / "lists" / "ours.txt").write_text("Stack the red block on the blue block\n")
+    code = next((repository / "tasks").rglob("code.py"))
+    code.write_text(code.read_text().replace('"red_block"', '"blue_block"', 1))
+    flipped = shell(repository, check)
+    assert flipped.returncode == 1 and "code.py" in flipped.stdout
+
+
+def test_the_hook_stops_at_a_refusal(repository: Path) -> None:
+    (repository / "lists" / "ours.txt").write_text("Frobnicate the wug\n")
+    hook = shell(repository, str(CI / "pre-commit"))
+    assert hook.returncode == 1
+    assert "frobnicate" in hook.stdout.lower()

@@ -8,12 +8,11 @@ from typing import Any
 
 from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.env import BlockTask
-from rpg.ir.artifact import Program
 from rpg.ir.schema import TaskSchema
-from rpg.passes.codegen import lower
 from rpg.passes.validate.bench import Bench
 from rpg.passes.validate.gates.text import TextGate
 from rpg.passes.validate.load import load as load_classes
+from rpg.pipeline import is_lowered, load_program
 from rpg.store import Family, Version, Workspace, resolve, verify_family, verify_version
 
 
@@ -43,18 +42,28 @@ def load(task: str | Path, tasks: str | Path = "tasks") -> Task:
 
 
 def load_version(version: Version) -> Task:
-    """The task of a version on disk. Its hashes must be whole, and both files pass the check of the text."""
-    problems = verify_version(version, lower)
+    """The task of a version on disk. Its files must be those that were written, and its code what its task.yaml gives;
+    code that a model wrote must pass the check of the text."""
+    problems = verify_version(version, lowered)
     if problems:
-        raise UsageError(f"{version} is not run: {problems[0].message}; rpg verify {version.family} says more")
-    program = Program(task=version.schema, path=(), code=version.code, goal_code=version.goal_code)
-    report = TextGate().check(program, Bench(program))
-    if not report.passed:
-        raise UsageError(f"{version} is not run: {report.failures[0].message}")
+        hint = f"rpg verify {version.family} says more"
+        if problems[0].code == "does-not-lower":
+            hint = f"rpg compile --from {version.directory}/task.yaml builds it again"
+        raise UsageError(f"{version} is not run: {problems[0].message}; {hint}")
+    program = load_program(version.directory, version.schema)
+    if version.snapshot.backend != "lower":
+        report = TextGate().check(program, Bench(program))
+        if not report.passed:
+            raise UsageError(f"{version} is not run: {report.failures[0].message}")
     classes = load_classes(program.code, program.goal_code)
     return Task(version, program.task, *classes)
 
 
+def lowered(version: Version) -> bool:
+    """Is the code of a version, byte for byte, what its task.yaml and the goal state in it give?"""
+    return is_lowered(load_program(version.directory, version.schema))
+
+
 def verify(family: Family) -> tuple[Diagnostic, ...]:
     """Everything that is wrong with a family on disk, its code compared with what task.yaml gives."""
-    return verify_family(family, lower)
+    return verify_family(family, lowered)

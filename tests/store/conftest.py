@@ -9,7 +9,7 @@ import pytest
 from rpg.ir.assets import ColoredCube
 from rpg.ir.goal import On
 from rpg.ir.schema import TaskSchema
-from rpg.store import Content, Workspace, dump_schema
+from rpg.store import Content, Version, Workspace, dump_schema
 
 
 def make_schema(name: str = "red-on-blue", instruction: str = "Put the red block on the blue block.") -> TaskSchema:
@@ -21,6 +21,11 @@ def make_schema(name: str = "red-on-blue", instruction: str = "Put the red block
 def fake_lower(schema: TaskSchema) -> str:
     """Stands for the code generator: any function of the schema will do."""
     return f"# {schema.name}\nGOAL = {schema.goal.model_dump(mode='json')!r}\n"
+
+
+def lowered(version: Version) -> bool:
+    """Whether a version's code is what `fake_lower` gives."""
+    return version.code == fake_lower(version.schema)
 
 
 def make_content(schema: TaskSchema | None = None, **changes: object) -> Content:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rpg.store import Workspace, verify_family
 
-from .conftest import fake_lower
+from .conftest import lowered
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -33,7 +33,7 @@ def test_killed_writers_lose_nothing_that_was_finished(workspace: Workspace) -> 
         writer.wait()
         writer.stdout.close()
         family = workspace.family("shared")
-        assert not verify_family(family, fake_lower)
+        assert not verify_family(family, lowered)
         assert {name for name in finished if name} <= {version.directory.name for version in family.versions()}
     assert len(set(finished)) > 12
 
@@ -45,5 +45,5 @@ def test_many_writers_number_each_version_once(workspace: Workspace) -> None:
         assert writer.returncode == 0
     family = workspace.family("shared")
     assert [version.number for version in family.versions()] == list(range(41))
-    assert not verify_family(family, fake_lower)
+    assert not verify_family(family, lowered)
     assert not list(workspace.root.rglob(".new-*"))

@@ -11,11 +11,12 @@ if TYPE_CHECKING:
     from rpg.core.passes import Listener
 
 WORDS = {
-    ("schema", "read"): "reading the instruction",
-    ("schema", "arrange"): "looking for a goal state",
-    ("codegen", "lower"): "writing code",
-    ("pictures", "draw"): "drawing",
+    "schema": "reading the instruction",
+    "arrange": "looking for a goal state",
+    "codegen": "writing code",
+    "pictures": "drawing",
 }
+"""What each pass does, in words."""
 
 
 @contextmanager
@@ -26,4 +27,4 @@ def progress(out: Output) -> Iterator[Listener]:
         yield lambda stage, text: None
         return
     with console.status("starting") as status:
-        yield lambda stage, text: status.update(WORDS.get((stage, text), f"{stage}: {text}"))
+        yield lambda stage, text: status.update(WORDS.get(stage, f"{stage}: {text}"))

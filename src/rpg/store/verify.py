@@ -8,21 +8,20 @@ from pathlib import Path
 
 from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.core.digest import sha256
-from rpg.ir.schema import TaskSchema
 from rpg.store.layout import HEAD, VERSION_NAME, Family, Version, version_at, version_name
-from rpg.store.records import CODE, HASHED, PICTURES, SNAPSHOT, Snapshot
+from rpg.store.records import CODE, GOAL_CODE, HASHED, PICTURES, SNAPSHOT, SOURCE, Snapshot
 
-Lower = Callable[[TaskSchema], str]
-"""The code that a schema gives: the deterministic code generator."""
+Lowered = Callable[[Version], bool]
+"""Whether the code of a version is what the code generator makes of its task.yaml."""
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def verify_family(family: Family, lower: Lower | None = None) -> tuple[Diagnostic, ...]:
-    """Everything that is wrong with a family; `lower` regenerates code for comparison."""
+def verify_family(family: Family, lowered: Lowered | None = None) -> tuple[Diagnostic, ...]:
+    """Everything that is wrong with a family; `lowered` generates code again to compare it."""
     found: list[Diagnostic] = []
     sound: list[Version] = []
     for directory in family.directories():
-        problems = tuple(verify_directory(directory, lower))
+        problems = tuple(verify_directory(directory, lowered))
         found.extend(problems)
         version = version_at(directory)
         if version and not any(problem.code == "snapshot-unreadable" for problem in problems):
@@ -32,12 +31,12 @@ def verify_family(family: Family, lower: Lower | None = None) -> tuple[Diagnosti
     return tuple(found)
 
 
-def verify_version(version: Version, lower: Lower | None = None) -> tuple[Diagnostic, ...]:
+def verify_version(version: Version, lowered: Lowered | None = None) -> tuple[Diagnostic, ...]:
     """Everything that is wrong with one version, its ancestors left aside."""
-    return tuple(verify_directory(version.directory, lower))
+    return tuple(verify_directory(version.directory, lowered))
 
 
-def verify_directory(directory: Path, lower: Lower | None = None) -> Iterator[Diagnostic]:
+def verify_directory(directory: Path, lowered: Lowered | None = None) -> Iterator[Diagnostic]:
     """What is wrong with the version that `directory` should hold."""
     present = [name for name in (*HASHED, SNAPSHOT) if (directory / name).is_file()]
     for name in (*HASHED, SNAPSHOT):
@@ -58,8 +57,8 @@ def verify_directory(directory: Path, lower: Lower | None = None) -> Iterator[Di
             changed = True
             yield _problem("file-changed", directory, f"{name} differs from what was written", file=name)
     yield from _pictures(directory)
-    if lower and not changed and snapshot.backend == "lower" and not set(HASHED) - set(present):
-        yield from _lowers(version, lower)
+    if lowered and not changed and snapshot.backend == "lower" and not set(HASHED) - set(present):
+        yield from _code(version, lowered)
 
 
 def _snapshot(version: Version, snapshot: Snapshot) -> Iterator[Diagnostic]:
@@ -102,15 +101,14 @@ def _sound_png(data: bytes) -> bool:
     return False
 
 
-def _lowers(version: Version, lower: Lower) -> Iterator[Diagnostic]:
+def _code(version: Version, lowered: Lowered) -> Iterator[Diagnostic]:
     try:
-        schema = version.schema
+        same = lowered(version)
     except UsageError as error:
         yield _problem("schema-unreadable", version.directory, str(error))
         return
-    if lower(schema) != version.code:
-        message = "task.yaml gives other code than the code.py beside it"
-        yield _problem("does-not-lower", version.directory, message, file=CODE)
+    if not same:
+        yield _problem("does-not-lower", version.directory, f"{SOURCE} gives other code than {CODE} and {GOAL_CODE}")
 
 
 def _lineage(versions: list[Version]) -> Iterator[Diagnostic]:

@@ -18,6 +18,7 @@ from rpg.ir.base import Record
 from rpg.ir.schema import InitialState, TaskSchema, Vacancy
 from rpg.ir.shrink import close, without
 from rpg.ir.walk import children, rebuild, rename, transform
+from rpg.ir.walk import names as mentioned
 
 Path = tuple[int, ...]
 """A place in a goal: which child to take at each level, from the root down."""
@@ -241,19 +242,35 @@ def _start_without(schema: TaskSchema, index: int) -> InitialState:
     heaps = tuple(h for h in (tuple(n for n in heap if n != asset.name) for heap in init.heaps) if h)
     poses = tuple(start for start in init.poses if start.block != asset.name)
     following = schema.assets[index + 1].name if index + 1 < len(schema.assets) else None
-    left = [v.model_copy(update={"before": following}) for v in init.vacant if v.before == asset.name]
-    if not isinstance(asset, GoalPatch) and (arranged, heaps, poses) == (init.arranged, init.heaps, init.poses):
-        left.append(Vacancy(origin=key(asset), size=asset.size, before=following))
-    vacant = [vacancy for vacancy in init.vacant if vacancy.before != asset.name]
-    place = next((i for i, vacancy in enumerate(vacant) if vacancy.before == following), len(vacant))
-    vacant[place:place] = left
-    return InitialState(arranged=arranged, heaps=heaps, poses=poses, vacant=tuple(vacant))
+    left = None
+    if not isinstance(asset, GoalPatch) and _scattered(init, asset.name):
+        left = Vacancy(origin=key(asset), size=asset.size)
+    vacant = _vacated(init.vacant, asset.name, following, left)
+    return InitialState(arranged=arranged, heaps=heaps, poses=poses, vacant=vacant)
+
+
+def _vacated(
+    vacant: tuple[Vacancy, ...], name: str, following: str | None, left: Vacancy | None
+) -> tuple[Vacancy, ...]:
+    """The places kept free once the object `name` is not drawn any more, in the order in which they are drawn.
+
+    Places that nothing is drawn after need not be kept.
+    """
+    if following is None:
+        return tuple(vacancy for vacancy in vacant if vacancy.before != name)
+    mine = [vacancy for vacancy in vacant if vacancy.before == name] + ([left] if left else [])
+    others = [vacancy for vacancy in vacant if vacancy.before != name]
+    place = next((i for i, vacancy in enumerate(others) if vacancy.before == following), len(others))
+    others[place:place] = [vacancy.model_copy(update={"before": following}) for vacancy in mine]
+    return tuple(others)
 
 
 def _replace(schema: TaskSchema, new: Mapping[str, Asset]) -> TaskSchema:
     missing = sorted(set(new) - {asset.name for asset in schema.assets})
     if missing:
         raise EditError(f"the task has no {missing[0]!r} to change")
+    for name, asset in new.items():
+        schema = _drawn_last(schema, name, asset)
     names = {name: asset.name for name, asset in new.items()}
     assets = tuple(_heir(asset, new[asset.name]) if asset.name in new else asset for asset in schema.assets)
     init = schema.init
@@ -268,6 +285,25 @@ def _replace(schema: TaskSchema, new: Mapping[str, Asset]) -> TaskSchema:
             vacant=tuple(v.model_copy(update={"before": names.get(v.before or "", v.before)}) for v in init.vacant),
         ),
     )
+
+
+def _drawn_last(schema: TaskSchema, name: str, new: Asset) -> TaskSchema:
+    """The schema with the block `name` drawn after all others if `new` has another size, so that it moves alone."""
+    index = next(i for i, asset in enumerate(schema.assets) if asset.name == name)
+    old = schema.assets[index]
+    last = index + 1 == len(schema.assets)
+    if isinstance(old, GoalPatch) or isinstance(new, GoalPatch) or old.size == new.size or last:
+        return schema
+    left = Vacancy(origin=key(old), size=old.size) if _scattered(schema.init, name) else None
+    vacant = _vacated(schema.init.vacant, name, schema.assets[index + 1].name, left)
+    assets = (*schema.assets[:index], *schema.assets[index + 1 :], old)
+    return _copy(schema, assets=assets, init=schema.init.model_copy(update={"vacant": vacant}))
+
+
+def _scattered(init: InitialState, name: str) -> bool:
+    """Whether a block starts anywhere on the table rather than at a certain place."""
+    placed = {start.block for start in init.poses} | {other for heap in init.heaps for other in heap}
+    return name not in placed and all(name not in mentioned(goal) for goal in init.arranged)
 
 
 def _heir(old: Asset, new: Asset) -> Asset:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, bounds, count, dimensions, length, m, simple
+from rpg.steer.language import Parser, bounds, count, dimensions, length, longest, m, simple
 
 _TALL = ("blocks tall", "blocks high", "block tall", "block high", "tall", "high", "levels", "layers", "levels high", "layers high", "steps", "steps high", "levels tall",
          "cubes tall", "cubes high", "layers tall", "stories high", "stories")  # fmt: skip
@@ -30,12 +30,12 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for theme, j in _subjects(p, i):
         yield from _to(p, i, j, theme)
         yield from _by(p, i, j, theme)
-    if j := p.any_of(
-        i, ("use", "with", "have", "only use", "use only", "just use", "make it with", "build it with", "do it with")
+    if j := longest(
+        p, i, ("use", "with", "have", "only use", "use only", "just use", "make it with", "build it with", "do it with")
     ):
         j = p.opt(j, "only", "just")
         for n, k in count(p, j):
-            if end := p.any_of(k, _BLOCKS):
+            if end := longest(p, k, _BLOCKS):
                 end = _instead_of(p, end)
                 yield r.Recount(theme=None, amount=n, span=p.span(i, end)), end
     for phrase, by in (("extend", 1), ("lengthen", 1), ("shorten", -1), ("grow", 1)):
@@ -47,10 +47,10 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
     """Phrases such as "make the tower", "it should be", "change the number of blocks to"."""
-    if j := p.any_of(i, ("make", "have", "build", "let", "change", "extend", "turn")):
+    if j := longest(p, i, ("make", "have", "build", "let", "change", "extend", "turn")):
         for theme, k in simple(p, j):
             if isinstance(theme, m.Structure | m.Pronoun):
-                yield theme, p.any_of(k, ("to be", "to", "be", "into", "out of", "from", "with")) or k
+                yield theme, longest(p, k, ("to be", "to", "be", "into", "out of", "from", "with")) or k
         for phrase in (
             "the number of blocks",
             "the number of cubes",
@@ -59,11 +59,13 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
             "the count",
             "the size",
         ):
-            if (k := p.seq(j, phrase)) and (end := p.any_of(k, ("to", "be"))):
+            if (k := p.seq(j, phrase)) and (end := longest(p, k, ("to", "be"))):
                 yield None, end
+        if k := longest(p, j, ("the base", "its base", "the bottom layer", "the square", "the sides")):
+            yield None, longest(p, k, ("to be", "to", "be", "into")) or k
     for theme, k in simple(p, i):
         if isinstance(theme, m.Structure | m.Pronoun) and (
-            end := p.any_of(k, ("should be", "must be", "should have", "needs to be", "has", "must have"))
+            end := longest(p, k, ("should be", "must be", "should have", "needs to be", "has", "must have"))
         ):
             yield theme, end
 
@@ -71,13 +73,14 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
 def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
     for n, k in count(p, j):
         for phrases, what in ((_TALL, "height"), (_LONG, "length"), (_BLOCKS, "blocks")):
-            if end := p.any_of(k, phrases):
-                end = _instead_of(p, p.any_of(end, ("tall", "high", "long", "wide")) or end)
+            if end := longest(p, k, phrases):
+                end = _instead_of(p, longest(p, end, ("tall", "high", "long", "wide")) or end)
                 yield r.Recount(theme=theme, amount=n, what=what, span=p.span(i, end)), end
-    start = p.any_of(j, ("a", "an")) or j
+    start = longest(p, j, ("a", "an")) or j
     for dims, k in dimensions(p, start):
         end = (
-            p.any_of(
+            longest(
+                p,
                 k,
                 ("square", "grid", "base", "cube", "wall", "rectangle", "pyramid", "one", "at the base", "block base"),
             )
@@ -87,11 +90,11 @@ def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
 
 
 def _by(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
-    start = p.any_of(j, ("one block", "a block", "one level", "a level", "one layer", "a layer", "one step")) or j
+    start = longest(p, j, ("one block", "a block", "one level", "a level", "one layer", "a layer", "one step")) or j
     amount = 1
     if start == j:
         for n, k in count(p, j):
-            start, amount = p.any_of(k, ("blocks", "levels", "layers", "cubes", "steps", "block")) or k, n
+            start, amount = longest(p, k, ("blocks", "levels", "layers", "cubes", "steps", "block")) or k, n
     word = p.words[start] if start < p.end else ""
     if word in _MORE and (start > j or word not in ("bigger", "smaller")):
         for n, end in _by_so_many(p, start + 1):
@@ -101,16 +104,16 @@ def _by(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
 def _by_so_many(p: Parser, i: int) -> Iterator[tuple[int, int]]:
     if j := p.one(i, "by"):
         for n, k in count(p, j):
-            yield n, p.any_of(k, ("blocks", "block", "levels", "cubes", "level", "layers", "layer", "more")) or k
+            yield n, longest(p, k, ("blocks", "block", "levels", "cubes", "level", "layers", "layer", "more")) or k
         return
     yield 1, i
 
 
 def _instead_of(p: Parser, i: int) -> int:
     """Phrases such as "instead of three"."""
-    if j := p.any_of(i, ("instead of", "rather than", "not")):
+    if j := longest(p, i, ("instead of", "rather than", "not")):
         for _, k in count(p, j):
-            return p.any_of(k, _BLOCKS) or k
+            return longest(p, k, _BLOCKS) or k
     return i
 
 
@@ -155,11 +158,12 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if not j:
             continue
         for nouns, what in ((_TOLERANCE, "tolerance"), (_GAP, "gap"), (_SPACING, "spacing")):
-            k = p.any_of(j, nouns)
+            k = longest(p, j, nouns)
             if not k:
                 continue
             k = (
-                p.any_of(
+                longest(
+                    p,
                     k,
                     (
                         "between the blocks",
@@ -173,7 +177,8 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 or k
             )
             yield from _valued(p, i, k, what, factor)
-    if j := p.any_of(
+    if j := longest(
+        p,
         i,
         (
             "be more precise",
@@ -186,7 +191,8 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         ),
     ):
         yield r.Loosen(what="tolerance", factor=0.5, span=p.span(i, j)), j
-    if j := p.any_of(
+    if j := longest(
+        p,
         i,
         (
             "be less strict",
@@ -200,7 +206,8 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         ),
     ):
         yield r.Loosen(what="tolerance", factor=2.0, span=p.span(i, j)), j
-    if j := p.any_of(
+    if j := longest(
+        p,
         i,
         (
             "to within",
@@ -218,28 +225,29 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def _valued(p: Parser, i: int, k: int, what: str, factor: float) -> Iterator[tuple[r.Request, int]]:
     """A new value, or a factor where none is given."""
-    if n := p.any_of(k, ("to", "of", "be", "at", "a")):
+    if n := longest(p, k, ("to", "of", "be", "at", "a")):
         for metres, end in length(p, n):
             yield r.Loosen(what=what, value=metres, span=p.span(i, end)), end
     for phrase, change in (("smaller", 0.5), ("tighter", 0.5), ("narrower", 0.5), ("larger", 2.0), ("bigger", 2.0), ("wider", 2.0), ("looser", 2.0), ("twice as wide", 2.0),
                            ("twice as large", 2.0), ("half as wide", 0.5), ("shorter", 0.5), ("longer", 2.0), ("stricter", 0.5)):  # fmt: skip
         if end := p.seq(k, phrase):
             yield r.Loosen(what=what, factor=change, span=p.span(i, end)), end
-    if end := p.any_of(k, ("even", "equal", "the same")):
+    if end := longest(p, k, ("even", "equal", "the same")):
         yield r.Loosen(what="even", span=p.span(i, end)), end
     if factor != 1.0:
-        end = p.any_of(k, ("a bit", "a little", "slightly")) or k
+        end = longest(p, k, ("a bit", "a little", "slightly")) or k
         yield r.Loosen(what=what, factor=factor, span=p.span(i, end)), end
 
 
 def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     starts = [i]
-    if j := p.any_of(
+    if j := longest(
+        p,
         i,
         ("space", "spread", "move", "put", "place", "make", "keep", "set", "bring", "push", "leave", "have", "arrange"),
     ):
         starts += [j, *(k for _, k in simple(p, j))]
-    if j := p.any_of(i, ("they should be", "the blocks should be", "they must be", "with", "leave", "they are")):
+    if j := longest(p, i, ("they should be", "the blocks should be", "they must be", "with", "leave", "they are")):
         starts.append(j)
     for start in starts:
         start = p.opt(start, "out")
@@ -247,7 +255,8 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                                ("nearer together", 0.5), ("closer", 0.5), ("twice as far apart", 2.0)):  # fmt: skip
             if k := p.seq(start, phrase):
                 yield r.Loosen(what="spacing", factor=factor, span=p.span(i, k)), k
-        if k := p.any_of(
+        if k := longest(
+            p,
             start,
             (
                 "evenly",
@@ -261,7 +270,8 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             ),
         ):
             yield r.Loosen(what="even", span=p.span(i, k)), k
-        if k := p.any_of(
+        if k := longest(
+            p,
             start,
             (
                 "touching",
@@ -281,15 +291,16 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def _apart(p: Parser, i: int) -> Iterator[tuple[float | None, float | None, str, int]]:
     """Phrases such as "6 cm apart", "with gaps of 2 cm"."""
     for (low, high), j in bounds(p, i):
-        if k := p.any_of(
-            j, ("apart", "apart from each other", "from each other", "between centers", "between centres")
+        if k := longest(
+            p, j, ("apart", "apart from each other", "from each other", "between centers", "between centres")
         ):
             yield low, high, "spacing", k
-        if k := p.any_of(
+        if k := longest(
+            p,
             j,
             ("gaps", "gap", "between them", "between the blocks", "of space between them", "of space", "between each"),
         ):
             yield low, high, "gap", k
-    if j := p.any_of(i, ("with gaps of", "with a gap of", "gaps of", "a gap of", "leaving a gap of")):
+    if j := longest(p, i, ("with gaps of", "with a gap of", "gaps of", "a gap of", "leaving a gap of")):
         for (low, high), k in bounds(p, j):
-            yield low, high, "gap", p.any_of(k, ("between them", "between the blocks", "between each")) or k
+            yield low, high, "gap", longest(p, k, ("between them", "between the blocks", "between each")) or k

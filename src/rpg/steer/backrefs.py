@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.core.diagnostics import Span
-from rpg.steer.language import Parser, Results, adjectives, colors, count, lexicon, m, noun_phrase, rule
+from rpg.steer.language import Parser, Results, adjectives, colors, count, lexicon, longest, m, noun_phrase, rule
 
 
 @dataclass(frozen=True)
@@ -79,14 +79,14 @@ def _undo(p: Parser, i: int) -> Iterator[tuple[Reference, int]]:
 
 
 def _times(p: Parser, i: int) -> Iterator[tuple[int, int]]:
-    if j := p.any_of(i, ("twice", "two times", "both", "again and again")):
+    if j := longest(p, i, ("twice", "two times", "both", "again and again")):
         yield 2, j
-    if j := p.any_of(i, ("the last", "my last", "the previous")) or i:
+    if j := longest(p, i, ("the last", "my last", "the previous")) or i:
         for n, k in count(p, j):
-            if end := p.any_of(
-                k, ("times", "steps", "changes", "edits", "versions", "step", "change", "edit", "version", "turns")
+            if end := longest(
+                p, k, ("times", "steps", "changes", "edits", "versions", "step", "change", "edit", "version", "turns")
             ):
-                yield n, p.any_of(end, ("back", "ago")) or end
+                yield n, longest(p, end, ("back", "ago")) or end
     yield 1, i
 
 
@@ -113,7 +113,8 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
             if not (phrase == "before" and p.one(k, "i")):
                 yield Reference(span=p.span(i, end), steps=1), end
     for n, k in count(p, j):
-        if end := p.any_of(
+        if end := longest(
+            p,
             k,
             (
                 "versions ago",
@@ -133,13 +134,13 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
 
 def _before(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:
     """Phrases such as "before I added the green one", "before the letter was added"."""
-    k = p.any_of(j, ("before i added", "before we added", "before adding", "the version before i added", "before you added", "the version before adding", "the one before i added",
+    k = longest(p, j, ("before i added", "before we added", "before adding", "the version before i added", "before you added", "the version before adding", "the one before i added",
                      "the one without", "the version without", "when there was no", "before there was", "when there were no"))  # fmt: skip
     for phrase, end in noun_phrase(p, k) if k else ():
         yield Reference(span=p.span(i, end), description=(phrase,), without=True), end
     if k := p.one(j, "before"):
         for phrase, end in noun_phrase(p, k):
-            if stop := p.any_of(end, ("was added", "were added", "came in", "was there", "got added")):
+            if stop := longest(p, end, ("was added", "were added", "came in", "was there", "got added")):
                 yield Reference(span=p.span(i, stop), description=(phrase,), without=True), stop
 
 
@@ -147,16 +148,17 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
     """Phrases such as "when it was just red and blue", "the letter version", "the two-block tower", "the version with the purple block"."""
     for phrase in _WHEN:
         if k := p.seq(j, phrase):
-            n = p.any_of(k, ("just", "only", "simply", "still just", "still only")) or k
+            n = longest(p, k, ("just", "only", "simply", "still just", "still only")) or k
             for (listed, _), end in colors(p, n):
                 yield (
                     Reference(span=p.span(i, end), marks=(m.Traits(colors=listed),), only=n > k),
-                    p.any_of(end, ("blocks", "block")) or end,
+                    longest(p, end, ("blocks", "block")) or end,
                 )
             for found, end in noun_phrase(p, n):
                 yield Reference(span=p.span(i, end), description=(found,), only=n > k), end
     start = (
-        p.any_of(
+        longest(
+            p,
             j,
             (
                 "the earlier",
@@ -182,7 +184,8 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
             if end := p.one(k, _NOUN - {"one"}):
                 yield Reference(span=p.span(i, end), description=(found,)), end
         if (k := p.one(start, _NOUN)) and (
-            n := p.any_of(
+            n := longest(
+                p,
                 k,
                 (
                     "with",
@@ -197,7 +200,7 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
                 ),
             )
         ):
-            n = p.any_of(n, ("just", "only")) or n
+            n = longest(p, n, ("just", "only")) or n
             for found, end in noun_phrase(p, n):
                 yield Reference(span=p.span(i, end), description=(found,), only=p.words[n - 1] in ("just", "only")), end
     if plainly:

@@ -6,8 +6,9 @@ States are held by key (see `identity`), so that each version can see them with 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import combinations
 from random import Random
 
 from rpg.blocks.arrange import arrange
@@ -23,8 +24,12 @@ from rpg.steer.identity import Identity
 
 SIZE = 512
 """States in a bank."""
-ARRANGED, STARTS, SHUFFLES = 6, 48, 6
-"""Per version: goal states arranged, starts drawn; and per goal state, re-dealings of its places among its blocks."""
+ARRANGED, MISSED, STARTS, SHUFFLES = 5, 2, 32, 6
+"""Per version: goal states arranged, those whose near-misses are taken, starts drawn; and per goal state, re-dealings
+of its places among its blocks."""
+
+MOST_CHOICES = 64
+"""Look-alikes of the other version are tried in place of a version's own up to so many combinations."""
 
 Pose = tuple[Vec3, Quat]
 
@@ -47,18 +52,37 @@ class Side:
         self.world = World(schema.assets)
         self.keys = {asset.name: key(asset) for asset in schema.assets if not isinstance(asset, GoalPatch)}
 
-    def state(self, sample: Sample) -> BlockState:
-        """`sample` as this version has it: its own blocks, by its own names."""
-        start = self._only(sample.start, None)
-        return self._only(sample.poses, start)
+    def state(self, sample: Sample, keys: Mapping[str, str] | None = None) -> BlockState:
+        """`sample` as this version has it: its own blocks (those of `keys`), by its own names."""
+        keys = self.keys if keys is None else keys
+        return self._only(sample.poses, keys, self._only(sample.start, keys, None))
 
-    def _only(self, poses: dict[str, Pose], start: BlockState | None) -> BlockState:
+    def _only(self, poses: dict[str, Pose], keys: Mapping[str, str], start: BlockState | None) -> BlockState:
         return BlockState(
             world=self.world,
-            position={name: poses[k][0] for name, k in self.keys.items()},
-            orientation={name: poses[k][1] for name, k in self.keys.items()},
+            position={name: poses[k][0] for name, k in keys.items()},
+            orientation={name: poses[k][1] for name, k in keys.items()},
             start=start,
         )
+
+    def choices(self, other: Side) -> tuple[dict[str, str], ...]:
+        """Every set of blocks of both versions that this version can take for its own: name -> key, its own first.
+
+        They differ where the other version has more blocks of a look.
+        """
+        foreign = {k: other.world.look[name] for name, k in other.keys.items() if k not in self.keys.values()}
+        found = [dict(self.keys)]
+        for look in sorted(set(foreign.values()) & set(self.world.look.values())):
+            mine = [name for name in self.keys if self.world.look[name] == look]
+            pool = [*(self.keys[name] for name in mine), *(k for k in foreign if foreign[k] == look)]
+            found = [
+                {**before, **dict(zip(mine, chosen, strict=True))}
+                for before in found
+                for chosen in combinations(pool, len(mine))
+            ]
+            if len(found) > MOST_CHOICES:
+                return (dict(self.keys),)
+        return tuple(found)
 
     def poses(self, state: BlockState) -> dict[str, Pose]:
         """A state of this version, by key."""
@@ -85,8 +109,9 @@ class Bank:
         for side in (self.old, self.new):
             for state in goals[side.label]:
                 self._add(side, state, "goal")
-                for miss in self._misses(side, state):
-                    self._add(side, miss, "near-miss")
+            for state in goals[side.label][:MISSED]:
+                for miss in near_misses(side.schema.goal, state, self.rng):
+                    self._add(side, miss.state, "near-miss")
         for side in (self.old, self.new):
             for state in self.starts[side.label]:
                 self._add(side, state, "start")
@@ -102,10 +127,6 @@ class Bank:
             return arrange(side.schema.goal, side.world, rng=self.rng, start=start, count=ARRANGED)
         except Refusal:
             return []
-
-    def _misses(self, side: Side, state: BlockState) -> Iterator[BlockState]:
-        for miss in near_misses(side.schema.goal, state, self.rng):
-            yield miss.state
 
     def _dealt(self, state: BlockState) -> Iterator[BlockState]:
         """The same places with other blocks in them, dealt among blocks of one size."""

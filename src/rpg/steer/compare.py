@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from rpg.blocks.evaluate import evaluate, settled
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.state import BlockState
 from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.ir import goal as g
 from rpg.ir.walk import transform
@@ -39,26 +39,30 @@ class Comparison:
 
 
 class Judge:
-    """A goal with the renamings of look-alikes under which it may hold."""
+    """A version's goal, under every renaming of its look-alikes and with those of the other version in their place."""
 
-    def __init__(self, goal: g.Goal, world: World) -> None:
-        self.goal = goal
-        self.namings = namings(interchangeable(goal, world))
+    def __init__(self, side: Side, other: Side) -> None:
+        self.side = side
+        self.goal = side.schema.goal
+        self.namings = namings(interchangeable(self.goal, side.world))
+        self.choices = side.choices(other)
 
-    def __call__(self, state: BlockState) -> bool:
-        if not settled(state).value:
-            return False
-        return any(evaluate(self.goal, rename_state(state, naming)).value for naming in self.namings)
+    def __call__(self, sample: Sample) -> bool:
+        return any(self._holds(self.side.state(sample, keys)) for keys in self.choices)
+
+    def _holds(self, state: BlockState) -> bool:
+        holds = any(evaluate(self.goal, rename_state(state, naming)).value for naming in self.namings)
+        return holds and settled(state).value
 
 
 def compare(identity: Identity, bank: Bank) -> Comparison:
     """Judge every state of the bank by both goals."""
-    old, new = (Judge(side.schema.goal, side.world) for side in (bank.old, bank.new))
+    old, new = Judge(bank.old, bank.new), Judge(bank.new, bank.old)
     both: list[Sample] = []
     only_old: list[Sample] = []
     only_new: list[Sample] = []
     for sample in bank.samples:
-        before, after = old(bank.old.state(sample)), new(bank.new.state(sample))
+        before, after = old(sample), new(sample)
         if before or after:
             (both if before and after else only_old if before else only_new).append(sample)
     relation = _temporal(identity, _relation(len(both), len(only_old), len(only_new)))

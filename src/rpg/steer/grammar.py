@@ -3,12 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from rpg.steer import requests as r
 from rpg.steer.amounts import loosening, recount
 from rpg.steer.grouping import group, mixture, outliers
-from rpg.steer.language import Parser, Results, adjectives, colors, label_list, length, m, noun_phrase, rule, simple
+from rpg.steer.language import (
+    Parser,
+    Results,
+    adjectives,
+    colors,
+    label_list,
+    length,
+    literal,
+    longest,
+    m,
+    noun_phrase,
+    rule,
+    simple,
+)
 from rpg.steer.places import place, places
 from rpg.steer.sorting import reorder
 
@@ -45,7 +59,7 @@ def skip(p: Parser, i: int) -> int:
         "from there", "this time", "hmm", "no", "wait", "yes", "oh", "so", "from the current version", "in addition", "furthermore",
     )  # fmt: skip
     while True:
-        j = max((p.seq(i, phrase) for phrase in phrases), default=0) or i
+        j = longest(p, i, phrases) or i
         j = p.opt(j, ",", ":")
         if j == i:
             return i
@@ -54,8 +68,8 @@ def skip(p: Parser, i: int) -> int:
 
 def tail(p: Parser, i: int) -> int:
     while True:
-        j = p.any_of(i, ALSO) or i
-        j = p.any_of(j, ("for me", "if you can", "if possible")) or j
+        j = longest(p, i, ALSO) or i
+        j = longest(p, j, ("for me", "if you can", "if possible")) or j
         if j == i:
             return i
         i = j
@@ -78,25 +92,43 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from _change(p, i)
     yield from _paint(p, i)
     yield from _resize(p, i)
+    yield from _arrange(p, i)
 
 
 def _add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "add a green block on top of the blue one", "with another red block"."""
-    j = p.one(i, ADD) or p.any_of(
-        i, ("there should also be", "there should be", "there must be", "with", "and", "give it", "have")
-    )
-    if not j:
-        return
-    j = p.any_of(j, ("in", "back")) or j
+    leads = ("there should also be", "there should be", "there must be", "with", "give it", "have")
+    j = p.one(i, ADD) or longest(p, i, leads) or i
+    j = longest(p, j, ("in", "back")) or j
     verb = p.words[i] in ADD
-    for theme, k in noun_phrase(p, j):
+    for theme, k in things(p, j):
         if _fresh(theme) or (verb and _labelled(theme)):
             for spots, end in places(p, k):
-                yield r.Add(theme=theme, places=spots, span=p.span(i, end), cost=0 if verb else 2), end
+                if spots or j > i:
+                    yield r.Add(theme=theme, places=spots, span=p.span(i, end), cost=0 if verb else 2), end
     for spots, k in places(p, j) if verb else ():
-        for theme, end in noun_phrase(p, k) if spots else ():
+        for theme, end in things(p, k) if spots else ():
             if _fresh(theme):
                 yield r.Add(theme=theme, places=spots, span=p.span(i, end), cost=1), end
+
+
+def things(p: Parser, i: int) -> Iterator[tuple[m.Meaning, int]]:
+    """Noun phrases, and distractors by that name alone."""
+    yield from noun_phrase(p, i)
+    j = longest(p, i, ("all the", "the", "all", "any", "these", "those")) or i
+    number = 1 if p.one(i, frozenset({"a", "an"})) else p.number(i)
+    k = j if j > i else i + 1 if number is not None else i
+    k = longest(p, k, ("more", "extra", "random")) or k
+    word = p.words[k] if k < p.end else ""
+    if word in ("distractor", "distractors", "extras"):
+        amount = None if number is None else m.Amount(number, number)
+        det = "the" if j > i else "bare" if number is None else "a" if number == 1 else "bare"
+        traits = m.Traits(extra=True)
+        plural = word.endswith("s")
+        yield (
+            m.Noun(head="block", det=det, amount=amount, plural=plural, traits=traits, span=p.span(i, k + 1)),
+            p.reach(k + 1),
+        )
 
 
 def _put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -121,9 +153,9 @@ def _put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def _remove(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in (*REMOVE, "without", "no more", "no"):
         if j := p.seq(i, phrase):
-            for theme, k in noun_phrase(p, j):
-                end = p.any_of(k, ("away", "out", "off", "again")) or k
-                if from_ := p.any_of(end, ("from", "out of", "off")):
+            for theme, k in things(p, j):
+                end = longest(p, k, ("away", "out", "off", "again")) or k
+                if from_ := longest(p, end, ("from", "out of", "off")):
                     for whole, stop in simple(p, from_):
                         if isinstance(whole, m.Structure | m.Pronoun | m.TableTop):
                             yield r.Remove(theme=theme, span=p.span(i, stop)), stop
@@ -137,7 +169,7 @@ def _replace(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         j = p.seq(i, phrase)
         for old, k in noun_phrase(p, j) if j else ():
             links: tuple[str, ...] = ("with", "by") if phrase == "substitute" else ("with", "by", "for", "out for")
-            if n := p.any_of(k, links):
+            if n := longest(p, k, links):
                 for new, end in noun_phrase(p, n):
                     if _fresh(new) or _plural_kind(new):
                         yield r.Replace(old=old, new=new, span=p.span(i, end)), end
@@ -151,7 +183,8 @@ def _replace(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def _instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "use letters instead of colours", "add letter cubes instead of colored ones", "a blue block in place of the red one"."""
     j = (
-        p.any_of(
+        longest(
+            p,
             i,
             (
                 "use",
@@ -181,7 +214,7 @@ def _instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k
     if (j := p.seq(i, "instead of")) or (j := p.seq(i, "rather than")):
         for old, k in _old(p, j):
-            n = p.any_of(k, (", use", "use", ", put", ",", ", i want"))
+            n = longest(p, k, (", use", "use", ", put", ",", ", i want"))
             for new, end in noun_phrase(p, n) if n else ():
                 yield r.Replace(old=old, new=new, span=p.span(i, end)), end
 
@@ -189,7 +222,7 @@ def _instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def _old(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
     """What is given up: blocks of the task, or only their colours."""
     yield from noun_phrase(p, i)
-    if j := p.any_of(i, ("the colors", "colors", "color", "the color", "colours", "colored", "plain", "the colours")):
+    if j := longest(p, i, ("the colors", "colors", "color", "the color", "colours", "colored", "plain", "the colours")):
         yield m.Noun(head="block", det="all", plural=True, traits=m.Traits(kind="plain"), span=p.span(i, j)), j
 
 
@@ -201,13 +234,13 @@ def _trade(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             continue
         for both, k in noun_phrase(p, j):
             if isinstance(both, m.Coord) and len(both.items) == 2:
-                end = p.any_of(k, ("around", "places", "positions")) or k
+                end = longest(p, k, ("around", "places", "positions")) or k
                 yield r.Trade(a=both.items[0], b=both.items[1], span=p.span(i, end)), end
             pair = _pair(both)
             if pair:
-                end = p.any_of(k, ("around", "places", "positions")) or k
+                end = longest(p, k, ("around", "places", "positions")) or k
                 yield r.Trade(a=pair[0], b=pair[1], span=p.span(i, end)), end
-            if n := p.any_of(k, ("with", "and", "for")):
+            if n := longest(p, k, ("with", "and", "for")):
                 for other, end in simple(p, n):
                     if not _fresh(both) and not _fresh(other):
                         yield r.Trade(a=both, b=other, span=p.span(i, end)), end
@@ -230,10 +263,10 @@ def _pair(both: m.Meaning) -> tuple[m.Noun, m.Noun] | None:
 
 def _keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "keep the letter A on top", "leave the base where it is"."""
-    j = p.any_of(i, ("keep", "keeping", "leave", "leaving", "except for", "except", "apart from", "other than", "without moving", "without touching", "do not move",
+    j = longest(p, i, ("keep", "keeping", "leave", "leaving", "except for", "except", "apart from", "other than", "without moving", "without touching", "do not move",
                      "do not touch", "do not change", "without changing"))  # fmt: skip
     for theme, k in noun_phrase(p, j) if j else ():
-        end = p.any_of(k, ("where it is", "where they are", "as it is", "as they are", "as is", "in place", "the same", "unchanged", "in its place",
+        end = longest(p, k, ("where it is", "where they are", "as it is", "as they are", "as is", "in place", "the same", "unchanged", "in its place",
                            "alone", "fixed", "there", "untouched", "still", "the way it is", "the way they are"))  # fmt: skip
         if end:
             yield r.Keep(theme=theme, span=p.span(i, end)), end
@@ -251,13 +284,16 @@ def _change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if not j:
             continue
         for theme, k in _themes(p, j):
-            n = p.any_of(k, ("back to", "to be", "back into", "into", "to", "as", "in", "be", "become", "for", "with"))
+            n = longest(
+                p, k, ("back to", "to be", "back into", "into", "to", "as", "in", "be", "become", "for", "with")
+            )
             linked = bool(n)
             for found, end in _becomes(p, i, n or k, theme):
                 if linked or phrase in ("make", "turn", "have", "paint", "color", "set", "let"):
                     yield found, end
     for theme, k in noun_phrase(p, i):
-        if n := p.any_of(
+        if n := longest(
+            p,
             k,
             (
                 "should become",
@@ -277,6 +313,8 @@ def _change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def _themes(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
     """What is changed: objects, or the colour, letter or size of objects."""
     yield from noun_phrase(p, i)
+    if j := longest(p, i, ("the word", "the text", "the spelling")):
+        yield m.Structure(kind="word", det="the", span=p.span(i, j)), j
     for phrase in (
         "the color of",
         "the colour of",
@@ -293,7 +331,7 @@ def _themes(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
             yield from noun_phrase(p, j)
     for theme, j in noun_phrase(p, i):
         if (k := p.one(j, "'s")) and (
-            end := p.any_of(k, ("color", "colour", "letter", "label", "size", "number", "symbol"))
+            end := longest(p, k, ("color", "colour", "letter", "label", "size", "number", "symbol"))
         ):
             yield theme, end
 
@@ -306,9 +344,13 @@ def _becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) 
         if marks and not set(marks) & {"rank", "extra", "target", "matching", "empty", "shape", "long"}:
             yield r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost), k
     for (labels, _), k in label_list(
-        p, p.any_of(n, ("the letter", "the number", "letter", "number", "a", "an")) or n, True
+        p, longest(p, n, ("the letter", "the number", "letter", "number", "a", "an")) or n, True
     ):
         yield r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, k), cost=cost + 1), k
+    text = literal(p, n)
+    if text is not None and len(text) > 1 and isinstance(theme, m.Structure | m.Pronoun):
+        word = m.Structure(kind="word", letter=text, span=p.span(n, n + 1))
+        yield r.Reshape(structure=word, theme=theme, span=p.span(i, n + 1), cost=cost), n + 1
     for new, k in noun_phrase(p, n):
         if isinstance(new, m.Structure):
             yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
@@ -326,6 +368,65 @@ def _scale(p: Parser, i: int) -> Iterator[tuple[float, int]]:
             yield factor, j
 
 
+_FORM = (
+    "arrange",
+    "rearrange",
+    "put",
+    "place",
+    "line up",
+    "build",
+    "stack",
+    "set",
+    "lay out",
+    "organize",
+    "lay",
+    "form",
+    "make",
+)
+
+
+def _arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "arrange them in a circle instead", "make a pyramid out of the same blocks", "in a row instead"."""
+    for phrase in _FORM:
+        j = p.seq(i, phrase)
+        for theme, k in noun_phrase(p, j) if j else ():
+            n = longest(p, k, ("so that they form", "in the shape of", "in", "into", "as", "to form", "up as", "up in"))
+            for shape, end in noun_phrase(p, n) if n else ():
+                if isinstance(shape, m.Structure) and not isinstance(theme, m.Structure) and not _fresh(theme):
+                    yield r.Reshape(structure=shape, theme=theme, span=p.span(i, end)), end
+        for shape, k in noun_phrase(p, j) if j else ():
+            end = longest(p, k, _SAME_BLOCKS)
+            if isinstance(shape, m.Structure) and end:
+                yield r.Reshape(structure=shape, span=p.span(i, end)), end
+            if isinstance(shape, m.Structure) and shape.members is None and (end := p.one(k, "instead")):
+                yield r.Reshape(structure=shape, span=p.span(i, end), cost=1), end
+    if j := longest(p, i, ("in", "as", "into")):
+        for shape, k in noun_phrase(p, j):
+            if isinstance(shape, m.Structure) and (end := p.one(k, "instead")):
+                yield r.Reshape(structure=shape, span=p.span(i, end)), end
+    for shape, k in noun_phrase(p, i):
+        n = longest(p, k, ("instead of", "rather than"))
+        for old, end in noun_phrase(p, n) if n else ():
+            if isinstance(shape, m.Structure) and isinstance(old, m.Structure):
+                yield r.Reshape(structure=shape, theme=replace(old, det="the"), span=p.span(i, end)), end
+
+
+_SAME_BLOCKS = tuple(
+    f"{by} {blocks}"
+    for by in ("out of", "from", "with", "of", "using")
+    for blocks in (
+        "the same blocks",
+        "the same cubes",
+        "these blocks",
+        "them",
+        "the blocks",
+        "those blocks",
+        "all of them",
+        "these",
+    )
+)
+
+
 def _paint(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     j = p.one(i, PAINT)
     for theme, k in noun_phrase(p, j) if j else ():
@@ -334,9 +435,9 @@ def _paint(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Restyle(theme=theme, traits=m.Traits(colors=listed, either=either), span=p.span(i, end)), end
     if j := p.one(i, frozenset({"relabel", "label", "rename"})):
         for theme, k in noun_phrase(p, j):
-            k = p.any_of(k, ("as", "to", "with")) or k
+            k = longest(p, k, ("as", "to", "with")) or k
             for (labels, _), end in label_list(
-                p, p.any_of(k, ("the letter", "letter", "number", "a", "an")) or k, True
+                p, longest(p, k, ("the letter", "letter", "number", "a", "an")) or k, True
             ):
                 yield r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, end)), end
 

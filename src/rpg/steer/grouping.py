@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, count, m, noun_phrase
+from rpg.steer.language import Parser, count, longest, m, noun_phrase
 
 KINDS = {
     "letters": "letter", "letter": "letter", "numbers": "digit", "number": "digit", "digits": "digit", "digit": "digit",
@@ -37,11 +37,11 @@ def mixture(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for verb in ("change", "turn", "make", "convert", "switch", "transform"):
         if j := p.seq(i, verb):
             for theme, k in noun_phrase(p, j):
-                starts.append((theme, p.any_of(k, ("to", "into", "be", "to be")) or k))
-    if j := p.any_of(i, ("use", "take", "with", "mix in", "have")):
+                starts.append((theme, longest(p, k, ("to", "into", "be", "to be")) or k))
+    if j := longest(p, i, ("use", "take", "with", "mix in", "have")):
         starts.append((None, j))
     for about, j in starts:
-        start = p.any_of(j, ("a mix of", "a mixture of", "mixed", "a combination of", "a mixed set of", "some")) or j
+        start = longest(p, j, ("a mix of", "a mixture of", "mixed", "a combination of", "a mixed set of", "some")) or j
         kinds, k = _kinds(p, start)
         if len(kinds) > 1:
             yield r.Kinds(kinds=kinds, theme=about, span=p.span(i, k)), k
@@ -54,10 +54,10 @@ def _kinds(p: Parser, i: int) -> tuple[tuple[str, ...], int]:
     while at < p.end and p.words[at] in KINDS:
         found.append(KINDS[p.words[at]])
         end = p.reach(at + 1)
-        end = p.any_of(end, ("blocks", "cubes", "block", "cube", "ones")) or end
+        end = longest(p, end, ("blocks", "cubes", "block", "cube", "ones")) or end
         at = p.opt(end, ",")
-        at = p.any_of(at, ("and", "plus", "as well as", "&")) or at
-    end = p.any_of(end, ("mixed together", "mixed up", "mixed", "all mixed up", "all mixed", "in a mix")) or end
+        at = longest(p, at, ("and", "plus", "as well as", "&")) or at
+    end = longest(p, end, ("mixed together", "mixed up", "mixed", "all mixed up", "all mixed", "in a mix")) or end
     return tuple(dict.fromkeys(found)), end
 
 
@@ -76,15 +76,15 @@ def group(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         "organise",
         "put",
     )
-    j = p.any_of(i, verbs)
+    j = longest(p, i, verbs)
     if not j:
         return
     themes: list[tuple[m.Meaning | None, int]] = [(None, j)]
     themes += noun_phrase(p, j)
     for theme, k in themes:
         for by, end in _by(p, k):
-            into = p.any_of(end, ("into", "in"))
-            stop = p.any_of(into, _INTO) if into else 0
+            into = longest(p, end, ("into", "in"))
+            stop = longest(p, into, _INTO) if into else 0
             if stop:
                 for late, last in _by(p, stop):
                     if by is None or late is None:
@@ -94,7 +94,7 @@ def group(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 def _by(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
-    j = p.any_of(i, ("by their", "by the", "by", "according to their", "according to"))
+    j = longest(p, i, ("by their", "by the", "by", "according to their", "according to"))
     word = p.words[j] if j and j < p.end else ""
     if word in _BY:
         yield _BY[word], p.reach(j + 1)
@@ -103,16 +103,16 @@ def _by(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
 
 def outliers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap one block from each pile into another so each has one outlier"."""
-    j = p.any_of(i, ("swap", "move", "exchange", "switch", "trade", "put", "mix"))
+    j = longest(p, i, ("swap", "move", "exchange", "switch", "trade", "put", "mix"))
     if not j:
         return
     for n, k in _counts(p, j):
-        k = p.any_of(k, ("block", "blocks", "cube", "cubes", "item", "items", "member", "members", "of them")) or k
-        of = p.any_of(k, ("from each", "of each", "from every", "of every", "in each", "between the", "between"))
+        k = longest(p, k, ("block", "blocks", "cube", "cubes", "item", "items", "member", "members", "of them")) or k
+        of = longest(p, k, ("from each", "of each", "from every", "of every", "in each", "between the", "between"))
         group = p.one(of, _GROUPS) if of else 0
         if not group:
             continue
-        group = p.any_of(group, _ELSEWHERE) or group
+        group = longest(p, group, _ELSEWHERE) or group
         end = _so_each(p, group, n)
         yield r.Outliers(count=n, span=p.span(i, end)), end
 
@@ -131,9 +131,10 @@ def _counts(p: Parser, i: int) -> Iterator[tuple[int, int]]:
 
 def _so_each(p: Parser, i: int, n: int) -> int:
     """The position after "so that each has one outlier"."""
-    j = p.any_of(i, ("so that", "such that", "so", ", so that", ", so"))
+    j = longest(p, i, ("so that", "such that", "so", ", so that", ", so"))
     j = (
-        p.any_of(
+        longest(
+            p,
             j,
             (
                 "each pile",
@@ -150,12 +151,13 @@ def _so_each(p: Parser, i: int, n: int) -> int:
         if j
         else 0
     )
-    j = p.any_of(j, ("has", "have", "contains", "will have", "gets", "ends up with")) if j else 0
+    j = longest(p, j, ("has", "have", "contains", "will have", "gets", "ends up with")) if j else 0
     if not j:
         return i
     j = p.opt(j, "exactly")
     for found, k in _counts(p, j):
-        k = p.any_of(
+        k = longest(
+            p,
             k,
             (
                 "outlier",

@@ -76,10 +76,10 @@ class Interpretation:
 
 def interpret(request: str, history: History, read: Reader) -> Interpretation:
     """Understand `request` in the light of a family; raises Refusal with the reasons where that fails."""
-    fresh = fresh_start(request)
-    if fresh is not None:
-        return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
     readings = parse(request)
+    fresh = fresh_start(request)
+    if fresh is not None and not any(reading.whole for reading in readings):
+        return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
     refusals: list[Refusal] = []
     for parsed in [reading for reading in readings if reading.whole][:TRIES]:
         try:

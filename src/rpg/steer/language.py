@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from rpg.passes.schema import lexicon
 from rpg.passes.schema import meaning as m
 from rpg.passes.schema.grammar.adjectives import adjectives, colors
@@ -11,8 +13,14 @@ from rpg.passes.schema.grammar.labels import label_list, literal
 from rpg.passes.schema.grammar.nouns import noun_phrase, simple
 from rpg.passes.schema.grammar.orders import order
 from rpg.passes.schema.grammar.relations import bounds, loc
-from rpg.passes.schema.grammar.structures import dimensions
+from rpg.passes.schema.grammar.sizes import dimensions
 from rpg.passes.schema.tokens import Token, tokenize
+
+
+def longest(p: Parser, i: int, phrases: Iterable[str]) -> int:
+    """The position after the longest of `phrases` that stands at i, or 0."""
+    return max((p.seq(i, phrase) for phrase in phrases), default=0)
+
 
 __all__ = [
     "Parser",
@@ -29,6 +37,7 @@ __all__ = [
     "lexicon",
     "literal",
     "loc",
+    "longest",
     "m",
     "noun_phrase",
     "order",

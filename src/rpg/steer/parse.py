@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.steer import requests as r
 from rpg.steer.backrefs import Reference, references
 from rpg.steer.grammar import request, skip, tail
-from rpg.steer.language import Parser, TooMuchWork, m, tokenize
+from rpg.steer.language import Parser, TooMuchWork, longest, m, tokenize
 
 MAX_REQUESTS = 8
 _STOPS = frozenset({".", ";", "!", "?", "…"})
@@ -50,7 +50,7 @@ def _openings(p: Parser) -> list[tuple[Reference | None, int]]:
     found: list[tuple[Reference | None, int]] = []
     start = skip(p, 0)
     for reference, j in references(p, start):
-        k = p.any_of(j, (", but", "but", ", and", "and", ", then", "then", ",", ":", ".", ";")) or j
+        k = longest(p, j, (", but", "but", ", and", "and", ", then", "then", ",", ":", ".", ";")) or j
         found.append((reference, skip(p, k)))
     found.append((None, 0))
     return found
@@ -89,7 +89,8 @@ def _join(p: Parser, i: int) -> int:
     while j < p.end and (p.words[j] in _STOPS or p.words[j] == ","):
         j += 1
     k = (
-        p.any_of(
+        longest(
+            p,
             j,
             (
                 "and then",

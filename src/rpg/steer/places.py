@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.steer.language import Parser, Results, loc, m, rule, simple
+from rpg.steer.language import Parser, Results, loc, longest, m, rule, simple
 from rpg.steer.requests import Place, Spot
 
 _ENDS = {
@@ -53,7 +53,9 @@ def places(p: Parser, i: int) -> Results[tuple[Place, ...]]:
 def place(p: Parser, i: int) -> Results[Place]:
     """One place."""
     start = (
-        p.any_of(i, ("that is", "which is", "that goes", "sitting", "placed", "standing", "directly", "right", "also"))
+        longest(
+            p, i, ("that is", "which is", "that goes", "sitting", "placed", "standing", "directly", "right", "also")
+        )
         or i
     )
     for at in {i: None, start: None}:
@@ -65,7 +67,7 @@ def place(p: Parser, i: int) -> Results[Place]:
         for phrase, side in _ENDS.items():
             if j := p.seq(at, phrase):
                 yield Spot(side=side), j
-        if j := p.any_of(at, _INTO):
+        if j := longest(p, at, _INTO):
             for whole, k in simple(p, j):
                 if isinstance(whole, m.Structure) and whole.det in ("the", "its", "all", "each"):
                     yield Spot(side="any", whole=whole), k

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, m, noun_phrase, order, simple
+from rpg.steer.language import Parser, longest, m, noun_phrase, order, simple
 
 REVERSE = (
     "reverse",
@@ -67,12 +67,12 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 yield from _upside(p, i, k, "reverse", noun_phrase(p, k))
         for plain in _PLAIN:
             if k := p.seq(j, plain):
-                k = p.any_of(k, ("around", "upside down")) or k
+                k = longest(p, k, ("around", "upside down")) or k
                 yield r.Reorder(how="reverse", span=p.span(i, k)), k
         yield from _upside(p, i, j, "reverse", noun_phrase(p, j), wanted=phrase == "turn")
-        if phrase != "turn" and (k := p.any_of(j, ("everything", "things", "all"))):
+        if phrase != "turn" and (k := longest(p, j, ("everything", "things", "all"))):
             yield r.Reorder(how="reverse", span=p.span(i, k)), k
-    if j := p.any_of(i, ("do it in reverse order", "in reverse order", "the other way around", "the other way round", "make it the other way around", "do it the other way around",
+    if j := longest(p, i, ("do it in reverse order", "in reverse order", "the other way around", "the other way round", "make it the other way around", "do it the other way around",
                          "make it the other way round", "upside down", "in reverse", "turn it upside down", "in the opposite order", "put them in reverse order",
                          "the opposite order", "use the opposite order", "use the reverse order", "backwards")):  # fmt: skip
         yield r.Reorder(how="reverse", span=p.span(i, j)), j
@@ -84,7 +84,7 @@ def _upside(
     for theme, k in themes:
         if isinstance(theme, m.Noun) and not theme.plural:
             continue
-        end = p.any_of(k, ("upside down", "around", "over", "the other way around")) or (k if not wanted else 0)
+        end = longest(p, k, ("upside down", "around", "over", "the other way around")) or (k if not wanted else 0)
         if end:
             yield r.Reorder(how=how, theme=theme, span=p.span(i, end)), end
 
@@ -100,13 +100,13 @@ def _mirror(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     ):
         if j := p.seq(i, phrase):
             for theme, k in simple(p, j):
-                end = p.any_of(k, ("left to right", "horizontally", "left and right", "sideways")) or k
+                end = longest(p, k, ("left to right", "horizontally", "left and right", "sideways")) or k
                 yield r.Reorder(how="mirror", theme=theme, span=p.span(i, end)), end
-            if k := p.any_of(
-                j, ("everything", "the whole thing", "the arrangement", "the scene", "the goal", "the task")
+            if k := longest(
+                p, j, ("everything", "the whole thing", "the arrangement", "the scene", "the goal", "the task")
             ):
                 yield r.Reorder(how="mirror", span=p.span(i, k)), k
-    if j := p.any_of(i, ("swap left and right", "exchange left and right", "switch left and right", "make it mirrored left to right", "flip left and right",
+    if j := longest(p, i, ("swap left and right", "exchange left and right", "switch left and right", "make it mirrored left to right", "flip left and right",
                          "flip it horizontally", "flip it left to right", "mirror left and right")):  # fmt: skip
         yield r.Reorder(how="mirror", span=p.span(i, j)), j
 
@@ -118,7 +118,7 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if j := p.seq(i, phrase):
             starts.append((None, j))
             starts += [(theme, k) for theme, k in noun_phrase(p, j) if not isinstance(theme, m.Coord)]
-            if k := p.any_of(j, ("the letters", "the numbers", "the colors", "the order")):
+            if k := longest(p, j, ("the letters", "the numbers", "the colors", "the order")):
                 starts.append((None, k))
     for phrase in (
         "change the order to",
@@ -130,11 +130,11 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     ):
         if j := p.seq(i, phrase):
             starts.append((None, j))
-    if not starts and (p.words[i : i + 1] in (["alphabetically"], ["numerically"]) or p.words[i : i + 1] == ["in"]):
+    if not starts and p.words[i : i + 1] in (["alphabetically"], ["numerically"], ["in"], ["from"]):
         starts.append((None, i))
     for theme, j in starts:
         j = p.opt(j, "now", "so", "to")
-        j = p.any_of(j, ("be sorted", "be ordered", "be arranged", "sorted", "ordered", "be")) or j
+        j = longest(p, j, ("be sorted", "be ordered", "be arranged", "sorted", "ordered", "be")) or j
         yield from _orders(p, i, j, theme)
 
 
@@ -143,6 +143,8 @@ def _orders(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tupl
         if k := p.seq(j, phrase):
             yield r.Reorder(how="color", theme=theme, span=p.span(i, k)), k
     for found, k in order(p, j):
+        if isinstance(found, m.Toward) and found.first:
+            yield r.Reorder(how="toward", theme=theme, first=found.first, span=p.span(i, k)), k
         if not isinstance(found, m.OrderBy):
             continue
         how = _how(found)
@@ -175,8 +177,8 @@ def _first(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
 
 
 def _no_matter(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
-    j = p.any_of(i, ("the order does not matter", "the order does not matter any more", "in any order", "ignore the order", "drop the order", "forget the order",
+    j = longest(p, i, ("the order does not matter", "the order does not matter any more", "in any order", "ignore the order", "drop the order", "forget the order",
                      "remove the order", "any order is fine", "the order no longer matters", "order does not matter", "let the order be free", "any order will do",
                      "in no particular order"))  # fmt: skip
     if j:
-        yield r.Reorder(how="any", span=p.span(i, j)), p.any_of(j, ("any more", "anymore")) or j
+        yield r.Reorder(how="any", span=p.span(i, j)), longest(p, j, ("any more", "anymore")) or j

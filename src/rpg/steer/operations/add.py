@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from rpg.blocks.nouns import bare
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir.edits import AddCondition, ChangeCondition, SetField
-from rpg.ir.node import Highest, Lowest, Operand
+from rpg.ir.goal import Count
+from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.relations import InRegion, On, OnPatch, OnTable
-from rpg.ir.structures import Figure, GroupBy, Stack
+from rpg.ir.structures import Figure, GroupBy, Pyramid, Stack
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -18,7 +20,7 @@ from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.relate import relation
 from rpg.steer.refer import Found, resolve
-from rpg.steer.view import Line
+from rpg.steer.view import Line, Shape
 
 SIDES = {
     "top": ("tower", True),
@@ -177,11 +179,8 @@ def _at_spot(
 def _beside_last(draft: Draft, names: Sequence[str], side: str, anchor: Found | None, span: Span) -> None:
     """A spot without a line: by the block mentioned last, or by the only figure."""
     figure = anchor.figure if anchor else draft.view.main_figure()
-    if figure is not None and side == "top" and not isinstance(figure.node, GroupBy | Figure):
-        below: Operand = Highest(highest=figure.members)
-        for name in names:
-            draft.do(AddCondition(goal=On(a=(name,), b=below)), span)
-            below = (name,)
+    if figure is not None and side == "top" and not isinstance(figure.node, GroupBy):
+        _on_figure(draft, names, figure, span)
         return
     others = [n for n in (anchor.names if anchor else draft.view.busy) if n not in names]
     if len(others) != 1:
@@ -195,6 +194,19 @@ def _beside_last(draft: Draft, names: Sequence[str], side: str, anchor: Found | 
     for name in names:
         draft.do(AddCondition(goal=relation(draft, rel, (name,), (others[0],), (), span)), span)
         others = [name]
+
+
+def _on_figure(draft: Draft, names: Sequence[str], figure: Shape, span: Span) -> None:
+    """On the tip of a pyramid; on any block of a figure that has none."""
+    node = figure.node
+    first = names[:1]
+    if isinstance(node, Pyramid) and node.base[1] in (1, node.base[0]):
+        draft.do(AddCondition(goal=On(a=tuple(first), b=Highest(highest=figure.members))), span)
+    else:
+        goal = Count(over=figure.members, at_least=1, goal=On(a=tuple(first), b=(EACH,)))
+        draft.do(AddCondition(goal=goal), span)
+    for lower, upper in pairwise(names):
+        draft.do(AddCondition(goal=On(a=(upper,), b=(lower,))), span)
 
 
 def _at_landmark(

@@ -11,10 +11,10 @@ from rpg.ir.order import Pattern
 from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Spells, Staircase
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
+from rpg.steer.language import m
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import describe, free_name, unused_colors, unused_labels
 from rpg.steer.refer import resolve
-from rpg.steer.language import m
 from rpg.steer.view import Line, Shape
 
 
@@ -101,7 +101,9 @@ def _figure(draft: Draft, figure: Shape, request: r.Recount) -> None:
         )
     assert isinstance(node, Cells)
     changed = node.model_copy(update=update)
-    needed, there = cells_of(changed), list(figure.members)
+    there = list(figure.members)
+    asked = request.amount or len(there) + (request.by or 0)
+    needed = cells_of(changed, asked)
     if needed == len(there) and changed == node:
         raise draft.refusal("nothing-to-do", "it has this size already", request.span)
     for name in there[needed:]:

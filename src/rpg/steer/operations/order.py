@@ -36,6 +36,8 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
         _reverse(draft, line, figure, request.span)
     elif request.how == "given":
         _given(draft, line, request)
+    elif request.how == "toward":
+        _toward(draft, line, request)
     else:
         _sort(draft, line, figure, request)
 
@@ -94,6 +96,25 @@ def _reverse_figure(draft: Draft, figure: Shape | None, span: Span) -> None:
             span,
             "name two blocks to swap, or give an order",
         )
+
+
+def _toward(draft: Draft, line: Line | None, request: r.Reorder) -> None:
+    """The same order, beginning on another side."""
+    draft.aim("MODIFY")
+    node = line.node if line is not None else None
+    begin = BEGINS[line.kind] if line is not None else ""
+    fits = request.first is not None and request.first in (begin, ENDS.get(begin))
+    if line is None or not isinstance(node, Stack | Row) or node.order.by == "any" or not fits:
+        raise draft.refusal(
+            "edit-unclear",
+            "there is no order here that could begin on that side",
+            request.span,
+            "sort a row or a tower",
+        )
+    if (node.order.first or begin) == request.first:
+        raise draft.refusal("nothing-to-do", "the order begins there already", request.span)
+    order = node.order.model_copy(update={"first": request.first})
+    draft.do(SetField(at=line.path, field="order", value=order.model_dump()), request.span)
 
 
 def permute(draft: Draft, parts: dict[str, str], span: Span) -> None:

@@ -7,7 +7,7 @@ position or 0 for "no".
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from functools import wraps
+from functools import cache, wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
 from rpg.core.diagnostics import Span
@@ -34,13 +34,10 @@ class Parser:
     def __init__(self, tokens: list[Token]) -> None:
         self.tokens = tokens
         self.words = [t.word if t.kind in ("word", "punct", "sign") else "" for t in tokens] + ["", "", ""]
+        self.end = len(tokens)
         self.memo: dict[tuple[Any, ...], list[tuple[Any, int]]] = {}
         self.far = 0
         self.work = 0
-
-    @property
-    def end(self) -> int:
-        return len(self.tokens)
 
     def span(self, i: int, j: int) -> Span:
         """Characters of tokens i..j-1."""
@@ -70,7 +67,10 @@ class Parser:
 
     def seq(self, i: int, phrase: str) -> int:
         """The position after `phrase`, or 0."""
-        for word in phrase.split():
+        words = _split(phrase)
+        if self.words[i] != words[0] or i >= self.end:
+            return 0
+        for word in words:
             if i >= self.end or self.words[i] != word:
                 return 0
             i += 1
@@ -114,6 +114,11 @@ class Parser:
             return token.value
         whole = self.number(i)
         return None if whole is None else float(whole)
+
+
+@cache
+def _split(phrase: str) -> tuple[str, ...]:
+    return tuple(phrase.split())
 
 
 def rule(

@@ -68,7 +68,7 @@ class Parser:
     def seq(self, i: int, phrase: str) -> int:
         """The position after `phrase`, or 0."""
         words = _split(phrase)
-        if self.words[i] != words[0] or i >= self.end:
+        if i >= self.end or self.words[i] != words[0]:
             return 0
         for word in words:
             if i >= self.end or self.words[i] != word:

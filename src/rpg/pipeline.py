@@ -19,6 +19,7 @@ from rpg.blocks.waypoints import waypoints
 from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.core.passes import Context, Listener, Manager, Pass, Report, silent
 from rpg.ir.artifact import GateReport, Program, Scene
+from rpg.ir.excuse import excuse
 from rpg.ir.goal import Goal
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen import lower, lower_goal, read_goal
@@ -204,13 +205,13 @@ def verify(name: str, item: object) -> None:
 
 
 def prepared(schema: TaskSchema) -> TaskSchema:
-    """The schema with what the compiler decides: where patches lie, how orders name look-alikes.
+    """The schema with what the compiler decides: where patches lie, how orders name look-alikes, which turns win.
 
     Raises Refusal where the patches find no place, or look-alikes have too many different duties.
     """
     placed = place_patches(schema)
     world = World(placed.assets)
-    goal = link(placed.goal, world)
+    goal = excuse(link(placed.goal, world))
     namings(interchangeable(goal, world))
     return placed if goal is placed.goal else placed.model_copy(update={"goal": goal})
 

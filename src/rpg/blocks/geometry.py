@@ -45,7 +45,7 @@ def footprint(state: BlockState, name: str) -> Polygon:
     if patch is not None:
         return patch_outline(patch)
     if not is_level(state, name):
-        return _hull([(x, y) for x, y, _ in corners(state, name)])
+        return hull([(x, y) for x, y, _ in corners(state, name)])
     x, y, _ = state.position[name]
     h = state.world.edge[name] / 2
     rows = state.axes(name)
@@ -68,7 +68,8 @@ def patch_outline(patch: GoalPatch) -> Polygon:
     return (x + hx, y + hy), (x - hx, y + hy), (x - hx, y - hy), (x + hx, y - hy)
 
 
-def _hull(points: list[Point]) -> Polygon:
+def hull(points: list[Point]) -> Polygon:
+    """Convex hull, counter-clockwise."""
     ordered = sorted(set(points))
     lower, upper = _chain(ordered), _chain(ordered[::-1])
     return tuple(lower[:-1] + upper[:-1])

@@ -246,7 +246,7 @@ def _rows(free: list[GoalPatch], rows: int, middle: Spot) -> Iterator[list[Spot]
     deep, wide = max(p.size[0] for p in free), max(p.size[1] for p in free)
     across = min(wide + 0.08, (WORKSPACE_Y[1] - WORKSPACE_Y[0] - wide) / max(columns - 1, 1))
     along = min(deep + 0.06, (WORKSPACE_X[1] - WORKSPACE_X[0] - 0.6 * deep) / (rows - 1))
-    if across >= wide + APART and along >= deep + APART:
+    if across >= wide + APART - 1e-9 and along >= deep + APART - 1e-9:
         cells = [(r, c) for r in range(rows) for c in range(columns)][: len(free)]
         yield [
             (

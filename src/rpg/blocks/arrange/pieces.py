@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from rpg.blocks.arrange.stability import stands
 from rpg.blocks.constants import TABLE_Z
 from rpg.blocks.evaluate import settled
 from rpg.blocks.geometry import body_gap
@@ -135,17 +136,18 @@ class Assembly:
     def check(self) -> None:
         """Raise Clash where blocks of a piece overlap or hang in the air."""
         for piece in self.pieces():
-            if not piece.trusted and len(piece.position) > 1 and not sound(piece, self.world):
+            mixed = len({self.world.edge[name] for name in piece.position}) > 1
+            if (mixed or not piece.trusted) and len(piece.position) > 1 and not sound(piece, self.world):
                 raise Clash
 
 
 def sound(piece: Piece, world: World) -> bool:
-    """Does nothing in the piece overlap or float?"""
+    """Does nothing in the piece overlap, float or topple?"""
     position = {n: (x, y, z + TABLE_Z) for n, (x, y, z) in piece.position.items()}
     state = BlockState(world, position, {n: q or IDENTITY for n, q in piece.orientation.items()})
     names = list(position)
     clear = all(body_gap(state, a, b) > -OVERLAP for a, b in _near_pairs(names, position, world))
-    return clear and settled(state).value
+    return clear and settled(state).value and all(stands(state, name) for name in names)
 
 
 def _near_pairs(names: list[str], position: dict[str, Vec3], world: World) -> Iterator[tuple[str, str]]:

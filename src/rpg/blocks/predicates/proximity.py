@@ -108,11 +108,11 @@ class TouchingPredicate(Predicate[Touching]):
         a, b = pair
         upper, lower = (a, b) if state.position[a][2] >= state.position[b][2] else (b, a)
         if rests_on(state, upper, lower):
-            lifted = shift(state, carried(state, upper), 0.0, 0.0, node.gap + PAST)
+            lifted = shift(state, carried(state, upper), 0.0, 0.0, 1.4 * node.gap)
             yield NearMiss(f"{upper} not quite down on {lower}", lifted)
             yield NearMiss(f"{upper} set down on the table", set_aside(state, upper))
         else:
-            yield apart_by(f"a gap between {a} and {b}", a, b, node.gap + PAST, state)
+            yield apart_by(f"a gap between {a} and {b}", a, b, 1.4 * node.gap, state)
 
 
 class NearPredicate(Predicate[Near]):

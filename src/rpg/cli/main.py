@@ -28,6 +28,7 @@ COMMANDS = {
     "diff": "Show what differs between two versions.",
     "checkout": "Make another version of a family the current one.",
     "render": "Draw a task's start and goal.",
+    "gallery": "Write one HTML page of all tasks.",
     "view": "Open a task in MuJoCo's interactive viewer.",
     "export": "Write a task's scene for any MuJoCo user.",
     "doctor": "Say what works on this machine and what to install for the rest.",

@@ -1,0 +1,88 @@
+"""A family as a drawing: versions from left to right, an edge for each change."""
+
+from __future__ import annotations
+
+from html import escape
+
+from rpg.gallery.collect import Album, Card
+
+STEP, LANE, RADIUS, MARGIN = 150, 56, 15, 28
+
+
+def lineage_svg(album: Album) -> str:
+    """The lineage graph of a family; nodes lead to their cards, edges tell the edit, its class and its proof."""
+    places = _places(album)
+    width = MARGIN * 2 + STEP * max(x for x, _ in places.values())
+    height = MARGIN * 2 + LANE * max(y for _, y in places.values())
+    cards = {card.number: card for card in album.cards}
+    edges = "".join(_edge(cards[n], places) for n in cards if cards[n].parent is not None)
+    nodes = "".join(_node(card, places[card.number]) for card in album.cards)
+    return (
+        f'<svg class="lineage" viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img" '
+        f'aria-label="versions of {escape(album.name)}">{edges}{nodes}</svg>'
+    )
+
+
+def _places(album: Album) -> dict[int, tuple[int, int]]:
+    """Column (how far from the base) and lane of every version; the first child stays in its parent's lane."""
+    places: dict[int, tuple[int, int]] = {}
+    children: dict[int | None, list[int]] = {}
+    for card in album.cards:
+        children.setdefault(card.parent, []).append(card.number)
+    lanes = 0
+
+    def put(number: int, column: int, lane: int) -> None:
+        nonlocal lanes
+        places[number] = (column, lane)
+        for index, child in enumerate(children.get(number, ())):
+            if index:
+                lanes += 1
+            put(child, column + 1, lanes if index else lane)
+
+    for index, root in enumerate(children.get(None, ())):
+        lanes += bool(index)
+        put(root, 0, lanes)
+    return places
+
+
+def _point(place: tuple[int, int]) -> tuple[int, int]:
+    return MARGIN + STEP * place[0], MARGIN + LANE * place[1]
+
+
+def _edge(card: Card, places: dict[int, tuple[int, int]]) -> str:
+    assert card.parent is not None and card.steering is not None
+    (x1, y1), (x2, y2) = _point(places[card.parent]), _point(places[card.number])
+    middle = (x1 + x2) / 2
+    label_x, label_y = (x1 + x2 + (0 if y1 == y2 else STEP / 3)) / 2, (y1 + y2) / 2 - 6 if y1 == y2 else y2 - 8
+    category = card.category
+    return (
+        f'<g class="edge {category.lower()}"><title>{escape(told(card))}</title>'
+        f'<path d="M{x1 + RADIUS},{y1} C{middle},{y1} {middle},{y2} {x2 - RADIUS},{y2}"/>'
+        f'<text x="{label_x}" y="{label_y}">{category.lower()}</text></g>'
+    )
+
+
+def _node(card: Card, place: tuple[int, int]) -> str:
+    x, y = _point(place)
+    current = " current" if card.head else ""
+    return (
+        f'<a href="#{escape(card.anchor)}"><g class="node{current}"><title>{escape(card.goal)}</title>'
+        f'<circle cx="{x}" cy="{y}" r="{RADIUS}"/><text x="{x}" y="{y + 4}">{card.number}</text></g></a>'
+    )
+
+
+def told(card: Card) -> str:
+    """An edit with its class and its proof, in a few words."""
+    steering = card.steering
+    if steering is None:
+        return ""
+    lines = [f"“{steering.request}”", f"{steering.intent} of version {card.parent}"]
+    kept = [name for name in ("assets", "positions", "goals") if getattr(steering, f"preserve_{name}")]
+    lines.append(f"preserved: {', '.join(kept) or 'nothing'}")
+    goals = steering.proof.get("goals")
+    if goals:
+        lines.append(f"goals: {goals['relation']} ({goals['states']} states)")
+    axes = steering.proof.get("axes")
+    if axes:
+        lines.append(f"axes: {', '.join(axes)}")
+    return "\n".join(lines)

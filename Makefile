@@ -6,7 +6,7 @@ READY := $(VENV)/.rpg-installed
 INSTRUCTION ?= Stack two green blocks on the blue patch and spell the word CAT in front of it
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test check format schemas docs bench corpus clean
+.PHONY: help setup demo test check format schemas docs library bench corpus clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -39,6 +39,9 @@ schemas: setup ## export the JSON Schemas to schemas/
 
 docs: setup ## write the generated pages of docs/
 	$(BIN)/python docs/generate.py
+
+library: setup ## build the reference tasks of library/ anew
+	$(BIN)/python -m rpg.library
 
 bench: setup ## measure speed, each figure beside its floor
 	$(BIN)/python benchmarks/bench.py

@@ -1,0 +1,25 @@
+"""The task rotate-cube, generated from its task.yaml."""
+
+from rpg.env import BlockTask, Faces, SemanticCube, Verdict
+
+
+class RotateCube(BlockTask):
+    """A symbol block (R).
+
+    Goal: The  block must be upside down.
+    Success: r_facing_up; every block released, supported and at rest.
+    """
+
+    instruction = "Turn the R block so that its letter is upside down."
+
+    def _initialize_env(self) -> None:
+        self.add(SemanticCube(name="R_block", labels=Faces(front="R")))
+
+    def _on_reset(self) -> None:
+        self.scatter("R_block")
+
+    def _success(self) -> Verdict:
+        r_facing_up = self.facing("R_block", label="R", turn=180.0)
+        at_rest = self.at_rest()
+        _success_check = r_facing_up & at_rest
+        return _success_check

@@ -36,7 +36,7 @@ PROPOSALS = 24
 FREE_TRIES = 20
 ANCHORED_TRIES = 8
 MOST_PROPOSED = 48
-PROPOSED = 0.25
+PROPOSED = 0.6
 """What it is worth that a condition proposed a place, rather than chance."""
 LEAST_MARGIN = 0.02
 """What is placed later must leave conditions that any block can break this share of their tolerance."""

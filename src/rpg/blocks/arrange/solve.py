@@ -77,7 +77,7 @@ class Solver:
             return None
         if bounds.tight is not None:
             self.reasons.append(bounds.tight)
-        noise = 1.2 if vary else 0.1
+        noise = 0.7 if vary else 0.1
         search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, noise)
         try:
             for state in islice(search.run(), LEAVES):

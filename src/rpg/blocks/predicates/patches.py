@@ -19,7 +19,6 @@ from rpg.ir.relations import Empty, OnPatch
 
 LATTICE_GAP = 0.006
 """Least gap between blocks that are proposed side by side on a patch (m)."""
-LOOSE_SPOTS = 6
 
 
 def outline_depth(patch: GoalPatch, x: float, y: float) -> float:
@@ -71,14 +70,11 @@ def _overlap(a: GoalPatch, b: GoalPatch) -> bool:
 
 
 def lattice(patch: GoalPatch, edge: float, count: int, rng: Random) -> Iterator[tuple[float, float]]:
-    """Places for so many blocks side by side on a patch: the lattice that stays deepest inside of it; then others."""
-    px, py = patch.position or (math.nan, math.nan)
+    """Places for so many blocks side by side on a patch: the lattice that stays deepest inside of it."""
     shapes = [(-(-count // columns), columns) for columns in range(1, count + 1)]
     grids = [_centred(rows, columns, edge, patch) for rows, columns in shapes]
     best = max(grids, key=lambda grid: (min(outline_depth(patch, *spot) for spot in grid), -len(grid)))
     yield from rng.sample(best, len(best))
-    for _ in range(LOOSE_SPOTS):
-        yield px + rng.uniform(-0.4, 0.4) * patch.size[0], py + rng.uniform(-0.4, 0.4) * patch.size[1]
 
 
 def _centred(rows: int, columns: int, edge: float, patch: GoalPatch) -> list[tuple[float, float]]:

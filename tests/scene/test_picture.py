@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 
 import mujoco
 import numpy as np
@@ -104,3 +105,16 @@ def test_the_camera_looks_along_x_and_down() -> None:
     forward = -data.cam(camera.NAME).xmat.reshape(3, 3)[:, 2]
     assert forward[0] > 0.5 and abs(forward[1]) < 1e-9 and forward[2] < -0.5
     assert data.cam(camera.NAME).xmat.reshape(3, 3)[:, 0] == pytest.approx([0, -1, 0], abs=1e-9)
+
+
+@needs_gl
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
+def test_a_forked_child_still_draws() -> None:
+    state = at(plain(1), (0.55, 0.0, 0.02))
+    pixels(state, size=SIZE)
+    child = os.fork()
+    if child == 0:
+        drawn = pixels(state, size=SIZE)
+        os._exit(0 if drawn.std() > 5 else 1)
+    _, status = os.waitpid(child, 0)
+    assert os.waitstatus_to_exitcode(status) == 0

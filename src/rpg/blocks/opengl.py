@@ -22,13 +22,23 @@ LARGEST = 2048
 
 def backend() -> str | None:
     """The OpenGL back end that works in this process, or None. MUJOCO_GL chooses one, or none with "disable"."""
-    found = _context(os.getpid())
+    found = _context()
     return found[0] if found else None
 
 
-@lru_cache(maxsize=2)
-def _context(process: int) -> tuple[str, Any] | None:
-    """A current OpenGL context; one for each process, since contexts do not survive a fork."""
+def _context() -> tuple[str, Any] | None:
+    """This process's OpenGL context; none in a child of a process that has one, where a driver may hang."""
+    process, found = _opened()
+    return found if process == os.getpid() else None
+
+
+@lru_cache(maxsize=1)
+def _opened() -> tuple[int, tuple[str, Any] | None]:
+    """The process that tried first, and what it got."""
+    return os.getpid(), _open()
+
+
+def _open() -> tuple[str, Any] | None:
     for name in _candidates():
         try:
             context = importlib.import_module(f"mujoco.{name}").GLContext(LARGEST, LARGEST)
@@ -66,7 +76,7 @@ class Canvas:
     """Draws one model at one size (pixels). Close it to free the graphics memory."""
 
     def __init__(self, model: mujoco.MjModel, width: int, height: int) -> None:
-        found = _context(os.getpid())
+        found = _context()
         if found is None:
             raise RuntimeError("no OpenGL back end works here")
         self._gl = found[1]

@@ -53,12 +53,13 @@ def _edge(card: Card, places: dict[int, tuple[int, int]]) -> str:
     assert card.parent is not None and card.steering is not None
     (x1, y1), (x2, y2) = _point(places[card.parent]), _point(places[card.number])
     middle = (x1 + x2) / 2
-    label_x, label_y = (x1 + x2 + (0 if y1 == y2 else STEP / 3)) / 2, (y1 + y2) / 2 - 6 if y1 == y2 else y2 - 8
+    level = y1 == y2
+    label = f'x="{middle}" y="{y1 - 6}"' if level else f'x="{x2 - RADIUS - 6}" y="{y2 + 16}" class="branch"'
     category = card.category
     return (
         f'<g class="edge {category.lower()}"><title>{escape(told(card))}</title>'
         f'<path d="M{x1 + RADIUS},{y1} C{middle},{y1} {middle},{y2} {x2 - RADIUS},{y2}"/>'
-        f'<text x="{label_x}" y="{label_y}">{category.lower()}</text></g>'
+        f"<text {label}>{category.lower()}</text></g>"
     )
 
 

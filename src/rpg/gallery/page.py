@@ -88,13 +88,14 @@ def _family(album: Album) -> str:
 def _card(card: Card) -> str:
     request = card.steering.request if card.steering else ""
     words = " ".join((card.family, card.instruction, card.goal, request)).lower()
+    category = f'<span class="badge {card.category.lower()}">{card.category.lower()}</span>'
     current = '<span class="badge head">current</span>' if card.head else ""
     return f"""<article class="card" id="{escape(card.anchor)}" data-words="{escape(words)}"
  data-category="{card.category}" data-kinds="{escape("|".join(card.kinds))}" data-colors="{" ".join(card.colors)}"
  data-current="{int(card.head)}">
 {_pictures(card)}
 <div class="text">
-<h3>v{card.number} <code>{card.short_hash}</code> <span class="badge {card.category.lower()}">{card.category.lower()}</span>{current}</h3>
+<h3>v{card.number} <code>{card.short_hash}</code> {category}{current}</h3>
 {_edit(card)}
 <p class="instruction">{escape(card.instruction)}</p>
 <details><summary>Goal in words</summary><p>{escape(card.goal)}</p></details>

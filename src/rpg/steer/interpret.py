@@ -19,6 +19,7 @@ from rpg.steer.classify import Category
 from rpg.steer.draft import Draft
 from rpg.steer.history import History, Past
 from rpg.steer.identity import look
+from rpg.steer.language import tokenize
 from rpg.steer.operations.add import add
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
@@ -76,6 +77,7 @@ class Interpretation:
 
 def interpret(request: str, history: History, read: Reader) -> Interpretation:
     """Understand `request` in the light of a family; raises Refusal with the reasons where that fails."""
+    _only_words(request)
     readings = parse(request)
     fresh = fresh_start(request)
     if fresh is not None and not any(reading.whole for reading in readings):
@@ -87,6 +89,16 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
         except Refusal as refusal:
             refusals.append(refusal)
     return _otherwise(request, readings, refusals, history, read)
+
+
+def _only_words(request: str) -> None:
+    """Refuse characters that the language does not have, rather than read on without them."""
+    tokens, strays = tokenize(request)
+    if not tokens or strays:
+        span = strays[0].span if strays else (0, len(request))
+        message = f"{strays[0].text!r} means nothing here" if strays else "the request is empty"
+        hint = "say in English what is to change: add a green block on top"
+        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
 
 
 def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretation:

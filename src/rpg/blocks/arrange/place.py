@@ -111,10 +111,11 @@ class Search:
         rng: Random,
         budget: Budget,
         start: BlockState | None = None,
-        noise: float = 0.0,
+        vary: bool = False,
     ) -> None:
         self.world, self.assembly, self.bounds, self.rules = assembly.world, assembly, bounds, rules
-        self.rng, self.budget, self.noise = rng, budget, noise
+        self.rng, self.budget = rng, budget
+        self.noise, self.worth = (0.7, 0.2) if vary else (0.1, PROPOSED)
         self.position: dict[str, Vec3] = {}
         orientation: dict[str, Quat] = {n: assembly.of[n].orientation[n] or IDENTITY for n in assembly.of}
         self.state = BlockState(self.world, self.position, orientation, start=start)
@@ -227,7 +228,7 @@ class Search:
         if x0 > x1 + 1e-9 or y0 > y1 + 1e-9:
             return {}
         found: dict[Origin, float] = {
-            (round(min(max(x, x0), x1), 4), round(min(max(y, y0), y1), 4)): PROPOSED
+            (round(min(max(x, x0), x1), 4), round(min(max(y, y0), y1), 4)): self.worth
             for x, y in self._proposed(piece, wanted)
         }
         if not found:

@@ -17,12 +17,17 @@ from rpg.blocks.arrange.turning import orientation_for
 from rpg.blocks.evaluate import satisfied, settled
 from rpg.blocks.geometry import is_level
 from rpg.blocks.predicate import Cluster
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.state import BlockState, World, yaw_quat
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.relations import Above, Facing, On, Turned
+from rpg.ir.walk import names
 
 MAX_ALTERNATIVES = 200
+SQUARE = frozenset({"touching", "distance", "facing", "turned"})
+"""Conditions that are hard to meet for blocks that stand askew, or that say how they are turned."""
+SPIN = 0.6
+"""Greatest turn (radians) of a block that is turned for variety."""
 MOST_COMBINED = 300
 """Combinations of layouts of several structures that are put together."""
 LEAVES = 12
@@ -77,8 +82,7 @@ class Solver:
             return None
         if bounds.tight is not None:
             self.reasons.append(bounds.tight)
-        noise = 0.7 if vary else 0.1
-        search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, noise)
+        search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, vary)
         try:
             for state in islice(search.run(), LEAVES):
                 if satisfied(self.goal, state) and settled(state):
@@ -103,7 +107,18 @@ class Solver:
                 self._assemble(assembly, literals, fixed, chosen)
             except Clash:
                 continue
+            if vary:
+                self._spin(assembly, literals, rng)
             yield assembly
+
+    def _spin(self, assembly: Assembly, literals: Conjunction, rng: Random) -> None:
+        """Turn blocks about the vertical that may be turned in any way, so that goal states differ in this as well."""
+        square = {name for atom, _, _ in literals if atom.kind in SQUARE for name in names(atom)}
+        for piece in assembly.pieces():
+            upright = len({place[:2] for place in piece.position.values()}) == 1
+            for name in piece.position if upright and not piece.fixed else ():
+                if piece.orientation[name] is None and name not in square:
+                    piece.orientation[name] = yaw_quat(rng.choice((0.0, rng.uniform(-SPIN, SPIN))))
 
     def _assemble(
         self,

@@ -20,6 +20,7 @@ CORNER = (0.10, 0.12)
 """Depth of a corner along x and y."""
 MIDDLE_RADIUS = 0.08
 EDGE_DEPTH = 0.05
+DIRECTIONS = ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1))
 INSET = 0.025
 """How far inside of the workspace's border proposals lie."""
 
@@ -94,14 +95,14 @@ def _grid() -> list[tuple[float, float]]:
 
 
 def _way_out(region: Region, x: float, y: float, edge: float) -> tuple[float, float]:
-    """The nearest place outside of a region along one of the axes."""
+    """The nearest place outside of a region, along an axis or slantwise."""
     for step in range(1, 100):
-        for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)):
+        for dx, dy in DIRECTIONS:
             place = (x + 0.005 * step * dx, y + 0.005 * step * dy)
             outside = min(border_distances(*place).values()) < 0.0
             if not outside and region_margin(region, *place, edge) < -0.02:
                 return place
-    return (x, y)
+    return min(_grid(), key=lambda p: region_margin(region, p[0], p[1], edge))
 
 
 TABLE: dict[str, Predicate[Any]] = {"in_region": InRegionPredicate()}

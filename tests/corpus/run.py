@@ -17,7 +17,6 @@ OUTCOMES = ("right", "refused", "wrong", "crash")
 def read(text: str) -> tuple[TaskSchema | None, tuple[Diagnostic, ...]]:
     """The schema pass alone: no physics, no pictures."""
     from rpg.blocks.patches import place_patches
-
     from rpg.passes.schema.frontend import BuiltinFrontEnd
 
     try:

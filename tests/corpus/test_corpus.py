@@ -5,8 +5,10 @@ from __future__ import annotations
 import pytest
 
 from tests.corpus.entries import SPLITS, load
+from tests.corpus.fuzz import outcome
 from tests.corpus.judge import Score
 from tests.corpus.run import score, table
+from tests.corpus.templates import case
 
 FLOOR = {"dev": 0.80, "heldout": 0.80}
 """The least share of each split that must be right."""
@@ -32,3 +34,13 @@ def test_the_corpus_is_large_and_its_refusals_are_many() -> None:
     assert len(entries) >= 400
     assert sum(bool(entry.refuse) for entry in entries) >= 80
     assert len({entry.text for entry in entries}) == len(entries)
+
+
+@pytest.mark.parametrize("start", range(0, 600, 100))
+def test_sentences_from_templates_are_never_misread(start: int) -> None:
+    misread = [
+        f"{one.text}: {why}"
+        for one, (found, why) in ((case(seed), outcome(case(seed))) for seed in range(start, start + 100))
+        if found == "wrong"
+    ]
+    assert not misread, "\n".join(misread)

@@ -26,16 +26,25 @@ class Structures(Atoms):
         patch: str | None = None,
         readable: bool = False,
         excused: Names = (),
+        raised: bool = False,
     ) -> Verdict:
         """`blocks` form one stack, bottom to top when the order is given; `order.first` is "bottom" unless it says
         "top".
 
         `exact`: nothing else is in the stack (its top is clear and its foot on the table or the patch). `patch`:
         the lowest block lies on that patch. `readable`: the symbols on the viewer's side read upright, but for
-        cubes that are `excused` because another condition turns them in the plane of their face.
+        cubes that are `excused` because another condition turns them in the plane of their face. `raised`: another
+        condition puts the stack on a block, so that its foot need not be on the table.
         """
         return self._atom(
-            Stack, blocks=blocks, order=order, exact=exact, patch=patch, readable=readable, excused=excused
+            Stack,
+            blocks=blocks,
+            order=order,
+            exact=exact,
+            patch=patch,
+            readable=readable,
+            excused=excused,
+            raised=raised,
         )
 
     def towers(

@@ -149,16 +149,13 @@ class BlockTask(Relations, Structures, Setup):
         physics = self.physics
         if self._nobody_looks():
             physics.step(control_steps)
-            self._unread, self._judgement = True, None
+            self._unread = True
             return
         for _ in range(control_steps):
             if self._robot is not None:
                 self._robot.command(self.data, action)
             physics.step()
-            held = self._robot.held(self.data) if self._robot is not None else NOTHING
-            before = self._state
-            if before is None or before.moving or held != before.held or not physics.unchanged():
-                self._observe(physics.read(before.start if before is not None else None, held))
+            self._look(self._robot.held(self.data) if self._robot is not None else NOTHING)
             if self._hooked:
                 self._on_step()
 
@@ -167,13 +164,15 @@ class BlockTask(Relations, Structures, Setup):
         if self._state is None:
             raise RuntimeError("the task has no state yet: call reset() first")
         if self._unread:
-            self._observe(self.physics.read(self._state.start))
+            self._unread = False
+            self._look(NOTHING)
         return self._state
 
     def judge(self) -> Judgement:
         """Success, failure, stage and conditions in the current state."""
+        state = self.state()
         if self._judgement is None:
-            self._judgement = self._judged(self.state())
+            self._judgement = self._judged(state)
         return self._judgement
 
     def judge_states(self, states: Iterable[BlockState], start: BlockState | None = None) -> list[Judgement]:
@@ -255,6 +254,12 @@ class BlockTask(Relations, Structures, Setup):
         if self._looks_back is not False:
             self.judge()
             self._looks_back = self._memories[0].used
+
+    def _look(self, held: frozenset[str]) -> None:
+        """Read the state from the physics, unless it is still what it was."""
+        before = self._state
+        if before is None or before.moving or held != before.held or not self.physics.unchanged():
+            self._observe(self.physics.read(before.start if before is not None else None, held))
 
     def _nobody_looks(self) -> bool:
         """May steps pass without a look at each of them? The state is then read when somebody asks for it."""

@@ -19,8 +19,8 @@ from rpg.blocks.waypoints import waypoints
 from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.core.passes import Context, Listener, Manager, Pass, Report, silent
 from rpg.ir.artifact import GateReport, Program, Scene
-from rpg.ir.excuse import excuse
 from rpg.ir.goal import Goal
+from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen import lower, lower_goal, read_goal
 from rpg.passes.repair import Attempt, Repaired, Tools, repair
@@ -211,7 +211,7 @@ def prepared(schema: TaskSchema) -> TaskSchema:
     """
     placed = place_patches(schema)
     world = World(placed.assets)
-    goal = excuse(link(placed.goal, world))
+    goal = reconcile(link(placed.goal, world))
     namings(interchangeable(goal, world))
     return placed if goal is placed.goal else placed.model_copy(update={"goal": goal})
 

@@ -14,7 +14,8 @@ class Stack(Node):
 
     `exact`: nothing else is in the stack (its top is clear and its foot on the table or the patch). `patch`: the
     lowest block lies on that patch. `readable`: the symbols on the viewer's side read upright, but for cubes that are
-    `excused` because another condition turns them in the plane of their face.
+    `excused` because another condition turns them in the plane of their face. `raised`: another condition puts the
+    stack on a block, so that its foot need not be on the table.
     """
 
     kind: Literal["stack"] = "stack"
@@ -24,6 +25,7 @@ class Stack(Node):
     patch: str | None = None
     readable: bool = False
     excused: Names = ()
+    raised: bool = False
 
 
 class Towers(Node):

@@ -24,10 +24,12 @@ YAWS = (0.0, 0.35, -0.6)
 """Turns about the vertical (radians) that stacks are offered in."""
 
 
-def chain(state: BlockState, upward: Sequence[str]) -> Verdict:
-    """Each block directly on the one below it, the lowest on the table."""
+def chain(state: BlockState, upward: Sequence[str], raised: bool = False) -> Verdict:
+    """Each block directly on the one below it, the lowest on the table unless the stack may be `raised`."""
     foot = upward[0]
-    parts = [at_most(abs(table_gap(state, foot)), SUPPORT_GAP), holds(1.0 - state.tilt(foot) / TILT)]
+    parts = [holds(1.0 - state.tilt(foot) / TILT)]
+    if not raised:
+        parts.append(at_most(abs(table_gap(state, foot)), SUPPORT_GAP))
     parts += [directly_on(a, b, state) for b, a in pairwise(upward)]
     return every(parts)
 
@@ -61,7 +63,7 @@ class StackPredicate(Predicate[Stack]):
 
     def evaluate(self, node: Stack, state: BlockState) -> Verdict:
         upward = sorted(node.blocks, key=lambda name: state.position[name][2])
-        parts = [chain(state, upward)]
+        parts = [chain(state, upward, node.raised)]
         if node.order.by != "any":
             traits = Traits(state.world, symbols_shown(state, node.blocks, TO_VIEWER))
             parts.append(ordered(node.order, upwards(node, upward), traits, self._either(node)))
@@ -100,7 +102,8 @@ class StackPredicate(Predicate[Stack]):
         sequence = fixed_edges(node.order, node.blocks, Traits(world))
         if sequence is not None:
             upward = upwards(node, sequence)
-            yield upward[0], GROUND
+            if not node.raised:
+                yield upward[0], GROUND
             yield from zip(upward[1:], upward, strict=False)
 
     def near_misses(self, node: Stack, state: BlockState, rng: Random) -> Iterator[NearMiss]:

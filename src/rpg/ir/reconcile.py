@@ -1,0 +1,36 @@
+"""Conditions of one goal that override what a structure of it would ask by itself.
+
+A cube that the goal turns in the plane of its face need not be upright where it is read; a stack that the goal puts
+on another block need not stand on the table.
+"""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.ir.node import members
+from rpg.ir.relations import Facing, On
+from rpg.ir.structures import Cells, Equation, Row, Spells, Stack
+from rpg.ir.walk import atoms, transform
+
+
+def reconcile(goal: g.Goal) -> g.Goal:
+    """`goal` with its structures told what its other atoms override."""
+    turned = {atom.block for atom in atoms(goal) if isinstance(atom, Facing) and atom.turn}
+    resting = [atom for atom in atoms(goal) if isinstance(atom, On)]
+
+    def change(node: g.Goal) -> g.Goal:
+        if turned and isinstance(node, Stack | Row | Cells | Spells | Equation):
+            excused = tuple(name for name in node.blocks if name in turned or name in node.excused)
+            if excused != node.excused:
+                node = node.model_copy(update={"excused": excused})
+        if isinstance(node, Stack) and not node.raised and any(_lifts(on, node) for on in resting):
+            node = node.model_copy(update={"raised": True})
+        return node
+
+    return transform(goal, change)
+
+
+def _lifts(on: On, stack: Stack) -> bool:
+    """Does `on` put a block of the stack on a block outside of it?"""
+    inside = set(stack.blocks)
+    return not inside.isdisjoint(members(on.a)) and inside.isdisjoint(members(on.b))

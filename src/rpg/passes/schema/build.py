@@ -6,6 +6,7 @@ from itertools import product
 
 from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
+from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.passes.schema.meaning import Chain, Clause, cost_of
 from rpg.passes.schema.names import family_name
@@ -108,7 +109,7 @@ def resolve(
         arranged=tuple(dict.fromkeys(finish.renamed(x, names) for x in scene.start_goals)),
         heaps=tuple(tuple(names[n] for n in heap) for heap in scene.heaps),
     )  # fmt: skip
-    final = finish.renamed(goal, names)
+    final = reconcile(finish.renamed(goal, names))
     made = finish.assets(scene, names)
     return TaskSchema(
         name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start, goal=final,

@@ -1,0 +1,32 @@
+"""Sessions of edits: every turn has the class, the reference and the meaning that a person would expect."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.steer.harness import Mark, Script, play, scripts
+
+DEV = scripts("dev")
+SHARE = 0.8
+"""Of the turns kept aside, at least so many are right; none may be wrong."""
+
+
+@pytest.mark.parametrize("script", DEV, ids=[f"{script.file}-{script.number}" for script in DEV])
+def test_turns_are_right(script: Script, tmp_path: Path) -> None:
+    marks = list(play(script, tmp_path))
+    problems = [f"{mark.edit}: {mark.score}: {mark.why}" for mark in marks if mark.score != "right"]
+    assert not problems
+    assert len(marks) == len(script.turns)
+
+
+def test_turns_kept_aside(tmp_path: Path) -> None:
+    marks: list[Mark] = []
+    for number, script in enumerate(scripts("heldout")):
+        marks += play(script, tmp_path / str(number))
+    wrong = [f"{mark.edit}: {mark.why}" for mark in marks if mark.score == "wrong"]
+    total = sum(len(script.turns) for script in scripts("heldout"))
+    right = sum(mark.score == "right" for mark in marks)
+    assert not wrong
+    assert right >= SHARE * total, f"{right} of {total}"

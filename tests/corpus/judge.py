@@ -16,7 +16,8 @@ from tests.corpus.entries import Entry
 from tests.corpus.looks import Binding, Mismatch
 from tests.corpus.states import Painter
 
-Compiler = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
+Read = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
+Compiler = Callable[[Entry], Read]
 Outcome = Literal["right", "refused", "wrong", "crash"]
 
 
@@ -33,7 +34,7 @@ class Score:
 def judge(entry: Entry, compiler: Compiler) -> Score:
     """Compile an entry's text and compare the result with what it has to mean."""
     try:
-        schema, diagnostics = compiler(entry.text)
+        schema, diagnostics = compiler(entry)
         errors = [d for d in diagnostics if d.severity == "error"]
         if schema is None or errors:
             return _refused(entry, errors)

@@ -5,37 +5,35 @@ from __future__ import annotations
 import argparse
 import time
 from collections import Counter
+from random import Random
 
-from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.ir.schema import TaskSchema
-from tests.corpus.entries import SPLITS, load
-from tests.corpus.judge import Score, judge
+from rpg.core.diagnostics import Refusal
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+from rpg.pipeline import compile_instruction, goal_path, prepared
+from tests.corpus.entries import SPLITS, Entry, load
+from tests.corpus.judge import Read, Score, judge
 
 OUTCOMES = ("right", "refused", "wrong", "crash")
 
 
-def read(text: str) -> tuple[TaskSchema | None, tuple[Diagnostic, ...]]:
-    """The schema pass alone: no physics, no pictures."""
-    from rpg.blocks.patches import place_patches
-    from rpg.passes.schema.frontend import BuiltinFrontEnd
-
+def read(entry: Entry) -> Read:
+    """The schema pass and what the compiler decides, without physics; what has to be refused is also arranged."""
     try:
-        schema, diagnostics = BuiltinFrontEnd().read(text, name=None, seed=0, author=None)
-        if schema is None or any(d.severity == "error" for d in diagnostics):
+        schema, diagnostics = BuiltinFrontEnd().read(entry.text)
+        if schema is None:
             return None, diagnostics
-        return place_patches(schema), diagnostics
+        schema = prepared(schema)
+        if entry.refuse:
+            goal_path(schema, Random(0))
+        return schema, diagnostics
     except Refusal as refusal:
         return None, refusal.diagnostics
 
 
-def compile_fully(text: str) -> tuple[TaskSchema | None, tuple[Diagnostic, ...]]:
+def compile_fully(entry: Entry) -> Read:
     """All four passes with every gate."""
-    from rpg.pipeline import compile_instruction
-
-    outcome = compile_instruction(text)
-    if outcome.status != "admitted" or outcome.program is None:
-        return None, outcome.diagnostics
-    return outcome.program.schema, outcome.diagnostics
+    outcome = compile_instruction(entry.text)
+    return (outcome.schema if outcome.status == "admitted" else None), outcome.diagnostics
 
 
 def score(split: str, *, full: bool = False, only: str | None = None) -> list[Score]:

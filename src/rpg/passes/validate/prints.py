@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 
 from rpg.env import BlockTask
-from rpg.ir.artifact import Program
 from rpg.passes.validate.load import load
 
 
@@ -15,9 +14,9 @@ def print_of(task: BlockTask) -> str:
     return hashlib.sha256(data.qpos.tobytes() + data.qvel.tobytes()).hexdigest()
 
 
-def prints_of(program: Program, resets: int, steps: int) -> dict[str, str]:
+def prints_of(code: str, goal_code: str, resets: int, steps: int) -> dict[str, str]:
     """The prints that the smoke and reset gates leave, made anew: the resets of the first seeds, and a few steps."""
-    task = load(program.code, program.goal_code)[0]()
+    task = load(code, goal_code)[0]()
     found = {}
     for seed in range(resets):
         task.reset(seed)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from typing import Any
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.core.isolate import Answer, Child, Limits, Send
+from rpg.core.nursery import Gone, Nursery
 from rpg.core.passes import Listener, silent
 from rpg.ir.artifact import GateReport, Program
 from rpg.passes.validate.bench import Bench, Gate, Measures
@@ -41,12 +45,29 @@ def admitted(reports: Sequence[GateReport]) -> bool:
 
 
 def _here(program: Program, measures: Measures, limits: Limits, listen: Listener) -> Reports:
-    twin = Child(_printer(program, measures), confined=False, limits=limits)
-    bench = Bench(program, measures, elsewhere=lambda: _prints(twin.answer()))
+    nursery, number = _asked([program.code, program.goal_code, measures.resets, measures.smoke_steps])
+    bench = Bench(program, measures, elsewhere=lambda: nursery.answer(number, limits.seconds) or {})
     try:
         return tuple(_until_failure(GATES, bench, listen))
     finally:
-        twin.cancel()
+        nursery.drop(number)
+
+
+def _asked(request: list[Any]) -> tuple[Nursery, int]:
+    """A request under way in the nursery of this process; in a new one where the old one has ended."""
+    nursery = _nursery(os.getpid())
+    try:
+        return nursery, nursery.ask(request)
+    except Gone:
+        _nursery.cache_clear()
+        nursery = _nursery(os.getpid())
+        return nursery, nursery.ask(request)
+
+
+@lru_cache(maxsize=1)
+def _nursery(_process: int) -> Nursery:
+    """One for each process: a fork must not share its parent's."""
+    return Nursery(lambda request: prints_of(*request))
 
 
 def _confined(program: Program, measures: Measures, limits: Limits, listen: Listener) -> Reports:
@@ -70,8 +91,7 @@ def _confined(program: Program, measures: Measures, limits: Limits, listen: List
     if not reports[-1].passed:
         return tuple(reports)
     bench.prints = dict(answer.messages[-1])
-    twin = Child(_printer(program, measures), confined=True, limits=limits)
-    bench.elsewhere = lambda: _prints(twin.answer())
+    bench.elsewhere = lambda: _printed(program, measures, limits)
     return (*reports, *_until_failure(last, bench, listen))
 
 
@@ -84,12 +104,13 @@ def _until_failure(gates: Sequence[Gate], bench: Bench, listen: Listener) -> Ite
             return
 
 
-def _printer(program: Program, measures: Measures):  # type: ignore[no-untyped-def]
-    return lambda send: send(prints_of(program, measures.resets, measures.smoke_steps))
+def _printed(program: Program, measures: Measures, limits: Limits) -> dict[str, str]:
+    """What a fresh confined process measures; nothing where it does not get that far."""
 
+    def work(send: Send) -> None:
+        send(prints_of(program.code, program.goal_code, measures.resets, measures.smoke_steps))
 
-def _prints(answer: Answer) -> dict[str, str]:
-    """What a fresh process measured; nothing where it did not get that far."""
+    answer = Child(work, confined=True, limits=limits).answer()
     return dict(answer.messages[0]) if answer.end == "done" and answer.messages else {}
 
 

@@ -352,3 +352,11 @@ def test_values_of_the_class_may_be_lists_of_names() -> None:
     )
     subject = edited(subject, 'self.scatter("red_block", "yellow_block")', "self.scatter(*self.both)")
     assert admitted(run(subject))
+
+
+@pytest.mark.parametrize("code", ["def f():\n            pass", "class A:\n            pass", "from rpg.env import On"])
+def test_nothing_is_defined_inside_of_a_method(code: str) -> None:
+    subject = edited(program(tasks.RED_ON_YELLOW), "return _success_check", f"{code}\n        return _success_check")
+    reports = run(subject)
+    assert [r.name for r in reports] == ["text"]
+    assert "code-shape" in {d.code for d in reports[0].failures}

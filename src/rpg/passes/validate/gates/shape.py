@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterable
 from typing import Any
 
 from rpg.core.diagnostics import Diagnostic
@@ -15,9 +16,9 @@ SETTABLE = frozenset({"instruction", "interchangeable"})
 """What BlockTask has for its subclasses to set; a class must not hide anything else of it."""
 
 
-def check_shape(filename: str, tree: ast.Module) -> list[Diagnostic]:
+def check_shape(filename: str, tree: ast.Module, nodes: Iterable[ast.AST]) -> list[Diagnostic]:
     """Imports from the public module alone; exactly one class with the hooks of a task."""
-    found: list[Diagnostic] = []
+    found = _inner(filename, tree, nodes)
     classes = []
     for node in tree.body:
         match node:
@@ -33,6 +34,17 @@ def check_shape(filename: str, tree: ast.Module) -> list[Diagnostic]:
         message = f"{filename} must define one class, it defines {len(classes)}"
         return [*found, failure("text", "code-shape", "api", message, file=filename)]
     return found + _class(filename, classes[0])
+
+
+def _inner(filename: str, tree: ast.Module, nodes: Iterable[ast.AST]) -> list[Diagnostic]:
+    """Functions, classes and imports anywhere but at the top of the file or, for functions, of its class."""
+    places = {id(node) for node in tree.body}
+    places |= {id(inner) for node in tree.body if isinstance(node, ast.ClassDef) for inner in node.body}
+    return [
+        _wrong(filename, node, "a function, class or import inside of another")
+        for node in nodes
+        if isinstance(node, ast.FunctionDef | ast.ClassDef | ast.ImportFrom) and id(node) not in places
+    ]
 
 
 def _import(filename: str, node: ast.ImportFrom) -> list[Diagnostic]:
@@ -103,11 +115,6 @@ def _method(filename: str, node: ast.FunctionDef) -> list[Diagnostic]:
     names = [argument.arg for argument in (*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs)]
     if names != ["self"] or arguments.vararg or arguments.kwarg or arguments.defaults or node.decorator_list:
         found.append(_wrong(filename, node, f"arguments or decorators of {node.name}, which takes self alone"))
-    found += [
-        _wrong(filename, inner, "a function or class inside a method")
-        for inner in ast.walk(node)
-        if isinstance(inner, ast.FunctionDef | ast.ClassDef | ast.ImportFrom) and inner is not node
-    ]
     return found
 
 

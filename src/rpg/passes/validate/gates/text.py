@@ -35,7 +35,7 @@ class TextGate:
                 nodes = grammar.walk(tree)
                 calls += sum(isinstance(node, ast.Call) for node in nodes)
                 found += forbidden(filename, nodes)
-                found += check_shape(filename, tree)
+                found += check_shape(filename, tree, nodes)
                 found += check_api(filename, nodes)
         return GateReport.of(self.name, found, lines=lines, calls=calls)
 

@@ -200,6 +200,8 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     ):  # fmt: skip
         if j := p.seq(i, phrase):
             yield Marks({"scheme": value}), j
+    if head == "patch" and (j := p.any_of(i, ("designated on the table", "on the table", "marked on the table", "painted on the table", "drawn on the table"))):
+        yield Marks({"target": True}), j
     for phrase in ("of its color", "of its own color", "of the same color", "of matching color", "of that color",
                    "of its colour", "of its own colour", "of the corresponding color", "of their color", "in its color", "of their own color",
                    "of the matching color", "with matching color", "that matches its color",

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.passes.schema.grammar.amounts import length
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.labels import label_list, literal
 from rpg.passes.schema.grammar.nouns import noun_phrase, simple
-from rpg.passes.schema.grammar.orders import at, listed, order
+from rpg.passes.schema.grammar.lists import listed
+from rpg.passes.schema.grammar.orders import SIDES, at, order
 from rpg.passes.schema.grammar.relations import loc
 from rpg.passes.schema.grammar.structures import size_phrase
 from rpg.passes.schema.meaning import (
     Absolute,
+    At,
+    Coord,
     Into,
     Loc,
     Manner,
@@ -27,7 +32,8 @@ from rpg.passes.schema.meaning import (
 _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "forming", "making", "creating", "like", "to be", "so as to form",
          "so they form", "so that they form", "such that they form", "so that it forms", "in such a way that they form", "to become", "in the form of",
          "in the shape of", "so it forms", "so as to make", "so that they make", "to construct", "and form", "to spell", "to get", "so you get",
-         "so that you get", "along")  # fmt: skip
+         "so that you get", "arranged in", "lined up in", "placed in", "standing in", "arranged as", "arranged into", "that form", "which form", "that forms", "that make", "that make up", "set up as", "laid out in", "laid out as",
+         "laid out like", "all in", "stacked in", "organized in", "down", "up in", "so as to create", "so that they create", "so it makes", "each in", "standing as", "stacked as", "stacked into", "set in", "shaped like", "in the pattern of", "arranged like", "along")  # fmt: skip
 _USING = ("using", "with", "from", "out of", "by using", "made of", "made from", "made out of", "consisting of", "of", "composed of", "built from",
           "made up of", "use", "made with")  # fmt: skip
 
@@ -82,35 +88,55 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _absolute(p: Parser, i: int) -> Results[Meaning]:
-    """ "with the red block on top and the blue one below it"; "the green one on top" after a comma."""
-    comma = p.opt(i, ",")
-    j = p.any_of(comma, ("with", "having", "where", "keeping", "and with", "but with")) or p.one(i, ",")
+    """"with the red block on top and the blue one below it"; "the green one on top" after a comma."""
+    comma = p.opt(i, ",", ":")
+    j = p.any_of(comma, ("with", "having", "where", "keeping", "and with", "but with", "crowned by", "crowned with", "topped by", "topped with")) or (comma if comma > i else 0)
     if not j:
         return
+    if p.words[j - 1] in ("by", "with") and p.words[j - 2] in ("crowned", "topped"):
+        for theme, k in simple(p, j):
+            yield Absolute(theme=theme, adjuncts=(At(side="top", span=p.span(i, j)),), span=p.span(i, k)), k
+        return
+    for first, end in _one_absolute(p, j):
+        cost = 2 if j == comma and isinstance(first.adjuncts[0], Loc) else 0
+        first = replace(first, cost=cost)
+        yield first, end
+        yield from _absolute_more(p, i, end, (first,))
+
+
+def _one_absolute(p: Parser, j: int) -> Results[Absolute]:
+    """"a red block at the bottom" or "bottom red"."""
     for theme, k in noun_phrase(p, j):
-        k = p.opt(k, "is", "are", "being", "goes", "should")
+        k = p.opt(k, "is", "are", "being", "goes", "should", "lying", "standing", "left")
         k = p.opt(k, "be")
-        k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put")
+        k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
         for found, end in _places(p, k):
-            cost = 2 if p.words[i] == "," and isinstance(found[0], Loc) else 0
-            yield Absolute(theme=theme, adjuncts=found, span=p.span(i, end), cost=cost), end
-            yield from _absolute_more(p, i, end, (Absolute(theme=theme, adjuncts=found, span=p.span(i, end)),))
+            yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
+    the = p.opt(j, "the")
+    side = SIDES.get(p.words[the]) if the < p.end else None
+    if side:
+        k = p.opt(p.reach(the + 1), "one", "block", "cube", "layer")
+        k = p.opt(k, "is", "being", ":", "should")
+        k = p.opt(k, "be")
+        for theme, end in simple(p, k):
+            if isinstance(theme, Noun):
+                yield Absolute(theme=theme, adjuncts=(At(side=side, span=p.span(j, k)),), span=p.span(j, end), cost=1), end
 
 
 def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Results[Meaning]:
-    """ "... and blue on top": one more absolute after the first, wrapped in a "list" manner."""
-    from rpg.passes.schema.meaning import Coord
-
+    """"... and blue on top", "... then green": further ones, in one record."""
     j = p.opt(at_, ",")
-    j = p.any_of(j, ("and then", "and", "then")) or j
+    then = p.any_of(j, ("and then", "then", "followed by"))
+    j = then or p.any_of(j, ("and",)) or j
     if j == at_ or len(had) > 12:
         return
-    for theme, k in simple(p, j):
-        k = p.opt(k, "is", "are", "being", "goes")
-        for found, end in _places(p, k):
-            whole = (*had, Absolute(theme=theme, adjuncts=found, span=p.span(j, end)))
-            yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
-            yield from _absolute_more(p, i, end, whole)
+    more = list(_one_absolute(p, j))
+    if then:
+        more += [(Absolute(theme=t, adjuncts=(At(side="next", span=t.span),), span=t.span), k) for t, k in simple(p, j) if isinstance(t, Noun)]
+    for one, end in more:
+        whole = (*had, one)
+        yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
+        yield from _absolute_more(p, i, end, whole)
 
 
 def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
@@ -118,6 +144,13 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         yield (found,), k
     for found, k in at(p, i):
         yield (found,), k
+    for phrase, side in (("below", "bottom"), ("underneath", "bottom"), ("beneath", "bottom"), ("above", "top"), ("under", "bottom")):
+        if k := p.one(i, phrase):
+            yield (At(side=side, span=p.span(i, k)),), k
+    if p.words[i : i + 1] in (["first"], ["last"]):
+        yield (At(side="first", index=1 if p.words[i] == "first" else -1, span=p.span(i, i + 1)),), p.reach(i + 1)
+    if k := p.any_of(i, ("lying around", "as distractors", "as a distractor", "lying on the table", "on the side as distractors", "for distraction", "as distraction")):
+        yield (Manner(kind="extra", span=p.span(i, k)),), k
 
 
 def _that(p: Parser, i: int) -> Results[Meaning]:
@@ -266,12 +299,24 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
 
 
 _LITTLE = (
+    ("first", "time", 1.0), ("second", "time", 2.0), ("third", "time", 3.0), ("last", "time", 99.0), ("finally", "time", 99.0), ("afterwards", "time", 50.0), ("initially", "start", None),
+    ("at the start", "start", None), ("at the beginning", "start", None), ("at first", "start", None), ("in the beginning", "start", None), ("to begin with", "start", None), ("originally", "start", None),
+    ("currently", "start", None), ("at the start of the episode", "start", None), ("as distractors", "extra", None), ("as a distractor", "extra", None), ("lying around", "extra", None),
+    ("there as distractors", "extra", None), ("lying around as distractors", "extra", None), ("distractors", "extra", None), ("a distractor", "extra", None), ("just distractors", "extra", None),
+    ("only distractors", "extra", None), ("as decoration", "extra", None), (", which do not matter", "extra", None), ("that do not matter", "extra", None), ("irrelevant", "extra", None),
+    ("by the robot", "idle", None), ("by the arm", "idle", None), ("with the gripper", "idle", None), ("there", "idle", None), ("from above", "idle", None), ("as seen from above", "idle", None),
+    ("in the final scene", "finally", None), ("when you are done", "finally", None), ("in the target orientation", "turn", 0.0), ("in the right orientation", "turn", 0.0), ("readable", "turn", 0.0),
+    ("in the correct orientation", "turn", 0.0), ("the right way around", "turn", 0.0), ("readable upright", "turn", 0.0), ("readable from above", "idle", None), (", letters on top", "idle", None),
+    ("with the letters facing up", "idle", None), ("with letters facing up", "idle", None), (", letters facing up", "idle", None), (", letters readable from above", "idle", None), ("partially stacked", "partial", None),
+    ("partly stacked", "partial", None), ("of equal height", "equal", None), ("of the same height", "equal", None), ("equally tall", "equal", None), ("equally high", "equal", None), ("of equal heights", "equal", None),
+    ("the same height", "equal", None), ("with the same height", "equal", None), ("reversed", "backwards", None), ("the whole time", "always", None), ("all the time", "always", None), ("from start to finish", "always", None),
+    ("during the whole task", "always", None), ("during the task", "always", None), ("at any time", "always", None), ("at any point", "always", None), ("ever", "always", None),
     ("respectively", "respectively", None), ("backwards", "backwards", None), ("in reverse", "backwards", None), ("backward", "backwards", None),
     ("at the end", "finally", None), ("in the end", "finally", None), ("at once", "idle", None), ("one by one", "idle", None),
     ("one at a time", "idle", None), ("carefully", "idle", None), ("gently", "idle", None), ("neatly", "idle", None), ("exactly", "idle", None),
     ("again", "idle", None), ("precisely", "idle", None), ("somewhere", "idle", None), ("anywhere", "idle", None), ("instead", "idle", None),
-    ("together", "idle", None), ("in order", "idle", None), ("for me", "idle", None), ("slowly", "idle", None), ("quickly", "idle", None),
-    ("in any way", "idle", None), ("in any arrangement", "idle", None), ("in the picture", "idle", None), ("at all times", "always", None),
+     ("for me", "idle", None), ("slowly", "idle", None), ("quickly", "idle", None),
+    ("in any way", "idle", None), ("in any arrangement", "idle", None), ("in any direction", "idle", None), ("in the picture", "idle", None), ("at all times", "always", None),
     ("the whole time", "always", None), ("throughout", "always", None), ("always", "always", None), ("in the scene", "idle", None), ("side up", "idle", None),
     ("where it is", "stay", None), ("where they are", "stay", None), ("in place", "stay", None), ("as it is", "stay", None), ("as they are", "stay", None),
     ("untouched", "stay", None), ("alone", "stay", None), ("still", "stay", None), ("where they were", "stay", None), ("unmoved", "stay", None),

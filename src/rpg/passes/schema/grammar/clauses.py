@@ -3,25 +3,36 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from rpg.passes.schema import lexicon
 from rpg.passes.schema.grammar.adjectives import adjectives, of_quality
-from rpg.passes.schema.grammar.adjuncts import adjuncts, direction
+from rpg.passes.schema.grammar.adjuncts import adjunct, adjuncts, direction, manner
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.frames import AFTER, COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG, THEN
+from rpg.passes.schema.grammar.fronted import fronted, having
 from rpg.passes.schema.grammar.labels import label_list, literal
+from rpg.passes.schema.grammar.lists import listed
 from rpg.passes.schema.grammar.nouns import noun_phrase
+from rpg.passes.schema.grammar.relations import bounds
 from rpg.passes.schema.meaning import (
+    Absolute,
+    At,
     Chain,
     Clause,
     Coord,
+    In,
+    Into,
     Loc,
     Manner,
     Meaning,
     Noun,
+    OrderBy,
     Pronoun,
     Quality,
+    Size,
     Structure,
+    Toward,
     Traits,
     Using,
 )
@@ -54,6 +65,16 @@ _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
 @rule
 def chain(p: Parser, i: int) -> Results[Chain]:
     """Clauses joined by "and", "then", "or", "before", commas."""
+    for lead, late in (("after", False), ("once", False), ("before", True)):
+        if j := p.one(i, lead):
+            j = p.opt(j, "you", "that")
+            fronts = [*gerund_clause(p, j), *chain(p, j)]
+            for front, k in fronts:
+                for main, end in chain(p, p.one(k, ",") or k) if k < p.end else ():
+                    both = (main, front) if late else (front, main)
+                    clauses = (*both[0].clauses, *both[1].clauses)
+                    links = (*both[0].links, "then", *both[1].links[1:])
+                    yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
     for first, j in clause(p, i):
         yield Chain(clauses=(first,), links=("and",), span=p.span(i, j)), j
         yield from _more(p, i, (first,), ("and",), j)
@@ -64,12 +85,14 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         return
     for link, j in _link(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
-        for item, k in clause(p, j):
+        items = [*clause(p, j), *(gerund_single(p, j) if link in ("before", "after") else ())]
+        for item, k in items:
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, link), k)
-        if previous is not None and link != "before":
-            for item, k in gapped(p, j, previous):
+        if previous is not None:
+            denied = p.words[p.opt(at, ",")] == "but" if p.opt(at, ",") < p.end else False
+            for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
                 whole = (*had, item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
@@ -79,7 +102,7 @@ def _link(p: Parser, i: int) -> Results[str]:
     j = p.opt(i, ",", ";")
     if k := p.any_of(j, THEN):
         yield "then", p.opt(k, ",")
-    elif k := p.any_of(j, ("before",)):
+    elif k := p.any_of(j, ("before you", "before the robot", "before")):
         yield "before", k
     elif k := p.any_of(j, ("after",)):
         yield "after", k
@@ -112,11 +135,44 @@ def _link(p: Parser, i: int) -> Results[str]:
 def clause(p: Parser, i: int) -> Results[Meaning]:
     """One clause with whatever frame stands before it."""
     for start, mode in _frames(p, i):
-        if mode in ("command", "any"):
-            yield from _command(p, start)
-        yield from _state(p, start, "start" if mode == "start" else "goal")
-        yield from _exists(p, start)
-        yield from _describe(p, start, "start" if mode == "start" else "goal")
+        yield from _plain(p, start, mode)
+        yield from _fronted(p, start, mode)
+
+
+@rule
+def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    state = "start" if mode == "start" else "goal"
+    if mode in ("command", "any"):
+        yield from _command(p, i)
+    yield from _gap(p, i)
+    yield from _state(p, i, state)
+    yield from _exists(p, i)
+    yield from _describe(p, i, state)
+
+
+@rule
+def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """"from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
+    for first, j in adjunct(p, i):
+        if isinstance(first, Absolute | Size):
+            continue
+        j = p.opt(j, ",", ":")
+        k = p.any_of(j, ("there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits", "stands", "lies", "go", "you put",
+                         "place", "put", "comes then", "come"))  # fmt: skip
+        if isinstance(first, Loc | In | At):
+            for theme, end in noun_phrase(p, k or j):
+                for more, last in adjuncts(p, end):
+                    verb = "build" if isinstance(theme, Structure) else "be"
+                    said = Clause(verb=verb, theme=theme, adjuncts=(first, *more), mode="start" if mode == "start" else "goal", span=p.span(i, last), cost=1 if k else 2)
+                    yield said, last
+        for found, end in _plain(p, j, mode):
+            if isinstance(found, Clause) and found.verb != "exist":
+                yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
+        if isinstance(first, Toward):
+            for items, end in listed(p, j):
+                given = OrderBy(by="given", items=items, span=p.span(j, end))
+                for more, last in adjuncts(p, end):
+                    yield Clause(verb="arrange", adjuncts=(first, given, *more), mode="goal", span=p.span(i, last), cost=1), last
 
 
 def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
@@ -139,14 +195,51 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
 
 
 @rule
+def _gap(p: Parser, i: int) -> Results[Meaning]:
+    """"leave a gap of 6 cm between the red and the green block", "a distance of at least 15 cm between ..."."""
+    j = p.any_of(i, ("leave", "keep", "have", "put", "make", "maintain", "there should be", "there must be", "there is")) or i
+    j = p.opt(j, "a", "an", "the")
+    spans: list[tuple[Any, int, str]] = []
+    for noun, measure in (("gap", "faces"), ("space", "faces"), ("distance", "centres"), ("spacing", "centres"), ("separation", "centres")):
+        if (k := p.one(j, noun)) and (k := p.one(k, "of")):
+            spans += [(b, e, measure) for b, e in bounds(p, k)]
+        spans += [(b, e, measure) for b, k in bounds(p, j) if (e := p.any_of(k, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}")))]
+    for (low, high), k, measure in spans:
+        if m := p.one(k, "between"):
+            for theme, end in noun_phrase(p, m):
+                each = Pronoun(word="each other", span=p.span(i, m))
+                far = Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, m))
+                yield Clause(verb="be", theme=theme, adjuncts=(far,), span=p.span(i, end)), end
+
+
+@rule
 def _command(p: Parser, i: int) -> Results[Meaning]:
     """ "stack the red block on ...", "do not move ...", "never touch ..."."""
     j, negated = i, False
     if k := p.any_of(i, ("do not", "never", "avoid", "do n't", "not")):
         j, negated = k, True
         j = p.opt(j, "ever")
+    never = p.words[i : i + 1] == ["never"]
+    for lead in ("let", "allow", "have", "make"):
+        if negated and (k := p.one(j, lead)):
+            for found, end in _state(p, k, "goal"):
+                if isinstance(found, Clause):
+                    yield _ever(replace(found, negated=True, span=p.span(i, end)), never), end
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
-        yield replace(found, negated=negated, span=p.span(i, k)), k
+        yield _ever(replace(found, negated=negated, span=p.span(i, k)), never), k
+
+
+def _ever(found: Clause, never: bool) -> Clause:
+    """"never": at no time, not only at the end."""
+    if not never:
+        return found
+    return replace(found, adjuncts=(*found.adjuncts, Manner(kind="always", span=found.span)))
+
+
+@rule
+def gerund_single(p: Parser, i: int) -> Results[Clause]:
+    """"putting the red block on ..." after "before"."""
+    yield from verb_phrase(p, i, ("ing",))
 
 
 @rule
@@ -174,6 +267,11 @@ def _with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cl
         )
         if sense == "use":
             yield from _use(p, i, k, theme)
+        if sense in ("keep", "build") and lemma in ("keep", "leave", "make"):
+            for marks, end in adjectives(p, k):
+                if marks:
+                    quality = Quality(traits=Traits(**marks), span=p.span(k, end))
+                    yield Clause(verb="be", theme=theme, adjuncts=(quality,), span=p.span(i, end), word=word), end
         for found, end in adjuncts(p, k):
             yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=word), end
     if sense in ("stack", "build", "arrange", "sort", "place"):
@@ -199,7 +297,7 @@ def _spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     themes: list[tuple[Meaning, int]] = []
     if text is not None:
         themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
-    themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind == "word"]
+    themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
     for theme, k in themes:
         for found, end in adjuncts(p, k):
             clause_ = Clause(
@@ -244,81 +342,76 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     for theme, j in noun_phrase(p, i):
         for found, k in adjuncts(p, j):
             if found:
-                yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=0), k
+                cost = 2 if before.verb in ("build", "spell", "sort") and not isinstance(theme, Structure) else 0
+                yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):
             if found and isinstance(found[0], Loc):
                 it = Pronoun(word="same", span=before.theme.span)
-                yield replace(before, theme=it, adjuncts=found, span=p.span(i, k), cost=0), k
+                verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
+                yield replace(before, verb=verb, theme=it, adjuncts=found, span=p.span(i, k), cost=1), k
 
 
 @rule
 def _state(p: Parser, i: int, mode: str) -> Results[Meaning]:
-    """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
+    """"the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
     inverted = p.one(i, _BE)
     for theme, j in noun_phrase(p, inverted or i):
-        j = p.opt(j, "all", "each", "both")
-        k, negated = _auxiliaries(p, j)
+        j = p.opt(j, "all", "each", "both", "then")
+        k, words = _auxiliaries(p, j)
+        negated = bool(words & _NOT)
         if inverted:
             yield from _predicate(p, i, j, theme, mode, False)
             continue
-        yield from _predicate_after_be(p, i, k, theme, mode, negated)
-        yield from _subject_verb(p, i, k, theme, mode, negated)
-        for phrase in (
-            "starts off",
-            "starts out",
-            "starts",
-            "start",
-            "begins",
-            "begin",
-            "started",
-            "starting",
-            "start off",
-            "start out",
-            "initially is",
-            "initially sits",
-        ):
+        readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
+        for phrase in _STARTS:
             if s := p.seq(k, phrase):
-                s = p.opt(s, "being", "in")
-                yield from _predicate(p, i, s, theme, "start", negated)
+                readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
+        for found, end in readings:
+            lasting = bool(words & {"never", "always"})
+            yield (_ever(found, lasting) if isinstance(found, Clause) else found), end
 
 
-def _auxiliaries(p: Parser, j: int) -> tuple[int, bool]:
-    negated = False
-    while j < p.end and p.words[j] in _MODALS | {"to", "also", "only", "all", "always", "both", "each"} | _NOT:
-        negated = negated or p.words[j] in _NOT
+_STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off", "start out", "initially is", "initially sits",
+           "starts the episode")  # fmt: skip
+_FILLERS = frozenset({"to", "also", "only", "all", "always", "both", "each", "ever", "end", "gets", "get", "up", "then", "still", "just", "simply"})
+_ADVERBS = frozenset({"all", "both", "each", "also", "still", "now", "currently", "already", "initially", "being", "originally", "to", "be", "always", "then", "only", "going"})
+
+
+def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
+    words: set[str] = set()
+    while j < p.end and p.words[j] in _MODALS | _FILLERS | _NOT:
+        words.add(p.words[j])
         j = p.reach(j + 1)
-    return j, negated
+    return j, words
 
 
-def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> list[tuple[Meaning, int]]:
     if j := p.one(k, _BE):
         if p.words[k] in ("was", "were"):
             mode = "start"
-        while n := p.one(
-            j,
-            _NOT
-            | {
-                "all",
-                "both",
-                "each",
-                "also",
-                "still",
-                "now",
-                "currently",
-                "already",
-                "initially",
-                "being",
-                "originally",
-            },
-        ):
+        lasting = False
+        while n := p.one(j, _NOT | _ADVERBS):
             negated = negated or p.words[j] in _NOT
+            lasting = lasting or p.words[j] in ("always", "never")
             if p.words[j] in ("currently", "already", "initially", "originally"):
                 mode = "start"
             j = n
-        yield from _predicate(p, i, j, theme, mode, negated)
-    elif k < p.end and p.words[k] in lexicon.POSTURE and p.words[k] not in _BE:
-        yield from _predicate(p, i, p.reach(k + 1), theme, mode, negated)
+        readings = list(_predicate(p, i, j, theme, mode, negated))
+        return [(_ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
+    if k < p.end and p.words[k] in lexicon.POSTURE:
+        lasting = p.words[k] in ("stays", "stay", "remains", "remain", "staying", "remaining")
+        readings = list(_predicate(p, i, p.reach(k + 1), theme, mode, negated))
+        return [(_stays(c) if lasting and isinstance(c, Clause) else c, e) for c, e in readings]
+    if any(True for _ in manner(p, k)) or p.words[k - 1 : k] in (["always"], ["never"]):
+        return list(_predicate(p, i, k, theme, mode, negated))
+    return []
+
+
+def _stays(found: Clause) -> Clause:
+    """"stays on the patch": there from the start on; "stays empty" is about the end."""
+    placed = any(isinstance(a, Loc | In) for a in found.adjuncts)
+    return _ever(found, placed)
 
 
 def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
@@ -456,26 +549,31 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
 
 @rule
 def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
-    """ "a tower of three green blocks", "red block on blue block": a picture of the end."""
+    """"a tower of three green blocks", "red block on blue block", "three red blocks stacked on ...": a picture of the end."""
     for theme, j in noun_phrase(p, i):
-        if isinstance(theme, Pronoun):
+        if isinstance(theme, Pronoun) and theme.word in ("it", "them", "they", "that", "this", "one", "each", "all", "both"):
             continue
+        shaped = isinstance(theme, Structure) or (isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items))
         for found, k in adjuncts(p, j):
-            shaped = isinstance(theme, Structure) or (
-                isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items)
-            )
             if found or shaped:
-                yield (
-                    Clause(
-                        verb="build" if shaped else "be",
-                        theme=theme,
-                        adjuncts=found,
-                        mode=mode,
-                        span=p.span(i, k),
-                        cost=1,
-                    ),
-                    k,
-                )
+                yield Clause(verb="build" if shaped else "be", theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), cost=1), k
+        colon = p.opt(p.opt(j, ",", ":"), "all")
+        for apposed, k in noun_phrase(p, colon) if colon > j else ():
+            if isinstance(apposed, Structure) and apposed.members is None and not shaped:
+                for found, end in adjuncts(p, k):
+                    into = Into(structure=apposed, span=apposed.span)
+                    yield Clause(verb="arrange", theme=theme, adjuncts=(into, *found), mode=mode, span=p.span(i, end), cost=1), end
+        for found_, k in _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode):
+            yield found_, k
+
+
+def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
+    for sense, lemma, form in p.lex(j, lexicon.VERB) or ():
+        if form in ("past", "ing"):
+            for at_ in dict.fromkeys((p.opt(j + 1, *_PARTICLES), j + 1)):
+                for found, k in adjuncts(p, at_):
+                    if found or sense == "stack":
+                        yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), word=p.span(j, j + 1), cost=1), k
 
 
 def tail(p: Parser, i: int) -> int:
@@ -487,5 +585,3 @@ def tail(p: Parser, i: int) -> int:
             return i
         i = k
 
-
-__all__ = ["AFTER", "chain", "clause", "gapped", "gerund_clause", "tail", "verb_phrase"]

@@ -91,6 +91,9 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
 def _pronoun(p: Parser, i: int) -> Results[Meaning]:
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
+    for phrase in ("their up faces", "their top faces", "their upper faces", "their faces", "their letters", "the up faces", "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces"):
+        if j := p.seq(i, phrase):
+            yield Pronoun(word="them", span=p.span(i, j)), j
     for phrase in ("each other", "one another", "the other ones", "the other one", "the others", "the rest", "others",
                    "the other two", "the latter", "the former", "everything else", "both of them", "all of them", "everything", "both",
                    "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",

@@ -7,7 +7,7 @@ from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.lists import listed
 from rpg.passes.schema.meaning import At, Meaning, Noun, OrderBy, Pattern, Spacing, Toward, Traits
 
-_SIDES = {
+SIDES = {
     "left": "left", "right": "right", "top": "top", "bottom": "bottom", "front": "front", "back": "back", "near": "front",
     "far": "back", "base": "bottom", "ground": "bottom", "rear": "back", "leftmost": "left", "rightmost": "right",
 }  # fmt: skip
@@ -31,7 +31,7 @@ _NAMED = (
     ("from largest to smallest", "ascending", {"descending": True}), ("from biggest to smallest", "ascending", {"descending": True}),
     ("from small to large", "ascending", {}), ("from big to small", "ascending", {"descending": True}), ("from small to big", "ascending", {}),
     ("from large to small", "ascending", {"descending": True}), ("from smallest to biggest", "ascending", {}),
-    ("in order of size", "size", {}), ("by size", "size", {}), ("in size order", "size", {}), ("in order of increasing size", "size", {}),
+    ("in order of size", "size", {}),  ("in size order", "size", {}), ("in order of increasing size", "size", {}),
     ("in order of decreasing size", "size", {"descending": True}), ("by increasing size", "size", {}), ("by decreasing size", "size", {"descending": True}),
     ("in rainbow order", "rainbow", {}), ("in a color gradient", "rainbow", {}), ("in a colour gradient", "rainbow", {}), ("as a color gradient", "rainbow", {}),
     ("in a gradient", "rainbow", {}), ("in the order of the rainbow", "rainbow", {}), ("in the colors of the rainbow", "rainbow", {}),
@@ -57,7 +57,17 @@ _NAMED = (
     ("with vowels before consonants", "vowel_first", {}), ("consonants first", "consonant_first", {}), ("consonants before vowels", "consonant_first", {}),
     ("with consonants before vowels", "consonant_first", {}), ("with all vowels before all consonants", "vowel_first", {}),
     ("with the vowels before the consonants", "vowel_first", {}), ("even numbers then odd numbers", "even_first", {}),
-    ("in any order", "any", {}), ("in no particular order", "any", {}), ("in reverse order", "reverse", {}), ("in reverse", "reverse", {}),
+    ("in any order", "any", {}), (", in any order", "any", {}), (", any order", "any", {}), ("the order does not matter", "any", {}), (", the order does not matter", "any", {}), ("in whatever order", "any", {}),
+    (", order does not matter", "any", {}), ("no matter the order", "any", {}), ("in random order", "any", {}), ("in this order", "given", {}), (", in this order", "given", {}), (", in that order", "given", {}),
+    ("so that the numbers increase", "number", {}), ("so they count up", "number", {}), ("so that they count up", "number", {}), ("so they count down", "number", {"descending": True}), ("so that they count down", "number", {"descending": True}),
+    ("in reading order", "in_order", {}), (", read like a page", "in_order", {}), ("in temporal order", "temporal", {}), ("in exact temporal order", "temporal", {}), ("one after the other", "temporal", {}), ("one after another", "temporal", {}),
+    ("with the biggest number at the bottom", "number_down", {}), ("with the largest number at the bottom", "number_down", {}), ("with the highest number at the bottom", "number_down", {}), ("with the smallest number on top", "number_down", {}),
+    ("with the lowest number at the bottom", "number_up", {}), ("with the smallest number at the bottom", "number_up", {}), ("with the largest number on top", "number_up", {}), ("with the biggest number on top", "number_up", {}),
+    ("evens first and then odds", "even_first", {}), ("evens first then odds", "even_first", {}), ("odds first then evens", "odd_first", {}), ("even ones first", "even_first", {}), ("odd numbers first", "odd_first", {}), ("odds first", "odd_first", {}),
+    (", vowels first", "vowel_first", {}), (", evens first and then odds", "even_first", {}), (", consonants first", "consonant_first", {}), (", even numbers first", "even_first", {}), (", odd numbers first", "odd_first", {}),
+    ("with same colors together", "by_color", {}), ("with the same colors together", "by_color", {}), ("with equal colors together", "by_color", {}), ("so that blocks of the same color are next to each other", "by_color", {}),
+    ("so that equal colors are next to each other", "by_color", {}), ("so that the same colors are next to each other", "by_color", {}), ("with blocks of the same color next to each other", "by_color", {}), ("grouped by color", "by_color", {}),
+    ("with like colors together", "by_color", {}), ("so that the colors are together", "by_color", {}), ("with each color together", "by_color", {}), ("so that same colors are adjacent", "by_color", {}), ("in no particular order", "any", {}), ("in reverse order", "reverse", {}), ("in reverse", "reverse", {}),
     ("in that order", "given", {}), ("in this order", "given", {}), ("in the order given", "given", {}), ("in order", "in_order", {}),
     ("in sequence", "in_order", {}), ("in the right order", "in_order", {}), ("in the given order", "given", {}), ("in the stated order", "given", {}),
     ("with the largest at the bottom", "size_down", {}), ("with the biggest at the bottom", "size_down", {}), ("largest at the bottom", "size_down", {}),
@@ -66,7 +76,7 @@ _NAMED = (
     ("with the smallest at the bottom", "size_up", {}), ("with the smallest at the top", "size_down", {}), ("largest on the bottom", "size_down", {}),
     ("with the biggest on the bottom", "size_down", {}), ("smallest at the top", "size_down", {}),
 )  # fmt: skip
-_LEADS = frozenset({"sorted", "ordered", "arranged", "lined", "organized", "organised", "going", "running", "placed"})
+_LEADS = frozenset({"reading", "sorted", "ordered", "arranged", "lined", "organized", "organised", "going", "running", "placed"})
 
 
 @rule
@@ -80,8 +90,61 @@ def order(p: Parser, i: int) -> Results[Meaning]:
         yield from toward(p, start)
         yield from _explicit(p, start)
         yield from _by_attribute(p, start, j > i)
+        yield from temporal(p, start)
     yield from pattern(p, i)
     yield from spacing(p, i)
+    yield from _alternating(p, i)
+
+
+def _alternating(p: Parser, i: int) -> Results[Meaning]:
+    """"alternating red and white", "alternating between red and blue blocks"."""
+    j = p.any_of(i, ("alternating between", "alternating", "with alternating", "of alternating", "that alternate between", "which alternate between", "switching between"))
+    for items, k in listed(p, j) if j else ():
+        k = p.opt(k, "blocks", "cubes", "ones")
+        yield OrderBy(by="alternating", items=items, span=p.span(i, k)), k
+    for items, k in listed(p, i):
+        if end := p.any_of(k, ("alternating", "in alternation", "alternately")):
+            yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
+
+
+@rule
+def temporal(p: Parser, i: int) -> Results[Meaning]:
+    """"in exact temporal order (blue first, then red)"."""
+    j = p.any_of(i, ("in exact temporal order", "in temporal order", "in the temporal order", "in strict temporal order", "in the order", "one after the other", "in time order", "in this order"))
+    if not j:
+        return
+    opened = p.one(p.opt(j, ",", ":"), frozenset({"(", "["}))
+    k = opened or p.opt(j, ",", ":")
+    k = p.opt(k, "first")
+    for items, end in firsts(p, k):
+        close = p.one(end, frozenset({")", "]"})) if opened else end
+        if close:
+            yield OrderBy(by="temporal", items=items, span=p.span(i, close)), close
+
+
+@rule
+def firsts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """"blue first, then red": an explicit order in time."""
+    from rpg.passes.schema.grammar.nouns import simple
+
+    for first, j in simple(p, i):
+        j = p.opt(j, "first")
+        for rest, k in _after_first(p, j):
+            yield (first, *rest), k
+
+
+def _after_first(p: Parser, at: int) -> Results[tuple[Meaning, ...]]:
+    from rpg.passes.schema.grammar.nouns import simple
+
+    j = p.opt(at, ",")
+    j = p.any_of(j, ("and then", "then", "and finally", "finally", "and", "followed by"))
+    if not j:
+        return
+    for item, k in simple(p, j):
+        k = p.opt(k, "second", "last", "third", "afterwards", "after that")
+        yield (item,), k
+        for rest, end in _after_first(p, k):
+            yield (item, *rest), end
 
 
 @rule
@@ -89,13 +152,13 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
     """ "from left to right", "bottom to top", "from the bottom up", "vertically", "starting from the left"."""
     j = p.one(i, "from") or i
     j2 = p.opt(j, "the")
-    first = _SIDES.get(p.words[j2]) if j2 < p.end else None
+    first = SIDES.get(p.words[j2]) if j2 < p.end else None
     if first:
         k = p.reach(j2 + 1)
         k = p.opt(k, "side", "end")
         if e := p.one(k, frozenset({"to", "towards"})):
             e = p.opt(e, "the")
-            last = _SIDES.get(p.words[e]) if e < p.end else None
+            last = SIDES.get(p.words[e]) if e < p.end else None
             if last == _OPPOSITE[first]:
                 yield Toward(first=first, axis=AXIS[first], span=p.span(i, e + 1)), p.opt(p.reach(e + 1), "side", "end")
         if p.words[k : k + 1] in (["up"], ["upwards"], ["upward"]) and first == "bottom" and j > i:
@@ -106,7 +169,7 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
         ("starting from the left", "left", "y"), ("starting at the left", "left", "y"), ("starting from the right", "right", "y"),
         ("starting from the bottom", "bottom", "z"), ("starting at the bottom", "bottom", "z"), ("starting from the top", "top", "z"),
         ("starting on the left", "left", "y"), ("starting on the right", "right", "y"), ("starting at the right", "right", "y"),
-        ("starting from the front", "front", "x"), ("starting from the back", "back", "x"), ("going up", "bottom", "z"), ("upwards", "bottom", "z"),
+        ("starting from the front", "front", "x"), ("starting from the back", "back", "x"),  ("upwards", "bottom", "z"),
         ("going right", "left", "y"), ("going left", "right", "y"), ("downwards", "top", "z"), ("going down", "top", "z"), ("bottom up", "bottom", "z"), ("top down", "top", "z"),
         ("upward", "bottom", "z"), ("starting at the top", "top", "z"), ("starting at the front", "front", "x"), ("starting with the bottom", "bottom", "z"),
         ("from near to far", "front", "x"), ("from far to near", "back", "x"), ("away from the robot", "front", "x"), ("towards the robot", "back", "x"),
@@ -254,10 +317,10 @@ def at(p: Parser, i: int) -> Results[Meaning]:
     )
     if j:
         word = p.words[j] if j < p.end else ""
-        side = {**_SIDES, "middle": "middle", "center": "middle", "centre": "middle"}.get(word)
+        side = {**SIDES, "middle": "middle", "center": "middle", "centre": "middle"}.get(word)
         if side and word not in ("ground", "near", "far"):
             k = p.opt(
-                p.reach(j + 1), "end", "side", "most", "layer", "position", "level", "hand", "block", "spot", "place"
+                p.reach(j + 1), "end", "side", "most", "layer", "layers", "position", "level", "hand", "block", "spot", "place"
             )
             k = p.opt(k, "side")
             k = (
@@ -282,6 +345,10 @@ def at(p: Parser, i: int) -> Results[Meaning]:
         ):
             index = lexicon.ORDINAL.get(word, -1)
             yield At(side="first", index=index, span=p.span(i, k)), k
+    for word in ("leftmost", "rightmost", "topmost", "bottommost", "nearest", "frontmost", "farthest"):
+        if k := p.one(p.opt(i, "the"), word):
+            side = {"leftmost": "left", "rightmost": "right", "topmost": "top", "bottommost": "bottom", "nearest": "front", "frontmost": "front", "farthest": "back"}[word]
+            yield At(side=side, span=p.span(i, k)), k
     ordinal = p.lex(i, lexicon.ORDINAL)
     if ordinal:
         if k := p.any_of(i + 1, ("from the left", "from left")):
@@ -292,7 +359,3 @@ def at(p: Parser, i: int) -> Results[Meaning]:
             yield At(side="bottom", index=ordinal, span=p.span(i, k)), k
         elif k := p.any_of(i + 1, ("from the top",)):
             yield At(side="top", index=ordinal, span=p.span(i, k)), k
-        elif ordinal > 1 or True:
-            yield At(side="first", index=ordinal, span=p.span(i, i + 1)), i + 1
-    if p.words[i : i + 1] == ["last"]:
-        yield At(side="first", index=-1, span=p.span(i, i + 1)), p.reach(i + 1)

@@ -104,7 +104,8 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         if j := p.seq(i, word):
             yield _Before(details=(replace(detail, span=p.span(i, j)),)), j
     for found, j in dimensions(p, i):
-        yield _Before(dims=found), p.opt(j, "block", "cube", "based")
+        for end in dict.fromkeys((j, p.opt(j, "block", "cube", "based"))):
+            yield _Before(dims=found), end
     for n, j in amounts.count(p, i):
         for unit, what in _BEFORE_UNITS.items():
             if k := p.seq(j, unit):

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from rpg.passes.schema.meaning import Clause, Noun, Quality
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.passes.schema.meaning import Clause, Quality, Traits
 from rpg.passes.schema.resolve.refer import give, refer
+from rpg.passes.schema.resolve.relations import crown
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse, said
 
 
-def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> None:
-    """Let the objects have the looks that the clause gives them."""
+def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
+    """Let the objects have the looks that the clause gives them; "empty" and "clear" are goals."""
+    if all(q.traits == Traits(empty=True) for q in spec.qualities):
+        return _empty(clause, spec, scene, scope)
     if clause.negated:
         raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")
     theme = refer(clause.theme, scene, Scope(given=scope.given)) if clause.theme is not None else Ref()
@@ -18,13 +23,23 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> None:
     for quality in spec.qualities:
         _give(theme, quality, clause, scene)
     spec.qualities = []
+    return []
+
+
+def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
+    """"the patch stays empty", "keep the top of the red block clear"."""
+    theme = refer(clause.theme, scene, scope) if clause.theme is not None else Ref()
+    spec.qualities = []
+    if theme.patch:
+        return [r.Empty(patch=p, span=clause.span) for p in theme.names]
+    if not theme.names:
+        raise refuse("misplaced", "patches can be empty, and blocks clear on top", clause.span, "name a patch or a block")
+    return [r.Clear(a=crown(theme), span=clause.span)]
 
 
 def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
     traits = quality.traits
     things = [scene.things[n] for n in theme.names]
-    if traits.empty:
-        raise refuse("misplaced", "say it as a goal: 'the patch should be empty'", quality.span)
     if traits.extra:
         for thing in things:
             thing.extra = True
@@ -55,5 +70,3 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
             thing.kind = traits.kind
         thing.claims -= 1
 
-
-__all__ = ["Noun", "appear"]

@@ -8,16 +8,17 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.node import Lowest
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import Clause, Coord, In, Into, Loc, Manner, Meaning, Noun, Pronoun, Structure
+from rpg.passes.schema.meaning import At, Clause, Coord, In, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
-from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.orders import alternatives, order_of
 from rpg.passes.schema.resolve.refer import refer
-from rpg.passes.schema.resolve.relations import conj, foot, matching_patches, place, reciprocal
+from rpg.passes.schema.resolve.relations import conj, crown, foot, matching_patches, negation, place, reciprocal, related
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
-from rpg.passes.schema.resolve.structures import make, row_built, row_node, stack_built
+from rpg.passes.schema.resolve.structures import either, make, row_node, stack_built
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -27,16 +28,64 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     """The goals that a clause states; structures that its noun phrases bring up come first."""
     scene.clause += 1
     number = scene.clause
-    scope = Scope(start=start, given=clause.mode == "given" or clause.mode == "start" or start)
+    scope = Scope(start=start, given=clause.mode == "given" or start)
     spec = sort_adjuncts(clause.adjuncts)
+    if distractors(clause, spec, scene):
+        return []
     goals = _dispatch(clause, spec, scene, scope)
-    brought = scene.goals.pop(number, [])
-    goals = [*brought, *goals]
+    goals = [*scene.goals.pop(number, []), *goals]
     later = _thats(spec, scene, start)
+    always = spec.manner("always") is not None
     _leftovers(spec, clause)
     if clause.negated:
-        goals = [g.Not(goal=conj(goals, clause.span), span=clause.span)] if goals else []
+        goals = negation(goals, clause.span)
+    if always and not start:
+        goals = held_throughout(goals, scene, clause.span)
     return [*goals, *later]
+
+
+def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
+    """"at all times": true from the start on, so that it is arranged at the start too."""
+    goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+    scene.start_goals += [x for x in goals if not isinstance(x, g.Not | g.Always | r.OnTable) and x not in scene.start_goals]
+    return [g.Always(goal=conj(goals, span), span=span)] if goals else []
+
+
+def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
+    """Blocks that are only there: "with two extra blue blocks", "a purple block lies around as a distractor"."""
+    for using in list(spec.usings):
+        if is_extra(using.members):
+            refer(using.members, scene, Scope())
+            scene.mentions.pop()
+            spec.usings.remove(using)
+    for place_ in list(spec.places):
+        if isinstance(place_, Loc) and place_.rel == "between" and place_.landmark is not None and is_extra(place_.landmark):
+            refer(place_.landmark, scene, Scope())
+            scene.mentions.pop()
+            spec.places.remove(place_)
+    if spec.manner("extra") is None or clause.theme is None:
+        return False
+    marked = as_extra(clause.theme)
+    refer(marked, scene, Scope())
+    scene.mentions.pop()
+    spec.places = []
+    return True
+
+
+def is_extra(meaning: Meaning) -> bool:
+    """Whether a phrase speaks of distractors."""
+    if isinstance(meaning, Coord):
+        return all(is_extra(item) for item in meaning.items)
+    return isinstance(meaning, Noun) and meaning.traits.extra
+
+
+def as_extra(meaning: Meaning) -> Meaning:
+    """The phrase with its blocks as distractors."""
+    if isinstance(meaning, Coord):
+        return replace(meaning, items=tuple(as_extra(item) for item in meaning.items))
+    if isinstance(meaning, Noun):
+        return replace(meaning, traits=replace(meaning.traits, extra=True))
+    return meaning
 
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
@@ -51,9 +100,12 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return _sort(clause, spec, scene, scope)
         case "spell" | "read":
             return _spell(clause, spec, scene, scope)
-    if spec.qualities and clause.verb == "be":
-        appear(clause, spec, scene, scope)
-        return []
+    if spec.qualities and clause.verb in ("be", "keep"):
+        return appear(clause, spec, scene, scope)
+    if any(m.kind == "stay" for m in spec.manners):
+        return turning.keep(clause, spec, scene, scope)
+    if clause.verb == "place" and any(isinstance(p, Loc) and p.rel == "moved" for p in spec.places):
+        return turning.moved(clause, spec, scene, scope)
     if clause.negated and clause.verb == "place" and not clause.adjuncts:
         return turning.stay(clause, spec, scene, scope, stays=True)
     if _is_shape(clause.theme) or (clause.theme is None and spec.intos):
@@ -62,12 +114,22 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return _themeless(clause, spec, scene, scope)
     if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
         return turning.turn(clause, spec, scene, scope)
-    theme = refer(_counted(clause.theme, spec, clause), scene, replace(scope, need_each=_each_need(spec)))
+    shape = _kind_of_shape(spec)
+    theme = refer(_counted(clause.theme, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
+    _sandwich(clause, spec)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 
-def _each_need(spec: Spec) -> int:
-    return 2 if any(p.unit in ("stack", "pile") for p in spec.patterns) else 1
+def _sandwich(clause: Clause, spec: Spec) -> None:
+    if clause.lemma == "sandwich":
+        spec.places = [replace(p, rel="sandwiched") if isinstance(p, Loc) and p.rel == "between" else p for p in spec.places]
+
+
+def _kind_of_shape(spec: Spec) -> str:
+    """Whether the adjuncts speak of several towers."""
+    towers = any(p.unit in ("stack", "pile") for p in spec.patterns)
+    towers = towers or any(isinstance(i.structure, Structure) and i.structure.kind == "stack" and i.structure.plural for i in spec.intos)
+    return "towers" if towers or any(o.by == "attribute" for o in spec.orders) else ""
 
 
 def _is_shape(theme: Meaning | None) -> bool:
@@ -96,42 +158,67 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     """What becomes of blocks that a verb speaks of: a structure, a line in an order, places."""
     if theme.table:
         raise refuse("misplaced", "the table stays where it is", theme.span, "name blocks")
-    goals: Goals = []
-    structured = False
+    if verb == "stack":
+        spec.intos = [i for i in spec.intos if not (isinstance(i.structure, Structure) and i.structure.kind == "pile" and not i.structure.plural)]
     heaped = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
     spec.places = [p for p in spec.places if p not in heaped]
-    ref = theme
+    temporal = next((o for o in spec.orders if o.by == "temporal" or (o.by == "given" and not o.items and theme.op == "then")), None)
+    if temporal is not None or (theme.op == "then" and spec.places):
+        spec.orders = [o for o in spec.orders if o is not temporal]
+        return _one_by_one(theme, temporal, spec, scene, scope, span)
+    ref, goals = theme, []
+    structured = True
     if spec.intos:
-        ref, made = _into(theme, spec, scene, scope)
-        goals += made
-        structured = True
+        ref, goals = _into(theme, spec, scene, scope)
     elif heaped or verb == "stack":
-        ref, made = _stacked(theme, spec, scene, scope, span, bool(heaped))
-        goals += made
-        structured = True
+        ref, goals = _stacked(theme, spec, scene, scope, span, bool(heaped))
     elif _wants_row(verb, spec, theme):
-        node = row_node(theme.names, "line", spec, scene, scope, span)
+        built, goals = make(Structure(kind="line", span=span), spec, theme, scene, scope)
         spec.orders = []
-        ref = replace(theme, built=(row_built(node, "line", scene),))
-        goals.append(node)
-        structured = True
-    elif spec.patterns and any(p.unit == "stack" for p in spec.patterns):
+        ref = replace(theme, names=built[0].members, built=tuple(built))
+        scene.mention(ref, "theme")
+    else:
+        structured = False
+    if spec.patterns and any(p.unit == "stack" for p in spec.patterns):
         raise refuse("misplaced", "towers are spoken of, but nothing is stacked", spec.patterns[0].span, "say 'stack'")
-    goals += _places(ref, spec, scene, scope, span)
+    goals = [*goals, *_places(ref, spec, scene, scope, span)]
     goals += loose_ats(ref, spec, scene, span) if spec.ats else []
     if not goals and not structured and not spec.thats:
-        raise refuse(
-            "no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'"
-        )
+        raise refuse("no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'")
     if spec.absolutes:
-        goals += absolutes(spec, scene, scope)
+        goals += absolutes(ref, spec, scene, scope)
     return goals
+
+
+def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """"red, then green, then blue on the patch"; "in temporal order (blue first, then red)": one stage for each."""
+    units = theme.parts
+    if temporal is not None and temporal.items:
+        found = [refer(item, scene, Scope(pool=theme.names)) for item in temporal.items]
+        del scene.mentions[-len(found) :]
+        names = tuple(n for ref in found for n in ref.names)
+        extra = [n for n in theme.names if n not in names]
+        if extra and all(scene.things[n].elastic for n in extra):
+            for name in extra:
+                del scene.things[name]
+            extra = []
+        if extra:
+            raise refuse("count-mismatch", "the order leaves some of the blocks out", temporal.span, "name every block once")
+        units = tuple(found)
+    if not units:
+        units = tuple(Ref(names=(n,)) for n in theme.names)
+    stages = []
+    for unit in units:
+        again = Spec(**{key: list(value) if isinstance(value, list) else value for key, value in vars(spec).items()})
+        stages.append(g.Stage(goal=conj(_places(unit, again, scene, scope, span), span)))
+    spec.places, spec.manners = [], [m for m in spec.manners if m.kind != "respectively"]
+    return [g.Sequence(stages=tuple(stages), span=span)]
 
 
 def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
     if spec.orders or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
         return True
-    return verb == "arrange" and not spec.places and not spec.thats and len(theme.names) > 1
+    return verb == "arrange" and not [p for p in spec.places if not isinstance(p, In)] and not spec.thats and not spec.ats and len(theme.names) > 1
 
 
 def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:
@@ -142,6 +229,10 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
             "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
         )
     if isinstance(target, Coord):
+        sorted_ = [x for x in target.items if isinstance(x, Structure) and x.kind == "pile"]
+        if len(sorted_) == len(target.items):
+            built_, goals_ = sort_into(theme.names, None, None, spec, scene, scope, target.span)
+            return replace(theme, built=tuple(built_)), goals_
         raise refuse(
             "ambiguous", "it is not said which blocks go into which structure", target.span, "use a clause for each"
         )
@@ -151,7 +242,7 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
         raise refuse("ambiguous", "it is not said which of the blocks", theme.span, "name the blocks")
     built, goals = make(target, spec, theme, scene, scope)
     spec.orders = []
-    ref = replace(theme, built=tuple(built))
+    ref = replace(theme, names=tuple(dict.fromkeys(n for b in built for n in b.members)) or theme.names, built=tuple(built))
     scene.mention(ref, "theme")
     return ref, goals
 
@@ -167,6 +258,11 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
     if theme.quant is not None or theme.op == "or":
         raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
     base = _base(theme, spec, scene, scope)
+    spec.listed = spec.listed or theme.listed
+    counted = next((z for z in spec.sizes), None)
+    if counted is not None:
+        built_, goals_ = make(Structure(kind="stack", span=span), spec, theme, scene, scope)
+        return replace(theme, names=built_[0].members, built=tuple(built_)), goals_
     order = order_of(spec, theme.names, "stack", scene, scope, span)
     spec.orders, spec.toward = [], []
     names = theme.names
@@ -181,11 +277,11 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
                 "name every block from the bottom up",
             )
         order = Order(by="given", ranks=tuple((*((b,) for b in base), *ranks)), first="bottom")
-    node = s.Stack(blocks=names, order=order, readable=order.by in ("label", "number"), span=span)
-    built = stack_built(node, scene)
+    nodes = [s.Stack(blocks=names, order=o, readable=o.by in ("label", "number"), span=span) for o in alternatives(order, scene)]
+    built = stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, span)
     ref = replace(theme, names=names, built=(built,))
     scene.mention(ref, "theme")
-    return ref, [node]
+    return ref, [either(nodes)]
 
 
 def _base(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[str, ...]:
@@ -271,8 +367,6 @@ def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, 
 
 
 def _direct(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Goals:
-    from rpg.passes.schema.resolve.relations import related
-
     return related(theme, mark, loc, scene, span)
 
 
@@ -296,25 +390,50 @@ def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
     return goals or [g.All(goals=())]
 
 
-def absolutes(spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """ "with a red block next to it": further conditions."""
+def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"with a red block next to it", "with the letter A on top": further conditions, on the structure where they name its parts."""
     goals: Goals = []
     for item in spec.absolutes:
+        if is_extra(item.theme):
+            refer(item.theme, scene, Scope())
+            scene.mentions.pop()
+            continue
         theme = refer(item.theme, scene, replace(scope, role="theme"))
         inner = sort_adjuncts(item.adjuncts)
+        for at_ in list(inner.ats):
+            if len(ref.built) == 1 and not set(theme.names) & set(ref.names) and at_.side in ("top", "bottom") and at_.index is None:
+                inner.ats.remove(at_)
+                goals += _at_end(theme, ref, at_, scene, item.span)
         if inner.ats:
             goals += loose_ats(theme, inner, scene, item.span)
         for adjunct in inner.places:
-            if isinstance(adjunct, Loc) and adjunct.rel == "heaped":
-                raise refuse("misplaced", "this does not fit here", adjunct.span)
-            goals += place(theme, adjunct, scene, scope, item.span)
+            mark = getattr(adjunct, "landmark", None)
+            if isinstance(mark, Pronoun) and mark.word in ("it", "them", "that") and isinstance(adjunct, Loc):
+                goals += related(theme, ref, adjunct, scene, item.span)
+            else:
+                goals += place(theme, adjunct, scene, scope, item.span)
     spec.absolutes = []
     return goals
+
+
+def _at_end(theme: Ref, ref: Ref, at_: At, scene: Scene, span: Span) -> Goals:
+    """A further block on top of a structure, or under it."""
+    if at_.side == "top":
+        return [r.On(a=theme.names, b=crown(ref), span=span)]
+    if ref.built[0].kind != "stack" or len(theme.names) != 1:
+        raise refuse("misplaced", "nothing goes under this", at_.span, "count the block among its members")
+    return [r.On(a=foot(ref) if ref.built[0].ordered else Lowest(lowest=ref.names), b=theme.names, span=span)]
 
 
 def _shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """A structure as the theme ("build a tower of ..."), or what the clause is to form ("arrange in a circle")."""
     shapes: list[Meaning]
+    if isinstance(clause.theme, Coord) and len(clause.theme.items) == 2 and isinstance(clause.theme.items[0], Noun):
+        last = clause.theme.items[1]
+        if isinstance(last, Structure) and last.members is None and clause.theme.cost:
+            theme = refer(clause.theme.items[0], scene, scope)
+            spec.intos.append(Into(structure=last, span=last.span))
+            return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
     if clause.theme is None:
         shapes = [spec.intos.pop(0).structure]
     else:
@@ -333,6 +452,8 @@ def _shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             parts.append(Ref(names=tuple(n for b in more for n in b.members), built=tuple(more), span=shape.span))
         else:
             ref = refer(shape, scene, scope)
+            if not ref.built and not spec.places:
+                raise refuse("no-goal", "it is not said where these blocks should be", shape.span, "say where they should be")
             built += ref.built
             parts.append(ref)
     names = tuple(dict.fromkeys(n for p in parts for n in p.names))
@@ -352,7 +473,7 @@ def _shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     spec.orders = []
     goals += _places(ref, spec, scene, scope, clause.span)
     if spec.absolutes:
-        goals += absolutes(spec, scene, scope)
+        goals += absolutes(ref, spec, scene, scope)
     if not used and not goals:
         raise refuse("no-goal", "it is not said what to do with it", clause.span)
     return goals
@@ -547,5 +668,3 @@ def _leftovers(spec: Spec, clause: Clause) -> None:
                 "say it in a sentence of its own",
             )
 
-
-__all__ = ["In", "Into", "Manner", "Pronoun", "clause_goals", "conj", "foot", "r"]

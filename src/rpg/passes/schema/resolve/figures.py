@@ -9,8 +9,8 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
 from rpg.passes.schema.lexicon import COLORS
+from rpg.passes.schema.meaning import At, Noun, Structure
 from rpg.passes.schema.meaning import Pattern as Said
-from rpg.passes.schema.meaning import Structure
 from rpg.passes.schema.resolve.members import amount_of, members_of
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.spec import Spec
@@ -24,7 +24,7 @@ Made = tuple[list[Built], list[g.Goal]]
 
 
 def _size(shape: Structure) -> int | None:
-    return shape.size.low if shape.size else None
+    return shape.extent("size", "side", "steps", "high", "layers")
 
 
 def _plain(shape: Structure) -> None:
@@ -41,51 +41,48 @@ def _made(kind: str, node: g.Goal, names: tuple[str, ...], span: Span, scene: Sc
     return [scene.add_built(kind, names, False, span)], [node]
 
 
+def _count(shape: Structure, theme: Ref | None, scene: Scene) -> int | None:
+    """The number of blocks, if it was said or is settled by the blocks named."""
+    named = amount_of(shape.members)
+    if named is None and theme is not None and not all(scene.things[n].elastic for n in theme.names):
+        named = len(theme.names)
+    return named or shape.extent("size")
+
+
 def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Outlines, filled figures and letter shapes on the table."""
     _plain(shape)
-    if shape.kind in ("square", "rectangle") and (shape.dims or shape.filled):
-        if shape.filled is not False:
+    count = _count(shape, theme, scene)
+    if shape.kind in ("square", "rectangle") and shape.filled is not False:
+        square = shape.kind == "square" and count is not None and count % 4 and math.isqrt(count) ** 2 == count and count > 1
+        if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
             return grid(shape, spec, theme, scene, scope)
-    if (
-        shape.kind == "square"
-        and shape.filled is None
-        and (n := amount_of(shape.members) or (len(theme.names) if theme else None)) is not None
-    ):
-        if n % 4 and math.isqrt(n) ** 2 == n and n > 1:
-            return grid(shape, spec, theme, scene, scope)
-    sides = None
-    need = None
-    if shape.dims and shape.filled is False:
-        sides = (shape.dims[0], shape.dims[1])
-        need = 2 * (sides[0] + sides[1]) - 4
-    elif shape.kind in ("square", "triangle") and _size(shape) and shape.size and amount_of(shape.members) is None:
-        need = _size(shape)
-    elif _size(shape):
-        need = _size(shape)
+    sides, need = _outline(shape, count)
     names = members_of(shape, spec, theme, need, FEWEST[shape.kind], scene, scope)
-    if len(names) < min(FEWEST[shape.kind], 4 if shape.kind in ("square", "circle", "rectangle") else 3):
-        raise refuse(
-            "too-few",
-            f"{len(names)} blocks do not show a {shape.kind}",
-            shape.span,
-            f"use {FEWEST[shape.kind]}",
-            blocks=len(names),
-        )
+    least = 4 if shape.kind in ("square", "circle", "rectangle") else 3
+    if len(names) < least:
+        raise refuse("too-few", f"{len(names)} blocks do not show a {shape.kind}", shape.span, f"use {FEWEST[shape.kind]}", blocks=len(names))
     pointing = _pointing(shape.kind, spec)
     filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
     pattern, readable = pattern_of(shape, spec, names, None, scene, scope)
     node = s.Figure(
-        blocks=names,
-        shape=shape.kind,
-        filled=filled,
-        sides=sides,
-        pointing=pointing,
-        pattern=pattern,
-        readable=readable,
-        span=shape.span,
-    )  # type: ignore[arg-type]
+        blocks=names, shape=shape.kind, filled=filled, sides=sides, pointing=pointing, pattern=pattern, readable=readable, span=shape.span  # type: ignore[arg-type]
+    )  # fmt: skip
     return _made(shape.kind, node, names, shape.span, scene)
+
+
+def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | None, int | None]:
+    """The sides of an outline and the number of blocks on it, where they were said."""
+    side = shape.extent("side")
+    if shape.dims:
+        return (shape.dims[0], shape.dims[1]), 2 * (shape.dims[0] + shape.dims[1]) - 4
+    if side is not None and shape.kind == "square":
+        return (side, side), 4 * side - 4
+    if side is not None and shape.kind == "triangle":
+        return (side, side), side * (side + 1) // 2 if shape.filled else 3 * side - 3
+    if shape.kind == "square" and count is not None and count % 4:
+        raise refuse("count-mismatch", f"{count} blocks do not make the outline of a square", shape.span, f"use {count - count % 4} or {count + 4 - count % 4}", blocks=count)
+    return None, count if count is not None else None
 
 
 _POINTERS = {"V": ("tip", "point", "apex", "corner", "base"), "triangle": ("tip", "point", "apex", "top"), "L": ("foot", "base"), "U": ("opening", "side", "end", "top"),
@@ -132,71 +129,72 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
 
 
 def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:
+    """Rows, columns and layers of a grid."""
     if len(shape.dims) == 3:
         return shape.dims[0], shape.dims[1], shape.dims[2]
+    layers = shape.extent("layers", "high") or 1
     if len(shape.dims) == 2:
-        return shape.dims[0], shape.dims[1], 1
-    total = amount_of(shape.members) or (len(theme.names) if theme else None) or _size(shape)
+        return shape.dims[0], shape.dims[1], layers
+    rows, columns = shape.extent("rows", "deep"), shape.extent("columns", "wide", "long")
+    total = _count(shape, theme, scene)
+    side = shape.extent("side")
+    if side is not None:
+        return side, side, side if shape.kind == "cube" else layers
+    if rows and columns:
+        return rows, columns, layers
+    if total is not None and (rows or columns) and total % (rows or columns or 1) == 0:
+        other = total // (rows or columns or 1)
+        return (rows, other, layers) if rows else (other, columns or 1, layers)
     if total is None:
+        if shape.kind == "cube":
+            raise refuse("ambiguous", "the size of the cube is not said", shape.span, "say '2x2x2 cube' or '3x3x3 cube'")
         scene.assume("the size of the grid is not said: 3 by 3")
         return 3, 3, 1
+    return _fill(shape, total, scene)
+
+
+def _fill(shape: Structure, total: int, scene: Scene) -> tuple[int, int, int]:
+    """The squarest grid of `total` blocks."""
+    if shape.kind == "cube":
+        edge = round(total ** (1 / 3))
+        if edge**3 != total:
+            raise refuse("count-mismatch", f"{total} blocks do not fill a cube", shape.span, "use 8 or 27", blocks=total)
+        return edge, edge, edge
     side = math.isqrt(total)
     if shape.kind in ("square", "checkerboard") and side * side != total:
-        raise refuse(
-            "count-mismatch",
-            f"{total} blocks do not fill a square",
-            shape.span,
-            f"use {side * side} or {(side + 1) ** 2}",
-            blocks=total,
-        )
+        raise refuse("count-mismatch", f"{total} blocks do not fill a square", shape.span, f"use {side * side} or {(side + 1) ** 2}", blocks=total)
     rows = next(r for r in range(side, 0, -1) if total % r == 0)
     if rows == 1 and total > 3:
-        raise refuse(
-            "count-mismatch",
-            f"{total} blocks do not fill a grid of several rows",
-            shape.span,
-            f"use {total + 1}",
-            blocks=total,
-        )
+        raise refuse("count-mismatch", f"{total} blocks do not fill a grid of several rows", shape.span, f"use {total + 1}", blocks=total)
     scene.assume(f"the shape of the grid is not said: {rows} by {total // rows}")
     return rows, total // rows, 1
 
 
 def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
-    """ "a wall of six blocks", "a wall three wide and two high": one row, several layers."""
+    """"a wall of six blocks", "a wall three wide and two high": one row, several layers."""
     _plain(shape)
+    columns, layers = shape.extent("wide", "long", "columns"), shape.extent("high", "layers", "rows")
     if len(shape.dims) >= 2:
         columns, layers = shape.dims[0], shape.dims[1]
         scene.assume(f"the wall is {columns} blocks wide and {layers} high")
-    else:
-        total = amount_of(shape.members) or (len(theme.names) if theme else None) or 6
-        if _size(shape) and total % int(_size(shape) or 1) == 0:
-            layers = int(_size(shape) or 1)
-        else:
-            layers = next((n for n in (2, 3) if total % n == 0), 1)
-        columns = total // layers
-        if layers < 2:
-            raise refuse(
-                "count-mismatch",
-                f"{total} blocks do not fill a wall of several layers",
-                shape.span,
-                f"use {total + 1}",
-                blocks=total,
-            )
+    if not columns or not layers:
+        total = _count(shape, theme, scene) or (2 * columns if columns else 3 * layers if layers else 6)
+        layers = layers or (total // columns if columns else next((n for n in (2, 3) if total % n == 0), 1))
+        columns = columns or total // layers
+        if layers < 2 or columns * layers != total:
+            raise refuse("count-mismatch", f"{total} blocks do not fill a wall of several layers", shape.span, f"use {total + 1}", blocks=total)
         scene.assume(f"the wall is {columns} blocks wide and {layers} high")
     need = columns * layers
     names = members_of(shape, spec, theme, need, need, scene, scope)
     pattern, readable = pattern_of(shape, spec, names, (1, columns, layers), scene, scope)
-    node = s.Grid(
-        blocks=names, rows=1, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
-    )
+    node = s.Grid(blocks=names, rows=1, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span)
     return _made("wall", node, names, shape.span, scene)
 
 
 def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a pyramid with a 3x3 base", "a pyramid of six blocks"."""
     _plain(shape)
-    base = _base(shape, theme, scene)
+    base = _base(shape, spec, theme, scene)
     need = _pyramid_count(base)
     names = members_of(shape, spec, theme, need, need, scene, scope)
     layers = min(base) if base[1] > 1 else base[0]
@@ -212,39 +210,59 @@ def _pyramid_count(base: tuple[int, int]) -> int:
     return sum((n - k) * (m - k) for k in range(min(n, m)))
 
 
-def _base(shape: Structure, theme: Ref | None, scene: Scene) -> tuple[int, int]:
-    if len(shape.dims) >= 2:
-        return shape.dims[0], shape.dims[1]
-    total = amount_of(shape.members) or (len(theme.names) if theme else None)
-    size = _size(shape)
+def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int]:
+    """Blocks along the base, and its depth."""
+    base = next((z for z in shape.sizes if z.what == "base" and z.dims), None)
+    dims = shape.dims or (base.dims if base else ())
+    if len(dims) >= 2:
+        return dims[0], dims[1]
+    layers = _layers(spec)
+    total = _count(shape, theme, scene)
+    size = shape.extent("base", "layers", "high") or (max(layers) if layers else None)
+    if layers:
+        total = sum(layers) if len(layers) > 1 else total
+        square = sorted(layers, reverse=True) == [(n + 1) ** 2 for n in range(math.isqrt(max(layers)))][::-1]
+        size = math.isqrt(max(layers)) if square and len(layers) > 1 else max(layers)
     options = [(n, 1) for n in range(2, 8)] + [(n, n) for n in range(2, 5)]
     if total is not None:
-        fits = [b for b in options if _pyramid_count(b) == total and (size is None or b[0] == size)]
+        fits = [b for b in options if _pyramid_count(b) == total and (size is None or b[0] == size or (b[1] > 1 and b[0] * b[1] == size))]
         if not fits:
             counts = sorted(_pyramid_count(b) for b in options)
             near = sorted(counts, key=lambda c: (abs(c - total), c))[:2]
-            raise refuse(
-                "count-mismatch",
-                f"{total} blocks do not make a pyramid",
-                shape.span,
-                f"use {near[0]} or {near[1]}",
-                blocks=total,
-            )
+            raise refuse("count-mismatch", f"{total} blocks do not make a pyramid", shape.span, f"use {near[0]} or {near[1]}", blocks=total)
         scene.assume(f"the base of the pyramid is {fits[0][0]} by {fits[0][1]} blocks")
         return fits[0]
     if size is not None:
+        if shape.traits.shape == "square":
+            return size, size
         scene.assume(f"the pyramid is flat: {size} blocks in its base, one deep")
         return size, 1
+    if shape.traits.shape == "square":
+        scene.assume("the size of the pyramid is not said: a base of 3 by 3 blocks")
+        return 3, 3
     scene.assume("the size of the pyramid is not said: a base of 3 blocks, one deep")
     return 3, 1
+
+
+def _layers(spec: Spec) -> list[int]:
+    """"four blocks at the bottom and one on top": how many blocks each layer has."""
+    found: list[int] = []
+    for item in list(spec.absolutes):
+        at_ = item.adjuncts[0]
+        count = amount_of(item.theme)
+        plain = isinstance(item.theme, Noun) and not item.theme.traits.colors and not item.theme.traits.labels
+        if isinstance(at_, At) and at_.side in ("top", "bottom", "middle", "next") and count is not None and plain:
+            found.append(count)
+            spec.absolutes.remove(item)
+    return found
 
 
 def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a staircase with four steps, going up to the left"."""
     if shape.plural and shape.amount and shape.amount.low > 1:
         shape = _steps(shape)
-    steps = _size(shape)
-    total = amount_of(shape.members) or (len(theme.names) if theme else None)
+    steps = shape.extent("steps", "high", "layers")
+    total = _count(shape, theme, scene)
     if steps is None and total is not None:
         steps = next((n for n in range(2, 8) if n * (n + 1) // 2 == total), None)
         if steps is None:

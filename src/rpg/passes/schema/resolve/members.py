@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from rpg.core.diagnostics import Span
-from rpg.passes.schema.meaning import Amount, Coord, Meaning, Noun, Structure, Traits
+from rpg.passes.schema.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.orders import implied_kind
 from rpg.passes.schema.resolve.refer import create, refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -17,19 +18,26 @@ def members_of(
 ) -> tuple[str, ...]:
     """The blocks of a structure: those named, else `need` (or `default`) new ones."""
     if theme is not None:
-        return _checked(theme.names, need, shape.span, scene)
+        spec.listed = spec.listed or theme.listed
+        listed = _order_items(spec)
+        open_ = all(scene.things[n].elastic for n in theme.names)
+        names = scene.fit(theme.names, need or (len(listed) or default if open_ else None))
+        return _checked(names, need, shape.span, scene)
     source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
     listed = _order_items(spec)
     count = need or (len(listed) if listed else None)
     if source is not None:
         source = _with_kind(source, implied_kind(spec), shape.traits)
-        named = refer(source, scene, Scope(start=scope.start, need=count or default, role="member"))
+        named = refer(source, scene, Scope(start=scope.start, need=count or default, role="member", share=count is not None))
         _fix_parts(named)
-        return _checked(named.names, need, shape.span, scene)
+        spec.listed = spec.listed or named.listed
+        names = scene.fit(named.names, count or (default if all(scene.things[n].elastic for n in named.names) else None))
+        return _checked(names, need, shape.span, scene)
     if need is None and listed:
-        found = [refer(item, scene, Scope(role="member")) for item in listed]
-        del scene.mentions[-len(listed) :]
-        return tuple(dict.fromkeys(n for ref in found for n in ref.names))
+        whole = refer(Coord(op="and", items=listed, span=shape.span), scene, Scope(role="member"))
+        scene.mentions.pop()
+        _name_items(spec, whole)
+        return whole.names
     absolute = _from_absolutes(spec, need, scene)
     if absolute:
         return absolute
@@ -44,14 +52,19 @@ def _fix_parts(named: Ref) -> None:
         raise refuse("misplaced", "structures are made of blocks", named.span, "name blocks")
 
 
+def _name_items(spec: Spec, whole: Ref) -> None:
+    """The items of an order that brought its blocks into the task stand for just these."""
+    for index, order in enumerate(spec.orders):
+        if order.items:
+            spec.orders[index] = replace(order, by="given", items=tuple(Pronoun(word="=" + " ".join(part.names), span=order.span) for part in whole.parts))
+
+
 def _order_items(spec: Spec) -> tuple[Meaning, ...]:
-    return next((o.items for o in spec.orders if o.items), ())
+    return next((o.items for o in spec.orders if o.items and o.by != "alternating"), ())
 
 
 def _with_kind(source: Meaning, kind: str | None, traits: Traits) -> Meaning:
     """ "a letter pyramid of blocks": what is said of the structure's blocks holds for its members."""
-    from dataclasses import replace
-
     if isinstance(source, Noun):
         marks = source.traits
         if kind and not marks.kind and not marks.colors and not marks.labels:
@@ -92,8 +105,6 @@ def _from_absolutes(spec: Spec, need: int | None, scene: Scene) -> tuple[str, ..
 
 def new_members(traits: Traits, count: int, kind: str | None, scene: Scene) -> tuple[str, ...]:
     """New blocks with the structure's traits; several colours share them evenly."""
-    from dataclasses import replace
-
     scene.new_batch()
     colors = traits.colors
     if len(colors) > 1 and count % len(colors):

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import string
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import combinations
 
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.passes.schema.lexicon import RAINBOW
-from rpg.passes.schema.meaning import At, Meaning, OrderBy
-from rpg.passes.schema.resolve.refer import quality_fits, refer
+from rpg.passes.schema.meaning import At, Coord, Meaning, Noun, OrderBy, Pronoun
+from rpg.passes.schema.resolve.refer import matching, open_to, quality_fits, refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
 
 OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
 SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"), "line": ("left", "right", "front", "back"),
          "column": ("front", "back", "left", "right")}  # fmt: skip
-SYMBOLIC = ("label", "number")
+MAX_ALTERNATIVES = 60
 
 
 def implied_kind(spec: Spec) -> str | None:
@@ -31,7 +34,7 @@ def implied_kind(spec: Spec) -> str | None:
 def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, span: Span) -> Order:
     """The order of `names` in a line or stack of `kind`."""
     sides = SIDES[kind]
-    first = spec.first(*sides)
+    first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides), None)
     wrong = next((t for t in spec.toward if t.first and t.first not in sides), None)
     if wrong is not None:
         raise refuse(
@@ -50,6 +53,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
                 "name the order, such as 'in reverse alphabetical order'",
             )
         found = found.model_copy(update={"descending": not found.descending})
+    if found.by == "any" and not spec.orders and spec.listed and (first or _doubled(names, scene)):
+        found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
     placed = _positions(spec, names, kind, scene, scope)
     if placed:
         if found.by != "any":
@@ -58,6 +63,45 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     if found.by != "any" and first and found.first is None:
         found = found.model_copy(update={"first": first})
     return found
+
+
+def _doubled(names: tuple[str, ...], scene: Scene) -> bool:
+    """"black, white, white, black": a list that names a look twice, not side by side, is meant as an order."""
+    looks = [(scene.things[n].color, scene.things[n].label) for n in names]
+    runs = [look for i, look in enumerate(looks) if i == 0 or looks[i - 1] != look]
+    return len(set(runs)) < len(runs)
+
+
+def alternatives(order: Order, scene: Scene) -> list[Order]:
+    """The orders that stand for one whose free places are not all next to each other.
+
+    `ranks` ties the blocks of each free run to that run; unless the free blocks look alike, every way to share them out
+    is an order of its own.
+    """
+    free = scene.free_runs.pop(order.ranks, ()) if order.by == "given" else ()
+    if len(free) < 2:
+        return [order]
+    pool = [n for index in free for n in order.ranks[index]]
+    if len({(t.color, t.label, t.size, t.kind) for t in (scene.things[n] for n in pool)}) == 1 and scene.things[pool[0]].color:
+        return [order]
+    found = []
+    for shares in _share_out(tuple(pool), [len(order.ranks[index]) for index in free]):
+        ranks = list(order.ranks)
+        for index, share in zip(free, shares, strict=True):
+            ranks[index] = share
+        found.append(order.model_copy(update={"ranks": tuple(ranks)}))
+    if len(found) > MAX_ALTERNATIVES:
+        raise refuse("ambiguous", "too many places of this order are left open", None, "name the order of all blocks")
+    return found
+
+
+def _share_out(pool: tuple[str, ...], sizes: list[int]) -> Iterator[tuple[tuple[str, ...], ...]]:
+    if not sizes:
+        yield ()
+        return
+    for chosen in combinations(pool, sizes[0]):
+        rest = tuple(n for n in pool if n not in chosen)
+        yield from ((chosen, *more) for more in _share_out(rest, sizes[1:]))
 
 
 def _default_side(kind: str) -> str:
@@ -71,7 +115,7 @@ def _merge(
     match order.by:
         case "any" | "reverse":
             return found
-        case "given" if order.items:
+        case "given" | "named" if order.items:
             return _given(order, names, kind, scene, scope, first)
         case "given":
             scene.assume(
@@ -83,11 +127,17 @@ def _merge(
             return _in_order(found, things, names, kind, scene, order, first)
         case "label" | "number" | "ascending":
             return _symbolic(order, things, kind, scene, first)
+        case "number_up" | "number_down":
+            made = _symbolic(replace(order, by="number"), things, kind, scene, "bottom")
+            return made.model_copy(update={"descending": order.by == "number_down"})
         case "rainbow":
             _paint(things, scene)
             return Order(by="rainbow", descending=order.descending, first=first)  # type: ignore[arg-type]
         case "size" | "size_down" | "size_up":
             return _by_size(order, things, kind, scene, first)
+        case "alternating" if order.items:
+            _alternate(order, things, scene)
+            return Order(by="alternating", attribute="color")
         case "alternating" | "mirrored":
             _two_colors(things, order.by, scene)
             attribute = (
@@ -96,6 +146,8 @@ def _merge(
             return Order(by=order.by, attribute=attribute)  # type: ignore[arg-type]
         case "even_first" | "odd_first" | "vowel_first" | "consonant_first":
             return _quality_first(order, things, kind, scene, first)
+        case "by_color":
+            return Order(by="together", attribute="color")
         case "attribute":
             if order.attribute == "size":
                 return _by_size(order, things, kind, scene, first)
@@ -224,6 +276,18 @@ def _two_colors(things: list[Thing], by: str, scene: Scene) -> None:
     )
 
 
+def _alternate(order: OrderBy, things: list[Thing], scene: Scene) -> None:
+    """Two colours said with the alternation."""
+    colors = [i.traits.colors[0] for i in order.items if isinstance(i, Noun) and len(i.traits.colors) == 1]
+    if len(colors) != 2 or len(order.items) != 2:
+        raise refuse("misplaced", "an alternation is of two colours", order.span, "say 'alternating red and blue'")
+    for index, thing in enumerate(things):
+        if thing.color is None and thing.kind is None:
+            thing.color = colors[index % 2]
+    if {t.color for t in things} != set(colors):
+        raise refuse("contradiction", "the blocks have other colours", order.span, "name two colours that they have")
+
+
 def _quality_first(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
     letters = order.by.startswith(("vowel", "consonant"))
     row = string.ascii_uppercase if letters else "123456789"
@@ -255,26 +319,24 @@ def _positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scop
     places: dict[int, tuple[str, ...]] = {}
     sides = SIDES[kind]
     total = len(names)
+    last: int | None = None
     for item in list(spec.absolutes):
-        at_ = item.adjuncts[0]
-        if not isinstance(at_, At):
+        at_ = item.adjuncts[0] if item.adjuncts else None
+        if not isinstance(at_, At) or not _belongs(item.theme, names, scene):
             continue
         found = refer(item.theme, scene, Scope(pool=names)).names
-        outside = [n for n in found if n not in names]
-        if outside:
-            raise refuse(
-                "count-mismatch",
-                "this block is none of those in the structure",
-                item.span,
-                "count it among them",
-                blocks=total,
-            )
-        for index, name in zip(_indices(at_, total, len(found), sides, kind), found, strict=False):
+        scene.mentions.pop()
+        if at_.side == "next" and last is not None:
+            indices = [last + 1 + k for k in range(len(found))]
+        else:
+            indices = _indices(at_, total, len(found), sides, kind)
+        if set(found) >= set(names) or any(not 0 <= i < total for i in indices):
+            raise refuse("contradiction", "so many blocks have no room there", item.span, "name fewer blocks", blocks=total)
+        for index, name in zip(indices, found, strict=False):
             if index in places and places[index] != (name,):
-                raise refuse(
-                    "contradiction", "two blocks are given the same place", item.span, "give each a place of its own"
-                )
+                raise refuse("contradiction", "two blocks are given the same place", item.span, "give each a place of its own")
             places[index] = (name,)
+        last = max(indices) if sides[0] not in ("top",) else None
         spec.absolutes.remove(item)
     if not places:
         return []
@@ -292,17 +354,25 @@ def _positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scop
             run.append(next(remaining))
     if run:
         ranks.append(tuple(run))
-    return _free_runs(ranks, places, rest)
+    return _free_runs(ranks, places, scene)
 
 
-def _free_runs(
-    ranks: list[tuple[str, ...]], places: dict[int, tuple[str, ...]], rest: list[str]
-) -> list[tuple[str, ...]]:
-    """Several runs of free blocks between fixed ones would fix who is in which; only one run stays truly free."""
+def _belongs(theme: Meaning, names: tuple[str, ...], scene: Scene) -> bool:
+    """Whether a description can be one of the members: it fits one, or one whose looks are open could take it on."""
+    if isinstance(theme, Coord):
+        return all(_belongs(item, names, scene) for item in theme.items)
+    if not isinstance(theme, Noun):
+        return isinstance(theme, Pronoun)
+    plain = replace(theme.traits, rank=None, scheme=None)
+    if any(t.name in names for t in matching(plain, scene, False)):
+        return True
+    return any(open_to(scene.things[n], theme.traits) for n in names)
+
+
+def _free_runs(ranks: list[tuple[str, ...]], places: dict[int, tuple[str, ...]], scene: Scene) -> list[tuple[str, ...]]:
+    """Remember which ranks are free, so that `alternatives` can share their blocks out."""
     fixed = set(places.values())
-    runs = [r for r in ranks if r not in fixed]
-    if len(runs) <= 1:
-        return ranks
+    scene.free_runs[tuple(ranks)] = tuple(i for i, r in enumerate(ranks) if r not in fixed)
     return ranks
 
 

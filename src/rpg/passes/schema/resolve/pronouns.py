@@ -17,6 +17,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     """What a pronoun stands for."""
     if word.word in _EACH_OTHER:
         return Ref(reciprocal=True, span=word.span)
+    if word.word.startswith("="):
+        return Ref(names=tuple(word.word[1:].split()), plural=" " in word.word)
     if word.word == "same":
         return _last_theme(scene, word)
     if word.word in _REST or word.word in _OTHER:
@@ -28,7 +30,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         names = tuple(t.name for t in scene.blocks() if not t.extra)
         from rpg.passes.schema.meaning import Amount
 
-        return Ref(names=names, quant=Amount(0, 0, True), plural=True)
+        return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True)
     if word.word in ("everything", "all", "all of it"):
         names = tuple(t.name for t in scene.blocks() if not t.extra)
         if not names:

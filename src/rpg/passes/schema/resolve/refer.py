@@ -43,31 +43,41 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
 
 
 def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
-    parts = []
+    if meaning.op == "except":
+        return _except(meaning, scene, scope)
+    parts: list[Ref] = []
+    seen: list[Traits] = []
     for item in meaning.items:
+        if isinstance(item, Noun) and _repeats(item, seen, scene):
+            item = replace(item, det="another", amount=item.amount or Amount(1, 1))
+        if isinstance(item, Noun):
+            seen.append(item.traits)
         parts.append(refer(item, scene, scope))
-    for part in parts:
         scene.mentions.pop()
-        if part.table:
-            raise refuse("misplaced", "the table is no block", part.span)
+        if parts[-1].table:
+            raise refuse("misplaced", "the table is no block", parts[-1].span)
     if len({part.patch for part in parts}) > 1:
-        raise refuse(
-            "misplaced",
-            "blocks and patches are listed together here",
-            meaning.span,
-            "name them in clauses of their own",
-        )
+        raise refuse("misplaced", "blocks and patches are listed together here", meaning.span, "name them in clauses of their own")
     names = tuple(dict.fromkeys(n for part in parts for n in part.names))
     built = tuple(b for part in parts for b in part.built)
-    return Ref(
-        names=names,
-        patch=parts[0].patch,
-        built=built,
-        op=meaning.op,
-        parts=tuple(parts),
-        plural=True,
-        span=meaning.span,
-    )
+    single = all(len(part.names) == 1 for part in parts)
+    return Ref(names=names, patch=parts[0].patch, built=built, op=meaning.op, parts=tuple(parts), plural=True, span=meaning.span, listed=single)
+
+
+def _repeats(item: Noun, seen: list[Traits], scene: Scene) -> bool:
+    """"red, yellow, yellow, red": the second of the same kind in a list is another block."""
+    return item.traits in seen and not item.plural and item.det in ("bare", "a") and item.amount in (None, Amount(1, 1)) and bool(item.traits.colors)
+
+
+def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
+    """"all blocks except the red one", "the red but not the blue block"."""
+    out = refer(meaning.items[-1], scene, scope)
+    whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
+    del scene.mentions[-len(meaning.items) :]
+    names = tuple(dict.fromkeys(n for part in whole for n in part.names if n not in out.names))
+    if not names:
+        raise refuse("no-referent", "no block is left to speak of", meaning.span)
+    return Ref(names=names, patch=whole[0].patch, op="except", parts=(Ref(names=names), out), plural=True, span=meaning.span)
 
 
 def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
@@ -163,45 +173,47 @@ def _extras(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 
 def _listed(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
-    """ "blocks A, B and C"; "red, green and blue blocks": one phrase per member."""
-    values = (
-        [("labels", (x,)) for x in noun.traits.labels]
-        if len(noun.traits.labels) > 1
-        else [("colors", (c,)) for c in noun.traits.colors]
-    )
+    """"blocks A, B and C"; "red, green and blue blocks": one phrase per member."""
     count = noun.amount.low if noun.amount else None
+    labels = noun.traits.labels
     if noun.traits.open_ended:
-        values = [("labels", (x,)) for x in continued(noun.traits.labels, count or scope.need)]
-    if count is not None and count % len(values) == 0 and count > len(values):
-        each: int | None = count // len(values)
-        scene.assume(f"{count} blocks of {len(values)} colours: {each} of each")
-    elif count is not None and count != len(values):
-        raise refuse(
-            "count-mismatch",
-            f"{count} are asked for, but {len(values)} are listed",
-            noun.span,
-            f"say {len(values)}, or list {count}",
-            asked=count,
-            listed=len(values),
-        )
-    else:
-        each = scope.need_each if scope.need_each > 1 and not noun.traits.labels else None
+        labels = continued(labels, count or scope.need)
+    key, values = ("labels", labels) if len(labels) > 1 else ("colors", noun.traits.colors)
+    shares = _shares(noun, scope, len(values), count)
     names: list[str] = []
-    for key, value in values:
-        traits = replace(noun.traits, **{"colors": (), "labels": (), "open_ended": False, key: value})
-        amount = Amount(each, each) if each else None
-        det = "the" if noun.det in ("all", "both", "each", "bare", "some") else noun.det
-        plural = bool(each) or (key == "colors" and noun.det == "all")
-        one = replace(noun, traits=traits, amount=amount, det="a" if det == "a" else det, plural=plural)
-        have = matching(one.traits, scene, patch)
-        if key == "labels" and value[0] in [scene.things[n].label for n in names]:
+    for value, share in zip(values, shares, strict=True):
+        traits = replace(noun.traits, **{"colors": (), "labels": (), "open_ended": False, key: (value,)})
+        have = matching(replace(traits, scheme=None), scene, patch)
+        if share is not None and share > 1:
+            one = replace(noun, traits=traits, amount=Amount(share, share), plural=True, det="the" if have else "bare")
+        else:
+            one = replace(noun, traits=traits, amount=None, plural=noun.det == "all" and len(have) > 1, det="a" if noun.det == "a" else "the")
+        if (key == "labels" and value in [scene.things[n].label for n in names]) or (key == "colors" and value in [scene.things[n].color for n in names]):
             names.append(create(traits, scene, patch).name)
-        elif key == "colors" and noun.plural and len(have) > 1 and not each:
+        elif key == "colors" and noun.plural and len(have) > 1 and share in (None, 1):
             names += [t.name for t in have]
         else:
             names += [n for n in select(one, scene, scope, patch) if n not in names]
-    found = Ref(names=tuple(names), patch=patch, det=noun.det, plural=True, each=noun.det == "each")
+    found = Ref(names=tuple(names), patch=patch, det=noun.det, plural=True, each=noun.det == "each", listed=len(names) == len(values))
     return _quantified(found, replace(noun, amount=None) if noun.det not in ("no", "any") else noun)
+
+
+def _shares(noun: Noun, scope: Scope, values: int, count: int | None) -> list[int | None]:
+    """How many blocks each listed value has."""
+    total = count
+    if count is None and scope.share and scope.need is not None and scope.need > values and noun.plural and noun.traits.colors:
+        total = scope.need
+    if total is None or total == values:
+        each = scope.need_each if scope.need_each > 1 and not noun.traits.labels else None
+        return [each] * values
+    if total < values or (total % values and values != 2) or noun.traits.labels:
+        raise refuse(
+            "count-mismatch", f"{total} are asked for, but {values} are listed", noun.span, f"say {values}, or say how many of each",
+            asked=total, listed=values,
+        )  # fmt: skip
+    if total % values and count is not None:
+        raise refuse("count-mismatch", f"{total} blocks cannot be shared evenly by {values} colours", noun.span, "say how many of each", asked=total, listed=values)
+    return [total // values + (1 if index < total % values else 0) for index in range(values)]
 
 
 def continued(labels: tuple[str, ...], count: int | None) -> tuple[str, ...]:
@@ -215,7 +227,7 @@ def continued(labels: tuple[str, ...], count: int | None) -> tuple[str, ...]:
 def _alternatives(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     parts = []
     for color in noun.traits.colors:
-        one = replace(noun, traits=replace(noun.traits, colors=(color,), either=False))
+        one = replace(noun, traits=replace(noun.traits, colors=(color,), either=False), plural=noun.plural and noun.head != "any")
         parts.append(Ref(names=select(one, scene, scope, patch), patch=patch, span=noun.span))
     names = tuple(n for part in parts for n in part.names)
     return Ref(names=names, patch=patch, op="or", parts=tuple(parts), plural=True)
@@ -336,7 +348,7 @@ def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> l
     """Members of the structure spoken of whose looks are open take on the description."""
     if patch or not scope.pool:
         return []
-    open_ = [scene.things[n] for n in scope.pool if _open_to(scene.things[n], noun.traits)]
+    open_ = [scene.things[n] for n in scope.pool if open_to(scene.things[n], noun.traits)]
     if len(open_) < count:
         return []
     for thing in open_[:count]:
@@ -344,7 +356,8 @@ def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> l
     return open_[:count]
 
 
-def _open_to(thing: Thing, traits: Traits) -> bool:
+def open_to(thing: Thing, traits: Traits) -> bool:
+    """Whether an object's looks are still open to what `traits` says."""
     if thing.claims:
         return False
     if traits.colors and (thing.color is not None or thing.label is not None):

@@ -49,13 +49,19 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return [disj(parts, span)] if meaning.op == "or" else parts
         case Loc():
             goals = _loc(theme, meaning, scene, scope, span)
-            return [_negate(conj(goals, span), True, span)] if meaning.negated else goals
+            return negation(goals, span) if meaning.negated else goals
         case _:
             raise refuse("misplaced", "this does not say where something is", meaning.span)
 
 
 def _negate(goal: g.Goal, negated: bool, span: Span) -> g.Goal:
-    return g.Not(goal=goal, span=span) if negated else goal
+    return negation([goal], span)[0] if negated else goal
+
+
+def negation(goals: Atoms, span: Span) -> Atoms:
+    """None of `goals`: each is denied, those inside a conjunction too."""
+    flat = [x for goal in goals for x in (goal.goals if isinstance(goal, g.All) else (goal,))]
+    return [x.goal if isinstance(x, g.Not) else g.Not(goal=x, span=span) for x in flat]
 
 
 def _region(theme: Ref, region: str, span: Span) -> g.Goal:
@@ -69,6 +75,9 @@ def spread(theme: Ref, atom: Callable[[Operand], g.Goal], span: Span, together: 
     """`atom` of every, any, or so many of the theme's blocks. `together`: the atom takes several blocks at once."""
     if theme.quant is not None:
         return count(theme.names, theme.quant, atom, span)
+    if theme.op == "except":
+        inside, out = theme.parts
+        return conj([spread(inside, atom, span, together), *negation([spread(out, atom, span)], span)], span)
     if theme.op == "or":
         return disj([spread(part, atom, span, together) for part in theme.parts], span)
     if theme.built and len(theme.built) == 1 and not theme.each:
@@ -124,9 +133,11 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if mark.reciprocal:
         return reciprocal(theme, loc, span)
     if mark.table:
-        return [_table(theme, loc, span)]
+        return [_table(theme, loc, scene, span)]
     if loc.rel in ("between", "sandwiched"):
         return [_between(theme, mark, loc, scene, span)]
+    if theme.quant is not None and theme.quant.high == 0 and theme.everything and loc.rel in ("on", "above") and not mark.patch:
+        return [r.Clear(a=crown(mark), span=span)]
     _check_self(theme, mark, loc)
     if mark.matching:
         return matching_patches(theme, mark, scene, span)
@@ -156,7 +167,7 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
     if loc.rel in ("on", "above", "under"):
         return _vertical(theme, mark, loc, scene, span)
     if loc.rel in DIRECTIONS:
-        return _directional(theme, mark, loc, span)
+        return _directional(theme, mark, loc, scene, span)
     if loc.rel == "distance":
         return spread(
             theme,
@@ -189,12 +200,16 @@ def _carrier(a: Operand, theme: Ref, scene: Scene) -> Operand:
     """A relation on the table to a block that goes on a tower is one to the tower's lowest block."""
     if isinstance(a, Lowest | Highest) or len(a) != 1:
         return a
-    name = a[0]
+    return (base_of(a[0], scene),)
+
+
+def base_of(name: str, scene: Scene) -> str:
+    """The lowest block of the tower that `name` is in."""
     seen = {name}
     while name in scene.on_top and scene.on_top[name] not in seen:
         name = scene.on_top[name]
         seen.add(name)
-    return (name,)
+    return name
 
 
 def _beside_foot(theme: Ref, mark: Ref, scene: Scene) -> Operand:
@@ -237,7 +252,7 @@ def _on_operand(a: Operand, b: Operand, scene: Scene, span: Span) -> g.Goal:
         and len(a) == len(b) == 1
         and EACH not in (*a, *b)
     ):
-        scene.on_top[a[0]] = b[0]
+        scene.stacked(a[0], b[0], span)
     return r.On(a=a, b=b, span=span)
 
 
@@ -272,23 +287,23 @@ def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     return r.Above(a=upper, b=lower, span=span)
 
 
-def _directional(theme: Ref, mark: Ref, loc: Loc, span: Span) -> g.Goal:
+def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     node = DIRECTIONS[loc.rel]
     b = foot(mark)
     flags = {
-        "directly": "directly" in loc.mods, "immediate": "immediate" in loc.mods, "somewhere": "somewhere" in loc.mods,
+        "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods, "somewhere": "somewhere" in loc.mods,
     }  # fmt: skip
     if theme.quant is not None or theme.op == "or":
         goal = spread(theme, lambda a: node(a=a, b=b, span=span, **flags), span)
     else:
-        goal = node(a=foot(theme), b=b, span=span, **flags)
+        goal = node(a=_carrier(foot(theme), theme, scene), b=b if mark.patch else _carrier(b, mark, scene), span=span, **flags)
     if loc.low is not None or loc.high is not None:
         near = r.Distance(a=foot(theme), b=b, minimum=loc.low, maximum=loc.high, span=span)
         return conj([goal, near], span)
     return goal
 
 
-def _table(theme: Ref, loc: Loc, span: Span) -> g.Goal:
+def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     if loc.rel in ("off", "above"):
         raise refuse(
             "out-of-reach",
@@ -303,8 +318,12 @@ def _table(theme: Ref, loc: Loc, span: Span) -> g.Goal:
             loc.span,
             "say 'the near half of the table' or 'the far half of the table'",
         )
-    if theme.built:
+    if theme.built or theme.patch:
         return g.All(goals=())
+    if theme.quant is None and theme.op == "and" and any(n in scene.on_top for n in theme.names) and loc.rel == "on":
+        names = tuple(n for n in theme.names if n not in scene.on_top)
+        lower = {base_of(n, scene) for n in theme.names}
+        theme = Ref(names=tuple(dict.fromkeys((*names, *sorted(lower)))))
     return spread(theme, lambda a: r.OnTable(a=a, span=span), span, together=True)
 
 
@@ -375,6 +394,10 @@ def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
 
 def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     ends = mark.parts if len(mark.parts) == 2 else tuple(Ref(names=(n,)) for n in mark.names)
+    if len(mark.built) == 2 and len(mark.parts) != 2:
+        ends = tuple(Ref(names=b.members, built=(b,)) for b in mark.built)
+    elif len(mark.built) == 1 and mark.built[0].kind == "towers":
+        ends = _two_towers(mark, scene)
     if mark.op == "or" or len(ends) != 2:
         raise refuse(
             "between-two",
@@ -395,6 +418,21 @@ def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
     return spread(theme, lambda a: r.Between(a=a, b=b, c=c, span=span), span)
 
 
+def _two_towers(mark: Ref, scene: Scene) -> tuple[Ref, ...]:
+    """Two towers of look-alike blocks, told apart by fixing which block is in which."""
+    names = mark.names
+    looks = {(scene.things[n].color, scene.things[n].label) for n in names}
+    if len(looks) > 1 or len(names) % 2 or None in {c for c, _ in looks}:
+        return (mark,)
+    half = len(names) // 2
+    ends = []
+    for part in (names[:half], names[half:]):
+        built = scene.add_built("stack", part, False, mark.span)
+        scene.goals.setdefault(scene.clause, []).append(s.Stack(blocks=part, exact=True, span=mark.span))
+        ends.append(Ref(names=part, built=(built,)))
+    return tuple(ends)
+
+
 def _free_ends(order: Order, members: tuple[str, ...], scene: Scene) -> Order:
     """Which end is below is open when they were not told apart; a fixed order is one of both readings of equals."""
     return order
@@ -405,6 +443,9 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
     names = theme.names
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if theme.quant is not None and theme.quant.high == 0:
+        inside = [replace(theme, names=pair, quant=None, built=(), parts=()) for pair in combinations(names, 2)]
+        return negation([x for two in inside for x in reciprocal(two, loc, span)], span)
     if len(names) < 2:
         raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")
     pairs = list(combinations(names, 2))

@@ -41,6 +41,7 @@ class Spec:
     intos: list[Into] = field(default_factory=list)
     thats: list[That] = field(default_factory=list)
     qualities: list[Quality] = field(default_factory=list)
+    listed: bool = False
 
     def first(self, *allowed: str) -> str | None:
         """The side where an order begins, if one of `allowed` was said."""

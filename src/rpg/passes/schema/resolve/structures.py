@@ -9,10 +9,10 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import Amount, Noun, Structure
+from rpg.passes.schema.meaning import Amount, Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve import figures, groups, symbols, towers
 from rpg.passes.schema.resolve.members import amount_of, members_of
-from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.orders import alternatives, order_of
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
@@ -58,7 +58,7 @@ def _known(shape: Structure, scene: Scene) -> list[Built]:
             and any(t.color not in shape.members.traits.colors for t in things)
         ):
             continue
-        if shape.size is not None and shape.size.low != len(things):
+        if (n := exact_size(shape)) is not None and n != len(things):
             continue
         found.append(built)
     return found
@@ -66,20 +66,43 @@ def _known(shape: Structure, scene: Scene) -> list[Built]:
 
 def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Build a structure (or several) from `theme`, its own members, or new blocks."""
-    for size in list(spec.sizes):
-        shape = replace(shape, size=shape.size or size.amount, dims=shape.dims or size.dims)
-        spec.sizes.remove(size)
+    shape = replace(shape, sizes=(*shape.sizes, *spec.sizes), dims=shape.dims or next((z.dims for z in (*shape.sizes, *spec.sizes) if z.what == "dims"), ()))
+    spec.sizes = []
+    if shape.details:
+        inner = sort_adjuncts(shape.details)
+        spec.orders, spec.spacings, spec.patterns = [*inner.orders, *spec.orders], [*inner.spacings, *spec.spacings], [*inner.patterns, *spec.patterns]
+        shape = replace(shape, details=())
+    _known_sizes(shape)
     maker = MAKERS.get(shape.kind)
     if maker is None:
         raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)
     return maker(shape, spec, theme, scene, scope)
 
 
-def exact_size(shape: Structure, exact: bool = False) -> int | None:
-    """The number of blocks in one structure, if it was said."""
-    if shape.size is not None and shape.size.low == shape.size.high:
-        return shape.size.low
-    return None
+_SIZES = {
+    "stack": {"size", "high", "layers"}, "row": {"size", "long", "columns", "wide"}, "line": {"size", "long", "columns", "wide"}, "column": {"size", "long", "columns"},
+    "grid": {"size", "rows", "columns", "layers", "high", "wide", "long", "deep", "side", "dims"}, "wall": {"size", "wide", "long", "columns", "high", "layers", "rows", "dims"},
+    "pyramid": {"size", "base", "layers", "high", "dims"}, "staircase": {"size", "steps", "high", "layers"}, "cube": {"dims", "side", "size"},
+    "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep"}, "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
+    "triangle": {"size", "side"}, "circle": {"size"}, "checkerboard": {"dims", "rows", "columns", "size", "side"}, "gradient": {"size", "long"}, "word": {"size"},
+}  # fmt: skip
+
+
+def _known_sizes(shape: Structure) -> None:
+    """Refuse sizes that the structure has no use for."""
+    allowed = _SIZES.get(shape.kind, {"size"})
+    for size in shape.sizes:
+        if size.what not in allowed:
+            raise refuse("misplaced", f"a {shape.kind} has no such size", size.span, "say how many blocks it has")
+
+
+def exact_size(shape: Structure) -> int | None:
+    """The number of blocks along one structure, if it was said."""
+    found = {s.amount for s in shape.sizes if s.amount is not None}
+    if len(found) > 1:
+        raise refuse("contradiction", "two sizes are given", shape.span, "keep one of them")
+    amount = next(iter(found), None)
+    return amount.low if amount is not None and amount.low == amount.high else None
 
 
 def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
@@ -93,7 +116,14 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         return towers.several(shape, spec, theme, scene, scope)
     spec.patterns = [p for p in spec.patterns if p.unit != "stack"]
     need = exact_size(shape)
-    names = members_of(shape, spec, theme, need, amount_of(shape.members) or 3, scene, scope)
+    least = shape.size is not None and shape.size.high is None
+    if shape.size is not None and need is None and not least:
+        raise refuse("ambiguous", "the height of the tower is left open", shape.span, "say one number, or 'at least'")
+    if least and theme is not None:
+        theme = replace(theme, names=_alike(theme, shape, scene)[: shape.size.low if shape.size else 2])
+    if theme is not None and need is not None and theme.names and len(theme.names) > need and not any(scene.things[n].elastic for n in theme.names):
+        theme = replace(theme, names=_alike(theme, shape, scene)[:need])
+    names = members_of(shape, spec, theme, need if not least else shape.size.low if shape.size else None, amount_of(shape.members) or 3, scene, scope)
     if len(names) < 2:
         raise refuse("too-few", "a lone block is no tower", shape.span, "name at least two blocks", blocks=len(names))
     order = order_of(spec, names, "stack", scene, scope, shape.span)
@@ -104,8 +134,23 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         or theme is None
         and shape.members is None
     )
-    node = s.Stack(blocks=names, order=order, exact=counted, readable=order.by in ("label", "number"), span=shape.span)
-    return [stack_built(node, scene)], [node]
+    nodes = [s.Stack(blocks=names, order=o, exact=counted and not least, readable=o.by in ("label", "number"), span=shape.span) for o in alternatives(order, scene)]
+    return [stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, shape.span)], [either(nodes)]
+
+
+def _alike(theme: Ref, shape: Structure, scene: Scene) -> tuple[str, ...]:
+    """Blocks of which some are to be chosen must look alike, so that it does not matter which."""
+    looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in theme.names)}
+    if len(looks) > 1 or theme.quant is not None:
+        raise refuse("count-mismatch", f"it is not said which of {len(theme.names)} different blocks are used", shape.span, "name the blocks", blocks=len(theme.names))
+    for name in theme.names:
+        scene.things[name].scheme = scene.things[name].scheme or "same"
+    return theme.names
+
+
+def either(nodes: list[s.Stack] | list[s.Row]) -> g.Goal:
+    """One of several ways to fill the free places of an order."""
+    return nodes[0] if len(nodes) == 1 else g.Any(goals=tuple(nodes), span=nodes[0].span)
 
 
 def stack_built(node: s.Stack, scene: Scene) -> Built:
@@ -143,6 +188,12 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         raise refuse("too-few", "one block is no line", shape.span, "name at least two blocks", blocks=len(names))
     node = row_node(names, shape.kind, spec, scene, scope, shape.span, shape.upright is False)
     return [row_built(node, shape.kind, scene)], [node]
+
+
+def _gradient(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """"a colour gradient": a line in the order of the rainbow."""
+    spec.orders = [OrderBy(by="rainbow", span=shape.span), *[o for o in spec.orders if o.by != "rainbow"]]
+    return _row(replace(shape, kind="line"), spec, theme, scene, scope)
 
 
 def row_built(node: s.Row, kind: str, scene: Scene) -> Built:
@@ -211,7 +262,7 @@ def _several_rows(shape: Structure, spec: Spec, scene: Scene, scope: Scope) -> M
             if isinstance(shape.members, Noun)
             else None
         )
-        single = replace(shape, plural=False, amount=Amount(1, 1), members=members, size=Amount(per, per))
+        single = replace(shape, plural=False, amount=Amount(1, 1), members=members, sizes=(Size(what="size", amount=Amount(per, per), span=shape.span),))
         one = Spec(**vars(spec)) if index else spec
         more, atoms = _row(single, one, None, scene, scope)
         built += more
@@ -224,6 +275,7 @@ MAKERS: dict[str, Maker] = {
     "row": _row,
     "line": _row,
     "column": _row,
+    "gradient": _gradient,
     "pile": groups.piles,
     "word": symbols.word,
     "equation": symbols.equation,

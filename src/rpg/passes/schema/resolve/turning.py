@@ -8,6 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.passes.schema.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, That, Using
+from rpg.passes.schema.resolve.finish import label_of
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import conj, place
 from rpg.passes.schema.resolve.spec import Spec
@@ -27,14 +28,22 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             goals += place(theme, item, scene, scope, clause.span)
         spec.places = []
         if clause.lemma == "keep":
-            return [g.Always(goal=conj(goals, clause.span), span=clause.span)] if _at_start(goals, scene) else goals
+            from rpg.passes.schema.resolve.clauses import held_throughout
+
+            return held_throughout(goals, scene, clause.span)
         return goals
     spec.places = []
     return [_stayed(theme, clause.span)]
 
 
-def _at_start(goals: Goals, scene: Scene) -> bool:
-    return bool(goals) and all(goal in scene.start_goals for goal in goals)
+def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"move the red block by at least 10 cm"."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    far = next(p for p in spec.places if isinstance(p, Loc) and p.rel == "moved")
+    spec.places.remove(far)
+    if far.low is None:
+        raise refuse("misplaced", "a move is at least so far", far.span, "say 'by at least 10 cm'")
+    return [r.Moved(a=theme.names, at_least=far.low, span=clause.span)]
 
 
 def _stayed(theme: Ref, span: Span) -> g.Goal:
@@ -228,32 +237,16 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
     thing = scene.things[name]
     if thing.kind is None and thing.label is None:
-        if flat is not None or facing is not None:
-            raise refuse(
-                "order-misfit",
-                "a plain block looks the same on every side",
-                span,
-                "use a letter block, or say 'by 90 degrees'",
-            )
-    toward = str(facing.value) if facing is not None else "viewer"
+        raise refuse("order-misfit", "a plain block looks the same on every side", span, "use a letter block, or say 'by 90 degrees'")
+    toward = str(facing.value) if facing is not None else "up"
+    label = label_of(thing, scene)
     turned = float(flat.value or 0.0) if flat is not None else None
-    if facing is not None and flat is None and toward in ("up", "viewer"):
-        turned = None
-    if thing.faces is None:
-        from rpg.passes.schema.resolve.finish import label_of
-
-        thing.faces = _six(label_of(thing, scene))
-        if toward not in ("viewer",):
-            scene.assume("the letter shows on one face of the block; the other faces are blank")
-    if toward == "viewer":
-        toward = "up"
+    if flat is None and thing.faces is None:
+        thing.faces = {"front": label}
+        scene.assume(f"{label} shows on one face of its block; the other faces are blank")
+    if facing is None:
         scene.assume("the letter is read from above")
-    return r.Facing(block=name, label=thing.label, toward=toward, turn=turned, span=span)  # type: ignore[arg-type]
-
-
-def _six(label: str) -> dict[str, str]:
-    """The letter on one face, which does not show at the start."""
-    return {"front": label}
+    return r.Facing(block=name, label=label, toward=toward, turn=turned, span=span)  # type: ignore[arg-type]
 
 
 def _target(clause: Clause, spec: Spec) -> bool:
@@ -264,5 +257,3 @@ def _target_letter(theme: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
     """ "so that the target letter is in the target orientation": the letter is chosen."""
     return []
 
-
-__all__ = ["Coord", "keep", "pick", "remove", "stay", "swap", "turn", "without"]

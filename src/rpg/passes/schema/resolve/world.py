@@ -67,6 +67,7 @@ class Ref:
     each: bool = False
     listed: bool = False
     matching: bool = False
+    everything: bool = False
     reciprocal: bool = False
     part: str | None = None
     span: Span = (0, 0)
@@ -116,6 +117,7 @@ class Scene:
     appearance_only: bool = True
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
+    free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
 
     def assume(self, text: str) -> None:
@@ -158,6 +160,15 @@ class Scene:
     def mention(self, ref: Ref, role: str) -> None:
         """Remember what was spoken of, for pronouns."""
         self.mentions.append(Mention(ref, role, self.clause))
+
+    def stacked(self, upper: str, lower: str, span: Span) -> None:
+        """One block was put on another: together, and with the stack that the lower one tops, they are a tower."""
+        self.on_top[upper] = lower
+        under = next((b for b in self.built if b.kind == "stack" and b.ordered and b.members[-1] == lower), None)
+        over = next((b for b in self.built if b.kind == "stack" and b.ordered and b.members[0] == upper), None)
+        members = (*(under.members if under else (lower,)), *(over.members if over else (upper,)))
+        self.built = [b for b in self.built if b is not under and b is not over]
+        self.add_built("stack", members, True, span)
 
     def add_built(self, kind: str, members: Iterable[str], ordered: bool, span: Span, side: str | None = None) -> Built:
         """Remember a structure."""

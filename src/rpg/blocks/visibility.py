@@ -74,8 +74,14 @@ def turned(normal: Vec3, up: Vec3, degrees: float) -> Vec3:
 
 def nearest_face(state: BlockState, name: str, direction: Vec3) -> Face:
     """The face of the block whose normal is nearest to `direction` (a unit vector in the world)."""
-    axes = state.axes(name)
-    return max(FACES, key=lambda face: dot(rotate(axes, NORMALS[face]), direction))
+    (fx, lx, tx), (fy, ly, ty), (fz, lz, tz) = state.axes(name)
+    x, y, z = direction
+    top, front, left = tx * x + ty * y + tz * z, fx * x + fy * y + fz * z, lx * x + ly * y + lz * z
+    if abs(top) >= abs(front) and abs(top) >= abs(left):
+        return "top" if top >= 0.0 else "bottom"
+    if abs(front) >= abs(left):
+        return "front" if front >= 0.0 else "back"
+    return "left" if left >= 0.0 else "right"
 
 
 def symbol(state: BlockState, name: str, face: Face) -> str:

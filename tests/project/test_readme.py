@@ -17,10 +17,13 @@ COMMANDS = re.findall(r"^\| `(rpg [^`]*)`", TEXT, re.MULTILINE)
 
 @pytest.fixture(scope="module")
 def directory(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    place = surroundings(tmp_path_factory.mktemp("reader"))
-    for block in BLOCKS:
-        run_in(place, block.splitlines()[0].removeprefix("$ "))
-    return place
+    return surroundings(tmp_path_factory.mktemp("reader"))
+
+
+@pytest.fixture(scope="module")
+def blocks(directory: Path) -> list[str]:
+    """What the README's blocks print, one after the other as a reader types them."""
+    return [printed(directory, block.splitlines()[0].removeprefix("$ ")) for block in BLOCKS]
 
 
 def plain(text: str) -> list[str]:
@@ -28,19 +31,18 @@ def plain(text: str) -> list[str]:
     return [re.sub(r"\b[0-9a-f]{7}\b|\d+(\.\d+)?", "N", line).rstrip() for line in text.splitlines()]
 
 
-@pytest.mark.parametrize("block", BLOCKS, ids=lambda block: block.splitlines()[0][2:40])
-def test_commands_print_what_is_shown(block: str, tmp_path: Path) -> None:
-    command = block.splitlines()[0].removeprefix("$ ")
-    assert plain(printed(surroundings(tmp_path), command)) == plain(block), "python -m tests.project.readme"
+@pytest.mark.parametrize("number", range(len(BLOCKS)))
+def test_commands_print_what_is_shown(number: int, blocks: list[str]) -> None:
+    assert plain(blocks[number]) == plain(BLOCKS[number]), "python -m tests.project.readme"
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_listed_commands_work(command: str, directory: Path) -> None:
+def test_listed_commands_work(command: str, directory: Path, blocks: list[str]) -> None:
     done = run_in(directory, command)
     assert done.returncode in (0, 1 if command.startswith("rpg check") else 0), done.stdout
 
 
-def test_the_python_example_runs(directory: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_python_example_runs(directory: Path, blocks: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
     (block,) = re.findall(r"```python\n(.*?)```", TEXT, re.DOTALL)
     monkeypatch.chdir(directory)
     exec(compile(block, "README.md", "exec", dont_inherit=True), {})

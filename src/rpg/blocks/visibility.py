@@ -13,7 +13,7 @@ from typing import Literal
 from rpg.blocks.camera import POSITION
 from rpg.blocks.state import BlockState, Matrix, Vec3
 from rpg.blocks.verdict import Verdict, holds
-from rpg.ir.assets import FACES, Face, SemanticCube
+from rpg.ir.assets import Face, SemanticCube
 
 NORMAL_COS = 0.97
 UPRIGHT_COS = 0.94

@@ -108,27 +108,15 @@ def _link(p: Parser, i: int) -> Results[str]:
         yield "after", k
     elif k := p.any_of(j, ("or else", "or")):
         yield "or", k
-    elif k := p.any_of(
-        j,
-        (
-            "and also",
-            "and",
-            "while also",
-            "while",
-            "but also",
-            "but",
-            "as well as",
-            "also",
-            "with",
-            "and make sure that",
-            "whereas",
-            "plus",
-        ),
-    ):
+    elif k := p.any_of(j, _ALSO):
         k = p.opt(k, "also", "both")
         yield "and", k
     elif j > i:
         yield "and", j
+
+
+_ALSO = ("and also", "and make sure that", "and ensure that", "and that", "and", "while also", "while", "but also", "but", "as well as", "also", "with", "whereas", "plus", "&",
+         "yet", "although", "though")  # fmt: skip
 
 
 @rule

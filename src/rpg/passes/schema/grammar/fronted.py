@@ -26,6 +26,12 @@ _CARRIES = (
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
+_LEADS = frozenset(
+    "on onto to at in into left right behind next beside between under above from near directly immediately adjacent over atop upon "
+    "underneath beneath below alongside by close somewhere for against off far just right across in".split()
+)
+"""First words of what may open a clause."""
+_HAVING = frozenset(phrase.split()[-1] for phrase in (*_HAS, *_CARRIES)) | {"gets", "get", "with"}
 _OPENERS = (Loc, In, Toward, OrderBy)
 
 
@@ -34,6 +40,8 @@ def fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "on the red block, put the blue one", "behind it there should be a tower", "next to it goes the green one"."""
     from rpg.passes.schema.grammar.clauses import verb_phrase
 
+    if i >= p.end or p.words[i] not in _LEADS:
+        return
     for opening, j in adjuncts(p, i):
         if not opening or not all(isinstance(part, _OPENERS) for part in opening):
             continue
@@ -51,6 +59,8 @@ def fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
 @rule
 def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block should have the blue one on it", "the patch must contain two blocks", "A has B to its left"."""
+    if _HAVING.isdisjoint(p.words[i:]):
+        return
     for owner, j in noun_phrase(p, i):
         if isinstance(owner, Pronoun | TableTop):
             continue

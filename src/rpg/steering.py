@@ -94,7 +94,12 @@ def _built(family: Family, current: Version, understood: Interpretation, options
             understood.request, "refused", outcome, interpretation=understood, diagnostics=outcome.diagnostics
         )
     options.listen("steer", "prove")
-    proof, witnesses = prove(reference.schema, outcome.program.task)
+    try:
+        proof, witnesses = prove(reference.schema, outcome.program.task)
+    except Refusal as refusal:
+        return Steered(
+            understood.request, "refused", outcome, interpretation=understood, diagnostics=refusal.diagnostics
+        )
     verdict = classify(reference.schema, outcome.program.task, proof, understood.intent)
     steering = steering_of(understood, verdict, proof, reference)
     return Steered(

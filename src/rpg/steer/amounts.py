@@ -232,6 +232,8 @@ def _valued(p: Parser, i: int, k: int, what: str, factor: float) -> Iterator[tup
                            ("twice as large", 2.0), ("half as wide", 0.5), ("shorter", 0.5), ("longer", 2.0), ("stricter", 0.5)):  # fmt: skip
         if end := p.seq(k, phrase):
             yield r.Loosen(what=what, factor=change, span=p.span(i, end)), end
+    for metres, end in length(p, k):
+        yield r.Loosen(what=what, value=metres, span=p.span(i, end)), end
     if end := longest(p, k, ("even", "equal", "the same")):
         yield r.Loosen(what="even", span=p.span(i, end)), end
     if factor != 1.0:

@@ -55,6 +55,7 @@ def reorder(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from _mirror(p, i)
     yield from _sort(p, i)
     yield from _no_matter(p, i)
+    yield from _swap_them(p, i)
 
 
 def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -174,6 +175,21 @@ def _first(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
         if isinstance(found, m.Toward) and found.first:
             yield found.first, k
     yield None, i
+
+
+def _swap_them(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "swap them", "exchange the two": for two blocks, the reverse order."""
+    j = longest(p, i, ("swap", "exchange", "switch", "interchange", "swap around", "swap round"))
+    k = (
+        longest(
+            p, j, ("them", "the two", "the two blocks", "both", "both blocks", "them around", "the blocks", "those two")
+        )
+        if j
+        else 0
+    )
+    if k:
+        k = longest(p, k, ("around", "over", "round")) or k
+        yield r.Reorder(how="swap", span=p.span(i, k)), k
 
 
 def _no_matter(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:

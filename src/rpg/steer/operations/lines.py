@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import groupby
 
 from rpg.blocks.predicates.order import SORTED
 from rpg.blocks.traits import Traits
@@ -13,6 +14,7 @@ from rpg.ir.order import Order
 from rpg.ir.relations import Behind, InFrontOf, LeftOf, On, RightOf
 from rpg.ir.structures import Equation, Row, Spells, Stack
 from rpg.steer.draft import Draft
+from rpg.steer.language import m
 from rpg.steer.view import BEGINS, ENDS, STEPS, Line
 
 
@@ -30,10 +32,37 @@ def insert(draft: Draft, line: Line, index: int, name: str, span: Span | None = 
                 span,
                 "put it at an end",
             )
-        groups = (line.members, (name,)) if index else ((name,), line.members)
+        free = _free_groups(line)
+        groups = (*free, (name,)) if index else ((name,), *free)
         draft.do(ChangeCondition(at=line.path, to=_with_ranks(line, members, groups)), span)
         return
     draft.do(ChangeCondition(at=line.path, to=arranged(draft, line, members)), span)
+
+
+def _free_groups(line: Line) -> tuple[tuple[str, ...], ...]:
+    """The ranks of a line that leaves a choice, listed from where lines of its kind begin."""
+    assert isinstance(line.node, Stack | Row)
+    order = line.node.order
+    if order.by != "given":
+        return (line.members,)
+    turned = order.first == ENDS[BEGINS[line.kind]]
+    return tuple(reversed(order.ranks)) if turned else order.ranks
+
+
+def pin(draft: Draft, names: Sequence[str], span: Span) -> None:
+    """Blocks that a phrase picked by their place keep it, though they looked like the others of their line."""
+    line = draft.view.line_of(names)
+    if line is None or not isinstance(line.node, Stack | Row) or line.node.order.by != "any" or not line.ordered:
+        return
+    chosen = set(names)
+    groups = [tuple(members) for _, members in groupby(line.members, key=lambda name: name in chosen)]
+    if len(groups) > 1:
+        draft.do(ChangeCondition(at=line.path, to=_with_ranks(line, line.members, groups)), span)
+
+
+def by_place(phrase: m.Meaning | None) -> bool:
+    """Whether a phrase picks blocks by where they are: "the top block", "the second one"."""
+    return isinstance(phrase, m.PartOf) or (isinstance(phrase, m.Noun) and bool(phrase.traits.rank))
 
 
 def arranged(draft: Draft, line: Line, members: Sequence[str]) -> g.Goal:

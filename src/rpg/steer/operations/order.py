@@ -32,7 +32,9 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
     if request.how == "mirror":
         draft.aim("MODIFY")
         draft.do(SetGoal(goal=mirrored(draft.schema.goal)), request.span)
-    elif request.how == "reverse":
+    elif request.how in ("reverse", "swap"):
+        if request.how == "swap" and line is not None and len(line.members) != 2:
+            raise draft.refusal("ambiguous-object", "this could be any two blocks", request.span, "name the two blocks")
         _reverse(draft, line, figure, request.span)
     elif request.how == "given":
         _given(draft, line, request)

@@ -13,7 +13,7 @@ from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import lexicon, m
 from rpg.steer.operations.kinds import convert, listed, mix
-from rpg.steer.operations.lines import insert
+from rpg.steer.operations.lines import by_place, insert, pin
 from rpg.steer.operations.make import describe, free_name, new_assets, unused_colors
 from rpg.steer.refer import resolve
 
@@ -30,6 +30,8 @@ def restyle(draft: Draft, request: r.Restyle) -> None:
         convert(draft, names, "plain", request.span)
         return
     draft.aim("TWEAK")
+    if by_place(request.theme):
+        pin(draft, names, request.span)
     new: dict[str, Asset] = {}
     colors = _colors(draft, listed(draft, names), traits, request.span)
     labels = _labels(draft, names, traits, request.span)
@@ -175,6 +177,8 @@ def _respell(draft: Draft) -> None:
 def replace(draft: Draft, request: r.Replace) -> None:
     """Phrases such as "replace the green cube with a yellow one", "letters instead of colours"."""
     old = tuple(n for n in _old(draft, request) if n not in draft.kept)
+    if by_place(request.old):
+        pin(draft, old, request.span)
     kinds = _kinds(request.new)
     if len(kinds) > 1:
         mix(draft, old, kinds, request.span)
@@ -184,7 +188,7 @@ def replace(draft: Draft, request: r.Replace) -> None:
         return
     draft.aim("MODIFY")
     new = request.new
-    if isinstance(new, m.Noun) and new.head == "patch":
+    if isinstance(new, m.Noun) and (new.head == "patch" or all(name in draft.view.world.patches for name in old)):
         _replace_patches(draft, old, new, request.span)
     elif isinstance(new, m.Noun) and (new.amount.low if new.amount else len(old)) == len(old):
         _replace_each(draft, old, new, request.span)

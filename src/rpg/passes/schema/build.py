@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
-from rpg.passes.schema.meaning import Chain, Clause, cost_of
+from rpg.passes.schema.meaning import Chain, Clause, Manner, cost_of
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.read import Sentence
 from rpg.passes.schema.resolve import finish
@@ -119,7 +119,7 @@ def resolve(
 
 def _sets_scene(chain: Chain) -> bool:
     """Whether a sentence only says what there is or how it starts: it is read first."""
-    return all(isinstance(c, Clause) and c.mode == "given" for c in chain.clauses)
+    return all(isinstance(c, Clause) and (c.mode == "given" or any(isinstance(m, Manner) and m.kind == "extra" for m in c.adjuncts)) for c in chain.clauses)
 
 
 def _no_goal(scene: Scene, text: str) -> Refusal:

@@ -60,7 +60,7 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     """Any number of adjuncts, the longest run first; commas and "and" may stand between them."""
     for first, j in adjunct(p, i):
         for rest, k in adjuncts(p, j):
-            yield (first, *rest), k
+            yield ((replace(first, cost=1), *rest) if rest and isinstance(first, That) else (first, *rest)), k
         for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but")} - {j}:
             for rest, k in adjuncts(p, joined):
                 if rest:

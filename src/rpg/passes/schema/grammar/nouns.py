@@ -198,7 +198,8 @@ def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]
 
 def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: Marks) -> Results[Meaning]:
     """ "red on blue", "the other two", "A", "a red and a blue block"."""
-    if j > start and (marks.get("colors") or marks.get("size") or marks.get("rank") or marks.get("edge")):
+    ranked = quantity.det == "the" and marks.get("rank") not in (None, "top", "bottom", "middle")
+    if j > start and (marks.get("colors") or marks.get("size") or ranked or marks.get("edge")):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")
         yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1 if several else 0)

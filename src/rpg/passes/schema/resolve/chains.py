@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.ir import goal as g
-from rpg.passes.schema.meaning import Chain, Clause
+from rpg.passes.schema.meaning import Chain, Clause, Manner
 from rpg.passes.schema.resolve.clauses import clause_goals
 from rpg.passes.schema.resolve.conflicts import undoes
 from rpg.passes.schema.resolve.loose import settle
@@ -15,10 +17,15 @@ Goals = list[g.Goal]
 
 def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
+    if timed(chain):
+        return chain_goals(untimed(chain), scene, start)
     stages: list[Goals] = [[]]
     for link, clause in zip(chain.links, chain.clauses, strict=True):
         if not isinstance(clause, Clause):
             continue
+        begun = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "start"]
+        if begun:
+            clause = replace(clause, mode="given" if clause.verb == "exist" else "start", adjuncts=tuple(m for m in clause.adjuncts if m not in begun))
         starts = start or clause.mode in ("start", "given")
         goals = clause_goals(clause, scene, starts)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
@@ -27,6 +34,34 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
             continue
         _append(stages, link, goals)
     return _sequence(stages, scene, chain)
+
+
+def _time(clause: object) -> float | None:
+    found = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "time"] if isinstance(clause, Clause) else []
+    return float(found[0].value or 0.0) if found else None
+
+
+def timed(chain: Chain) -> bool:
+    """Whether clauses say when: "... first and ... second"."""
+    return any(_time(c) is not None for c in chain.clauses)
+
+
+def untimed(chain: Chain) -> Chain:
+    """The clauses in the order of their times, joined by "then"."""
+    times: list[float] = []
+    for clause in chain.clauses:
+        said = _time(clause)
+        times.append(said if said is not None else (times[-1] + 0.5 if times else 1.5))
+    order = sorted(range(len(times)), key=lambda n: (times[n], n))
+    bare = []
+    for n in order:
+        clause = chain.clauses[n]
+        if isinstance(clause, Clause):
+            kept = tuple(m for m in clause.adjuncts if not (isinstance(m, Manner) and m.kind == "time"))
+            clause = replace(clause, adjuncts=kept)
+        bare.append(clause)
+    links = tuple("then" if index and times[order[index]] != times[order[index - 1]] else "and" for index in range(len(order)))
+    return replace(chain, clauses=tuple(bare), links=links)
 
 
 def _append(stages: list[Goals], link: str, goals: Goals) -> None:

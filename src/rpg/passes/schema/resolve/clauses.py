@@ -10,12 +10,12 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Lowest
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import At, Clause, Coord, In, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.passes.schema.meaning import At, Clause, Coord, In, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.orders import alternatives, order_of
-from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.refer import continued, give, refer
 from rpg.passes.schema.resolve.relations import conj, crown, foot, matching_patches, negation, place, reciprocal, related
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.structures import either, make, row_node, stack_built
@@ -100,6 +100,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return _sort(clause, spec, scene, scope)
         case "spell" | "read":
             return _spell(clause, spec, scene, scope)
+    if spec.manner("partial") is not None:
+        return _partly(clause, scene, scope)
     if spec.qualities and clause.verb in ("be", "keep"):
         return appear(clause, spec, scene, scope)
     if any(m.kind == "stay" for m in spec.manners):
@@ -118,6 +120,17 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     theme = refer(_counted(clause.theme, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     _sandwich(clause, spec)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
+
+
+def _partly(clause: Clause, scene: Scene, scope: Scope) -> Goals:
+    """"start partially stacked": two of the blocks, in a way that the goal does not ask for."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    pairs = [(a, b) for a in theme.names for b in theme.names if a != b and scene.on_top.get(a) != b]
+    pairs.sort(key=lambda two: (scene.on_top.get(two[1]) == two[0], theme.names.index(two[0]) < theme.names.index(two[1])))
+    if clause.mode != "start" or not pairs:
+        raise refuse("misplaced", "only a start can be partial", clause.span, "say which block goes on which")
+    scene.assume("partially stacked at the start: one block lies on another")
+    return [r.On(a=(pairs[0][0],), b=(pairs[0][1],), span=clause.span)]
 
 
 def _sandwich(clause: Clause, spec: Spec) -> None:
@@ -312,6 +325,9 @@ def _towers_by(theme: Ref, spec: Spec, scene: Scene, span: Span) -> tuple[Ref, G
     from rpg.passes.schema.resolve.groups import fill, value_of
 
     attribute = attribute_of(spec) or "color"
+    if all(scene.things[n].elastic for n in theme.names):
+        colors = len({scene.things[n].color for n in theme.names}) if scene.things[theme.names[0]].color else 3
+        theme = replace(theme, names=scene.fit(theme.names, max(2 * colors, len(theme.names))))
     things = [scene.things[n] for n in theme.names]
     fill(things, attribute, None, scene)
     keys: dict[str, list[str]] = {}
@@ -610,17 +626,38 @@ def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Sc
 
 
 def _spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"spell CAT with ...", "the cubes read A, B, C"."""
+    theme = None
+    if spec.usings and _mentioned(spec.usings[0].members):
+        theme = refer(spec.usings.pop(0).members, scene, scope)
     if clause.verb == "read" and isinstance(clause.theme, Noun):
-        theme = refer(clause.theme, scene, scope)
-        kinds = {scene.things[n].kind for n in theme.names}
-        node_kind = "label" if kinds == {"letter"} else "number"
-        spec.orders = [o for o in spec.orders if o.by not in ("label", "number", "ascending")]
-        spec.usings = []
-        node = row_node(theme.names, "line", spec, scene, scope, clause.span)
-        order = Order(by=node_kind, first="left") if node.order.by == "any" else node.order  # type: ignore[arg-type]
-        scene.assume("read from left to right")
-        return [node.model_copy(update={"order": order, "readable": True, "axis": "y"})]
+        return _read_row(clause, clause.theme, theme, spec, scene, scope)
+    if theme is not None and isinstance(clause.theme, Structure):
+        built, goals = make(clause.theme, spec, theme, scene, scope)
+        ref = Ref(names=built[0].members, built=tuple(built))
+        return [*goals, *_places(ref, spec, scene, scope, clause.span)]
     return _shaped(clause, spec, scene, scope)
+
+
+def _mentioned(meaning: Meaning) -> bool:
+    return isinstance(meaning, Pronoun) or (isinstance(meaning, Noun) and meaning.det in ("the", "all", "both", "these"))
+
+
+def _read_row(clause: Clause, said: Noun, theme: Ref | None, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """"their up-faces read A, B, C ...": a row in reading order."""
+    labels = continued(said.traits.labels, None) if said.traits.open_ended else said.traits.labels
+    if theme is not None and all(scene.things[n].elastic for n in theme.names):
+        names = scene.fit(theme.names, len(labels))
+        for name, label in zip(names, labels, strict=True):
+            give(scene.things[name], Traits(labels=(label,)))
+    else:
+        names = refer(said, scene, scope).names
+    spec.orders = [o for o in spec.orders if o.by not in ("label", "number", "ascending", "in_order")]
+    spec.listed = True
+    node = row_node(names, "line", spec, scene, scope, clause.span)
+    order = node.order if node.order.by != "any" else Order(by="given", ranks=tuple((n,) for n in names), first="left")
+    scene.assume("read from left to right")
+    return [node.model_copy(update={"order": order, "readable": True, "axis": "y"})]
 
 
 def _thats(spec: Spec, scene: Scene, start: bool) -> Goals:

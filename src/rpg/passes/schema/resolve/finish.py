@@ -47,7 +47,8 @@ def label_of(thing: Thing, scene: Scene) -> str:
 
 def choose(scene: Scene) -> None:
     """Give every object the looks that were left open."""
-    things = [t for t in scene.things.values()]
+    things = list(scene.things.values())
+    _count_open(things, scene)
     for thing in things:
         if thing.kind and not thing.patch:
             label_of(thing, scene)
@@ -58,6 +59,17 @@ def choose(scene: Scene) -> None:
             taken = {t.color for t in things if t.patch}
             thing.color = next(c for c in PATCH_COLORS if c not in taken)
             scene.assume(f"the colour of the patch is not said: {thing.color}")
+
+
+def _count_open(things: list[Thing], scene: Scene) -> None:
+    """Say how many objects were taken where that was left open."""
+    counts: dict[tuple[int, str], int] = {}
+    for thing in things:
+        if thing.elastic is not None:
+            key = (thing.batch, thing.elastic)
+            counts[key] = counts.get(key, 0) + 1
+    for (_, words), count in counts.items():
+        scene.assume(f"the number of {words} is not said: {count}")
 
 
 def _paint_blocks(open_: list[Thing], scene: Scene) -> None:

@@ -74,6 +74,9 @@ def sort_into(
             count = shape.amount.low if shape and shape.amount and shape.amount.low > 1 else DEFAULT_GROUPS
             members = new_members(Traits(), count * DEFAULT_EACH, None, scene)
             scene.assume(f"the number of blocks is not said: {count * DEFAULT_EACH}")
+    wanted = shape.amount.low if shape is not None and shape.amount and shape.amount.low > 1 else DEFAULT_GROUPS
+    if all(scene.things[n].elastic for n in members) and len(members) < wanted * DEFAULT_EACH:
+        members = scene.fit(members, wanted * DEFAULT_EACH)
     things = [scene.things[n] for n in members]
     if attribute is None:
         attribute = _guess(things, scene)

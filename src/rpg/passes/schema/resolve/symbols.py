@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import string
+from dataclasses import replace
+from itertools import permutations
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -13,6 +15,7 @@ from rpg.passes.schema.resolve.refer import create, refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
 
+MAX_SEARCHED = 8
 DEFAULT_WORD = "CAT"
 DEFAULT_EQUATION = "2+3=5"
 Made = tuple[list[Built], list[g.Goal]]
@@ -83,6 +86,8 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
             theme = refer(source, scene, Scope(role="member"))
     elif theme is None and source is not None:
         theme = refer(source, scene, Scope(role="member"))
+    if theme is not None:
+        theme = replace(theme, names=scene.fit(theme.names, len(text)))
     pool = [scene.things[n] for n in theme.names] if theme is not None else [t for t in scene.blocks() if t.declared]
     names: list[str] = []
     for symbol in text:
@@ -136,11 +141,13 @@ def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scop
     check_equation(chosen, shape.span)
     if theme is not None and text is None and any(scene.things[n].label for n in theme.names):
         names = theme.names
+        check_solvable(names, scene, shape.span)
     else:
         if spec.usings and text is None and getattr(spec.usings[0].members, "amount", None) is None:
             named = getattr(spec.usings[0].members, "traits", None)
             if named is not None and len(named.labels) > 2:
                 names = refer(spec.usings.pop(0).members, scene, Scope(role="member")).names
+                check_solvable(names, scene, shape.span)
                 return _equation_node(names, None, spec, shape, scene)
         names = _cubes(chosen, spec, theme, scene, scope, shape.span)
     return _equation_node(names, text, spec, shape, scene)
@@ -176,6 +183,19 @@ def check_equation(text: str, span: Span) -> None:
             left=left,
             right=sides[1],
         )
+
+
+def check_solvable(names: tuple[str, ...], scene: Scene, span: Span) -> None:
+    """Refuse cubes of which no true equation can be made."""
+    labels = [scene.things[n].label or "" for n in names]
+    if len(labels) > MAX_SEARCHED:
+        return
+    for order in sorted(set(permutations(labels))):
+        text = "".join(order)
+        sides = text.split("=")
+        if len(sides) == 2 and all(re.fullmatch(r"\d([-+*/]\d)*", side) for side in sides) and _value(sides[0]) == _value(sides[1]) is not None:
+            return
+    raise refuse("false-equation", f"no true equation can be made of {' '.join(labels)}", span, "choose numbers such as 2, 3 and 5 with + and =")
 
 
 def _value(side: str) -> float | None:

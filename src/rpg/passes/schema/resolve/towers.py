@@ -23,9 +23,11 @@ def several(
     """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
     spec.patterns = [p for p in spec.patterns if p.unit not in ("stack", "pile")]
-    by_color = bool(patterns) or shape.traits.scheme == "same"
+    by_color = bool(patterns) or shape.traits.scheme == "same" or any(_matching(p) for p in spec.places)
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
-    per = shape.size.low if shape.size else None
+    per = shape.extent("size", "high", "layers")
+    if by_color and count is None and shape.plural and not shape.members and shape.amount is None and theme is None:
+        count = 2
     names, count, per = _blocks(shape, spec, theme, count, per, by_color, scene, scope)
     separate = any(p.different for p in patterns) or by_color
     heights = (per,) * count if per is not None and count is not None else None
@@ -34,6 +36,14 @@ def several(
         separate=separate and by_color, span=shape.span,
     )  # fmt: skip
     return _remember(node, names, count, per, by_color, scene), [node]
+
+
+def _matching(place: object) -> bool:
+    """A place on patches of the towers' own colours."""
+    mark = getattr(place, "landmark", None)
+    if not isinstance(mark, Noun) or mark.head != "patch":
+        return False
+    return mark.traits.matching or (mark.traits.scheme in ("some", "different") and not mark.traits.colors)
 
 
 def _equal(spec: Spec) -> bool:

@@ -10,7 +10,7 @@ from rpg.passes.schema.grammar.adjectives import adjectives, of_quality
 from rpg.passes.schema.grammar.adjuncts import adjunct, adjuncts, direction, manner
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.frames import AFTER, COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG, THEN
-from rpg.passes.schema.grammar.fronted import fronted, having
+from rpg.passes.schema.grammar.having import having
 from rpg.passes.schema.grammar.labels import label_list, literal
 from rpg.passes.schema.grammar.lists import listed
 from rpg.passes.schema.grammar.nouns import noun_phrase
@@ -136,6 +136,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _state(p, i, state)
     yield from _exists(p, i)
     yield from _describe(p, i, state)
+    yield from having(p, i, state)
 
 
 @rule

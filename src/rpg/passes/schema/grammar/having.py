@@ -1,4 +1,4 @@
-"""Clauses that say where before they say what, and those whose subject has something: other orders of the same words."""
+"""Clauses whose subject has something: "the red block should have the blue one on it"."""
 
 from __future__ import annotations
 
@@ -6,18 +6,9 @@ from dataclasses import replace
 
 from rpg.passes.schema.grammar.adjuncts import adjuncts
 from rpg.passes.schema.grammar.core import Parser, Results, rule
-from rpg.passes.schema.grammar.frames import STATE_FRAMES
 from rpg.passes.schema.grammar.nouns import noun_phrase
-from rpg.passes.schema.meaning import At, Clause, In, Loc, Meaning, OrderBy, PartOf, Pronoun, Structure, TableTop, Toward
+from rpg.passes.schema.meaning import At, Clause, Loc, Meaning, PartOf, Pronoun, Structure, TableTop
 
-_THERE = (
-    "there should be", "there must be", "there has to be", "there needs to be", "there shall be", "there is", "there are",
-    "there should stand", "there stands", "there will be",
-)  # fmt: skip
-_STANDS = (
-    "goes", "go", "stands", "stand", "sits", "sit", "is", "are", "comes", "should be", "must be", "should stand", "should go",
-    "must stand", "must go", "should sit", "belongs", "rests", "lies", "should lie", "should come",
-)  # fmt: skip
 _HAS = (
     "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have", "ends up with", "gets",
     "get", "should get", "needs", "should end up with", "must end up with", "should be left with",
@@ -26,34 +17,7 @@ _CARRIES = (
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
-_LEADS = frozenset(
-    "on onto to at in into left right behind next beside between under above from near directly immediately adjacent over atop upon "
-    "underneath beneath below alongside by close somewhere for against off far just right across in".split()
-)
-"""First words of what may open a clause."""
 _HAVING = frozenset(phrase.split()[-1] for phrase in (*_HAS, *_CARRIES)) | {"gets", "get", "with"}
-_OPENERS = (Loc, In, Toward, OrderBy)
-
-
-@rule
-def fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
-    """ "on the red block, put the blue one", "behind it there should be a tower", "next to it goes the green one"."""
-    from rpg.passes.schema.grammar.clauses import verb_phrase
-
-    if i >= p.end or p.words[i] not in _LEADS:
-        return
-    for opening, j in adjuncts(p, i):
-        if not opening or not all(isinstance(part, _OPENERS) for part in opening):
-            continue
-        j = p.opt(j, ",")
-        for found, k in verb_phrase(p, j, ("base",)):
-            if found.theme is not None:
-                yield replace(found, adjuncts=(*found.adjuncts, *opening), span=p.span(i, k), cost=found.cost + 1), k
-        starts = [k for k in (p.any_of(j, _THERE), p.any_of(j, _STANDS), *STATE_FRAMES.matches(p, j)) if k]
-        for start in dict.fromkeys(starts):
-            for theme, k in noun_phrase(p, start):
-                for more, end in adjuncts(p, k):
-                    yield _stated(p, i, end, theme, (*more, *opening), mode), end
 
 
 @rule
@@ -102,6 +66,3 @@ def _is_owner(landmark: Meaning | None) -> bool:
 def _stated(p: Parser, i: int, end: int, theme: Meaning, places: tuple[Meaning, ...], mode: str) -> Clause:
     verb = "build" if isinstance(theme, Structure) else "be"
     return Clause(verb=verb, theme=theme, adjuncts=places, mode=mode, span=p.span(i, end), cost=1)
-
-
-__all__ = ["fronted", "having"]

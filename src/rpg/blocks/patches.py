@@ -126,7 +126,7 @@ def _pieces_on(blocks: tuple[str, ...], goal: g.Goal, world: World) -> list[tupl
 def _assembly(goal: g.Goal, world: World) -> Assembly:
     """The structures of a goal, laid out the most natural way, without places on the table."""
     assembly = Assembly(world)
-    for literals in islice(alternatives(goal, tuple(world.blocks)), 1):
+    for literals in islice(alternatives(goal, world), 1):
         for atom in (atom for atom, holds, _ in literals if holds):
             bare = atom.model_copy(update={"patch": None}) if isinstance(atom, Stack) else atom
             if isinstance(bare, Towers):

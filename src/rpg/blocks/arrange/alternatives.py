@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations
+from itertools import combinations, islice
 from typing import NamedTuple
 
+from rpg.blocks.state import Look, World
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.relations import (
@@ -35,35 +36,37 @@ class Literal(NamedTuple):
     hint: g.Atom | None = None
 
 
+MOST_CHOICES = 2000
+"""Choices of blocks that a count is looked through for."""
 Conjunction = tuple[Literal, ...]
 
 
-def alternatives(goal: g.Goal, blocks: Sequence[str], wanted: bool = True) -> Iterator[Conjunction]:
+def alternatives(goal: g.Goal, world: World, wanted: bool = True) -> Iterator[Conjunction]:
     """Every conjunction of literals that makes `goal` true (or, where not `wanted`, false), most natural first.
 
-    `blocks`: all blocks of the task, for conditions that some block or other must spoil.
+    Of choices among blocks that look alike, one comes before the others.
     """
     match goal:
         case g.All():
-            yield from _all(goal.goals, blocks, wanted) if wanted else _any(goal.goals, blocks, wanted)
+            yield from _all(goal.goals, world, wanted) if wanted else _any(goal.goals, world, wanted)
         case g.Any():
-            yield from _any(goal.goals, blocks, wanted) if wanted else _all(goal.goals, blocks, wanted)
+            yield from _any(goal.goals, world, wanted) if wanted else _all(goal.goals, world, wanted)
         case g.Not():
-            yield from alternatives(goal.goal, blocks, not wanted)
+            yield from alternatives(goal.goal, world, not wanted)
         case g.Always():
-            yield from alternatives(goal.goal, blocks, wanted)
+            yield from alternatives(goal.goal, world, wanted)
         case g.Sequence():
             final = g.All(goals=tuple(stage.goal for stage in goal.stages if not stage.undone))
-            yield from alternatives(final, blocks, wanted)
+            yield from alternatives(final, world, wanted)
         case g.Count():
-            yield from _count(goal, blocks, wanted)
+            yield from _count(goal, world, wanted)
         case On() if wanted:
             yield from _pairings(goal)
         case Between() if wanted:
             yield (Literal(goal),)
             yield from _sandwiched(goal)
         case Clear() | Empty() | OnTable() if not wanted:
-            yield from _spoilt(goal, blocks)
+            yield from _spoilt(goal, world)
         case _:
             yield (Literal(goal, wanted),)
 
@@ -71,19 +74,25 @@ def alternatives(goal: g.Goal, blocks: Sequence[str], wanted: bool = True) -> It
 def single(literals: Conjunction) -> Conjunction:
     """The literals with conditions on groups said block by block, so that each can be judged as soon as it is placed.
 
-    What must lie on one patch is joined as a hint, so that places for all of it are proposed together.
+    What must lie on one patch, or in one region, is joined as a hint, so that places for all of it are proposed together.
     """
-    on: dict[str, dict[str, None]] = {}
+    together: dict[str, dict[str, None]] = {}
     for atom, holds, _ in literals:
-        if holds and isinstance(atom, OnPatch):
-            on.setdefault(atom.patch, {}).update(dict.fromkeys(members(atom.a)))
+        if holds and isinstance(atom, OnPatch | InRegion):
+            together.setdefault(_place(atom), {}).update(dict.fromkeys(members(atom.a)))
     found: list[Literal] = []
     for literal in literals:
         parts = list(_parts(literal.atom)) if literal.holds else []
         for part in parts or [literal.atom]:
-            hint = part.model_copy(update={"a": tuple(on[part.patch])}) if isinstance(part, OnPatch) and parts else None
+            hint = None
+            if parts and isinstance(part, OnPatch | InRegion):
+                hint = part.model_copy(update={"a": tuple(together[_place(part)])})
             found.append(Literal(part, literal.holds, hint))
     return tuple(found)
+
+
+def _place(atom: OnPatch | InRegion) -> str:
+    return atom.patch if isinstance(atom, OnPatch) else f"region {atom.region}"
 
 
 def _parts(atom: g.Atom) -> Iterator[g.Atom]:
@@ -102,21 +111,21 @@ def _parts(atom: g.Atom) -> Iterator[g.Atom]:
             return
 
 
-def _all(goals: tuple[g.Goal, ...], blocks: Sequence[str], wanted: bool) -> Iterator[Conjunction]:
+def _all(goals: tuple[g.Goal, ...], world: World, wanted: bool) -> Iterator[Conjunction]:
     if not goals:
         yield ()
         return
-    for first in alternatives(goals[0], blocks, wanted):
-        for rest in _all(goals[1:], blocks, wanted):
+    for first in alternatives(goals[0], world, wanted):
+        for rest in _all(goals[1:], world, wanted):
             yield first + rest
 
 
-def _any(goals: tuple[g.Goal, ...], blocks: Sequence[str], wanted: bool) -> Iterator[Conjunction]:
+def _any(goals: tuple[g.Goal, ...], world: World, wanted: bool) -> Iterator[Conjunction]:
     for goal in goals:
-        yield from alternatives(goal, blocks, wanted)
+        yield from alternatives(goal, world, wanted)
 
 
-def _count(count: g.Count, blocks: Sequence[str], wanted: bool) -> Iterator[Conjunction]:
+def _count(count: g.Count, world: World, wanted: bool) -> Iterator[Conjunction]:
     total = len(count.over)
     low, high = count.at_least, total if count.at_most is None else min(count.at_most, total)
     allowed = range(low, high + 1)
@@ -125,18 +134,32 @@ def _count(count: g.Count, blocks: Sequence[str], wanted: bool) -> Iterator[Conj
         sizes.reverse()
     each = instances(count)
     for size in sizes:
-        for chosen in combinations(range(total), size):
+        for chosen in _unlike_first(count.over, size, world):
             parts = tuple(each[k] if k in chosen else g.Not(goal=each[k]) for k in range(total))
-            yield from _all(parts, blocks, True)
+            yield from _all(parts, world, True)
 
 
-def _spoilt(atom: Clear | Empty | OnTable, blocks: Sequence[str]) -> Iterator[Conjunction]:
+def _unlike_first(names: Sequence[str], size: int, world: World) -> Iterator[tuple[int, ...]]:
+    """Every choice of so many of the names, by index; those that look like an earlier choice come last."""
+    seen: set[tuple[Look, ...]] = set()
+    later = []
+    for chosen in islice(combinations(range(len(names)), size), MOST_CHOICES):
+        looks = tuple(sorted(world.look.get(names[k], (names[k],)) for k in chosen))
+        if looks in seen:
+            later.append(chosen)
+        else:
+            seen.add(looks)
+            yield chosen
+    yield from later
+
+
+def _spoilt(atom: Clear | Empty | OnTable, world: World) -> Iterator[Conjunction]:
     """Ways to spoil a condition that takes another block to spoil: it is on what must not be clear, or empty."""
     if isinstance(atom, Empty):
-        yield from ((Literal(OnPatch(a=(name,), patch=atom.patch)),) for name in blocks)
+        yield from ((Literal(OnPatch(a=(name,), patch=atom.patch)),) for name in world.blocks)
         return
     for name in members(atom.a):
-        pairs = (((name,), (other,)) if isinstance(atom, OnTable) else ((other,), (name,)) for other in blocks)
+        pairs = (((name,), (other,)) if isinstance(atom, OnTable) else ((other,), (name,)) for other in world.blocks)
         yield from ((Literal(On(a=a, b=b)),) for a, b in pairs if a != b)
 
 

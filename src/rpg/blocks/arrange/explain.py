@@ -17,6 +17,8 @@ from rpg.core.diagnostics import Diagnostic, Label, Refusal
 from rpg.ir import goal as g
 from rpg.ir.walk import atoms, children
 
+MOST_CHECKS = 40
+"""Subsets of the conditions that are tried."""
 SMALL = 1500
 """Candidate places judged for each subset of the conditions."""
 AXES = ("from front to back", "from left to right")
@@ -49,13 +51,24 @@ def conditions(goal: g.Goal) -> Iterator[g.Goal]:
 
 
 def _clashing(parts: list[g.Goal], world: World, start: BlockState | None) -> list[g.Goal]:
-    """A subset that cannot be arranged, though it can without any one of its conditions."""
-    kept = list(parts)
-    for part in parts:
-        rest = [other for other in kept if other is not part]
-        if rest and _solver(rest, world, start).solve(Random(0)) is None:
-            kept = rest
-    return kept
+    """A subset that cannot be arranged, though it can without any one of its conditions: halves are dropped first.
+
+    Where there are too many conditions to try them all, some that do not matter may be left in it.
+    """
+    kept, checks = list(parts), MOST_CHECKS
+    size = max(len(parts) // 2, 1)
+    while True:
+        at = 0
+        while at < len(kept) and checks > 0:
+            rest = kept[:at] + kept[at + size :]
+            checks -= 1
+            if rest and _solver(rest, world, start).solve(Random(0)) is None:
+                kept = rest
+            else:
+                at += size
+        if size == 1 or checks <= 0:
+            return kept
+        size = max(size // 2, 1)
 
 
 def _solver(parts: list[g.Goal], world: World, start: BlockState | None) -> Solver:
@@ -129,7 +142,7 @@ def _does_not_fit(
 def support_cycle(parts: list[g.Goal], world: World) -> list[str]:
     """Blocks each of which must rest on the next, the last on the first; empty where there is no such ring."""
     goal = g.All(goals=tuple(parts))
-    for literals in islice(alternatives(goal, tuple(world.blocks)), 1):
+    for literals in islice(alternatives(goal, world), 1):
         edges: dict[str, list[str]] = {}
         for atom, holds, _ in literals:
             if holds:

@@ -21,7 +21,7 @@ def fixed_poses(atoms: Iterable[g.Atom], world: World, start: BlockState | None)
         known = poses.setdefault(name, pose)
         if max(abs(p - q) for p, q in zip(known[0], pose[0], strict=True)) > 1e-6:
             return None
-    waiting = [name for name in poses if poses[name] == _pose(name, start)]
+    waiting = list(poses)
     while waiting:
         for below in supporters(start, waiting.pop()):
             if below not in poses:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import islice
 from math import hypot
 from random import Random
+from typing import NamedTuple
 
 from rpg.blocks.arrange.alternatives import Literal
 from rpg.blocks.arrange.bounds import Bounds
@@ -20,6 +21,7 @@ from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3
 from rpg.ir import goal as g
 from rpg.ir import structures
 from rpg.ir.node import Node
+from rpg.ir.relations import Apart
 from rpg.ir.walk import names
 
 STRUCTURES = frozenset(
@@ -48,6 +50,21 @@ CENTRE = (sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2)
 Origin = tuple[float, float]
 
 
+class Style(NamedTuple):
+    """What a search likes: chance, places that conditions propose, standing shoulder to shoulder from one corner."""
+
+    noise: float
+    worth: float
+    dense: bool = False
+
+
+NATURAL = Style(0.1, PROPOSED)
+VARIED = Style(0.7, 0.2)
+DENSE = Style(0.02, PROPOSED, dense=True)
+LATTICE_STEP = 0.03
+LATTICE_GAP = 0.006
+
+
 class Exhausted(Exception):
     """The budget of a search is used up."""
 
@@ -58,8 +75,9 @@ class Budget:
     def __init__(self, tries: int) -> None:
         self.left = tries
 
-    def spend(self) -> None:
-        self.left -= 1
+    def spend(self, tries: int = 1) -> None:
+        """Use up some of it; raises Exhausted when there is none left."""
+        self.left -= tries
         if self.left < 0:
             raise Exhausted
 
@@ -111,11 +129,11 @@ class Search:
         rng: Random,
         budget: Budget,
         start: BlockState | None = None,
-        vary: bool = False,
+        style: Style = NATURAL,
     ) -> None:
         self.world, self.assembly, self.bounds, self.rules = assembly.world, assembly, bounds, rules
         self.rng, self.budget = rng, budget
-        self.noise, self.worth = (0.7, 0.2) if vary else (0.1, PROPOSED)
+        self.style = style
         self.position: dict[str, Vec3] = {}
         orientation: dict[str, Quat] = {n: assembly.of[n].orientation[n] or IDENTITY for n in assembly.of}
         self.state = BlockState(self.world, self.position, orientation, start=start)
@@ -207,6 +225,8 @@ class Search:
         return self._merit(piece, origin, least, clearance)
 
     def _merit(self, piece: Piece, origin: Origin, least: float, clearance: float) -> float:
+        if self.style.dense:
+            return min(least, GOOD_MARGIN) / GOOD_MARGIN - self.ground.trespass(piece, origin) - 0.1 * sum(origin)
         bound = any(r.holds for r in self.touching[id(piece)])
         room = GOOD_CLEARANCE if bound else SCATTER_CLEARANCE
         x, y, _ = next(iter(piece.position.values()))
@@ -218,7 +238,7 @@ class Search:
             - (0.8 * off if bound else 0.0)
         )
         merit -= self.ground.trespass(piece, origin)
-        return merit + self.noise * self.rng.random()
+        return merit + self.style.noise * self.rng.random()
 
     def _candidates(self, piece: Piece, wanted: list[Rule]) -> dict[Origin, float]:
         """Origins to judge, each with what it is worth to have been proposed."""
@@ -228,16 +248,28 @@ class Search:
         if x0 > x1 + 1e-9 or y0 > y1 + 1e-9:
             return {}
         found: dict[Origin, float] = {
-            (round(min(max(x, x0), x1), 4), round(min(max(y, y0), y1), 4)): self.worth
+            (round(min(max(x, x0), x1), 4), round(min(max(y, y0), y1), 4)): self.style.worth
             for x, y in self._proposed(piece, wanted)
         }
         if not found:
             found[round((x0 + x1) / 2, 4), round((y0 + y1) / 2, 4)] = 0.0
         if len(found) > MOST_PROPOSED:
             found = dict(self.rng.sample(list(found.items()), MOST_PROPOSED))
+        if self.style.dense:
+            found |= {
+                (x, y): self.style.worth for x in self._steps(piece, 0, x0, x1) for y in self._steps(piece, 1, y0, y1)
+            }
         for _ in range(ANCHORED_TRIES if wanted else FREE_TRIES):
             found.setdefault((round(self.rng.uniform(x0, x1), 4), round(self.rng.uniform(y0, y1), 4)), 0.0)
         return found
+
+    def _steps(self, piece: Piece, axis: int, low: float, high: float) -> list[float]:
+        """Origins along an axis at which pieces stand side by side from one end of their room."""
+        pitch = LATTICE_STEP
+        if len(piece.position) == 1:
+            apart = [r.atom.distance for r in self.touching[id(piece)] if r.holds and isinstance(r.atom, Apart)]
+            pitch = max([*apart, self.world.edge[next(iter(piece.position))] + LATTICE_GAP])
+        return [round(low + k * pitch, 4) for k in range(int((high - low) / pitch + 1e-6) + 1)]
 
     def _proposed(self, piece: Piece, wanted: list[Rule]) -> Iterator[Origin]:
         for rule in wanted:

@@ -12,7 +12,7 @@ from rpg.blocks.arrange.bounds import Bounds, Contradiction
 from rpg.blocks.arrange.builds import layouts_of
 from rpg.blocks.arrange.fixed import Poses, fixed_poses
 from rpg.blocks.arrange.pieces import Assembly, Clash
-from rpg.blocks.arrange.place import Budget, Exhausted, Search, rules_of
+from rpg.blocks.arrange.place import DENSE, NATURAL, VARIED, Budget, Exhausted, Search, Style, rules_of
 from rpg.blocks.arrange.turning import orientation_for
 from rpg.blocks.evaluate import satisfied, settled
 from rpg.blocks.geometry import is_level
@@ -30,6 +30,9 @@ SPIN = 0.6
 """Greatest turn (radians) of a block that is turned for variety."""
 MOST_COMBINED = 300
 """Combinations of layouts of several structures that are put together."""
+LAYOUT_COST = 4
+ASSEMBLY_COST = 8
+"""What laying out a structure, and putting pieces together, costs in candidate places."""
 LEAVES = 12
 """Arrangements of one layout that are checked against the whole goal."""
 
@@ -42,38 +45,53 @@ class Effort(NamedTuple):
 
     layouts: int
     tries: int
-    thorough: bool
+    thorough: bool = False
+    dense: bool = False
 
 
-EFFORTS = (Effort(12, 400, False), Effort(80, 3000, True))
-"""A quick look at every alternative comes before a long one at any."""
+EFFORTS = (Effort(12, 400), Effort(3, 5000, dense=True), Effort(80, 3000, thorough=True))
+"""A quick look at every alternative comes before a long one at any; then closely packed, then unusual layouts."""
 
 
 class Solver:
     """Goal states of one goal in one world. `tries`: candidate places that may be judged in all."""
 
-    def __init__(self, goal: g.Goal, world: World, start: BlockState | None, tries: int = 20000) -> None:
+    def __init__(self, goal: g.Goal, world: World, start: BlockState | None, tries: int = 40000) -> None:
         self.goal, self.world, self.start, self.tries = goal, world, start, tries
         self.reasons: list[Contradiction] = []
 
     def solve(self, rng: Random, vary: bool = False) -> BlockState | None:
         """A goal state; None where none is found. `vary`: any one rather than the most natural one."""
-        left = self.tries
-        ways = list(islice(alternatives(self.goal, tuple(self.world.blocks)), MAX_ALTERNATIVES))
+        budget = Budget(self.tries)
+        ways = list(islice(alternatives(self.goal, self.world), MAX_ALTERNATIVES))
         if vary:
             rng.shuffle(ways)
-        for effort in EFFORTS:
-            for literals in map(single, ways):
-                for assembly in islice(self._assemblies(literals, rng, vary, effort.thorough), effort.layouts):
-                    budget = Budget(min(effort.tries, left))
-                    state = self._placed(assembly, literals, rng, budget, vary)
-                    left -= min(effort.tries, left) - max(budget.left, 0)
-                    if state is not None or left <= 0:
+        try:
+            for effort in EFFORTS:
+                for literals in map(single, ways):
+                    state = self._sweep(literals, rng, effort, budget, vary)
+                    if state is not None:
                         return state
+        except Exhausted:
+            pass
+        return None
+
+    def _sweep(
+        self, literals: Conjunction, rng: Random, effort: Effort, budget: Budget, vary: bool
+    ) -> BlockState | None:
+        """A goal state that meets one alternative of the goal."""
+        assemblies = self._assemblies(literals, rng, effort, budget, vary)
+        for assembly in islice(assemblies, effort.layouts):
+            share = Budget(min(effort.tries, budget.left))
+            before = share.left
+            state = self._placed(assembly, literals, rng, share, DENSE if effort.dense else VARIED if vary else NATURAL)
+            if state is not None:
+                return state
+            budget.spend(before - max(share.left, 0))
         return None
 
     def _placed(
-        self, assembly: Assembly, literals: Conjunction, rng: Random, budget: Budget, vary: bool
+        self, assembly: Assembly, literals: Conjunction, rng: Random, budget: Budget, style: Style
     ) -> BlockState | None:
         try:
             bounds = Bounds(assembly, [atom for atom, holds, _ in literals if holds])
@@ -82,7 +100,7 @@ class Solver:
             return None
         if bounds.tight is not None:
             self.reasons.append(bounds.tight)
-        search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, vary)
+        search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, style)
         try:
             for state in islice(search.run(), LEAVES):
                 if satisfied(self.goal, state) and settled(state):
@@ -91,17 +109,21 @@ class Solver:
             pass
         return None
 
-    def _assemblies(self, literals: Conjunction, rng: Random, vary: bool, thorough: bool) -> Iterator[Assembly]:
+    def _assemblies(
+        self, literals: Conjunction, rng: Random, effort: Effort, budget: Budget, vary: bool
+    ) -> Iterator[Assembly]:
         """Every way to lay out the structures of a conjunction and what stands on what."""
         wanted = [atom for atom, holds, _ in literals if holds]
         fixed = fixed_poses(wanted, self.world, self.start)
         if fixed is None:
             return
-        layouts = [builds for _, builds in layouts_of(literals, self.world, rng, thorough)]
+        layouts = [builds for _, builds in layouts_of(literals, self.world, rng, effort.thorough)]
+        budget.spend(LAYOUT_COST * sum(map(len, layouts)))
         if vary:
             for clusters in layouts:
                 rng.shuffle(clusters)
         for chosen in islice(product(*layouts), MOST_COMBINED):
+            budget.spend(ASSEMBLY_COST)
             assembly = Assembly(self.world)
             try:
                 self._assemble(assembly, literals, fixed, chosen)

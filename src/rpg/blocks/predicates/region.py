@@ -70,6 +70,9 @@ class InRegionPredicate(Predicate[InRegion]):
     def propose(self, node: InRegion, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         if block not in members(node.a):
             return
+        if len(members(node.a)) > 1:
+            yield from side_by_side(node.region, state.world.edge[block])
+            return
         yield from sorted(_grid(), key=lambda p: (-region_margin(node.region, p[0], p[1], 0.04), rng.random()))[:12]
         places = [p for p in _grid() if region_margin(node.region, p[0], p[1], 0.04) > 0.2]
         rng.shuffle(places)
@@ -92,6 +95,17 @@ def _grid() -> list[tuple[float, float]]:
     xs = [x0 + INSET + k * (x1 - x0 - 2 * INSET) / 10 for k in range(11)]
     ys = [y0 + INSET + k * (y1 - y0 - 2 * INSET) / 18 for k in range(19)]
     return [(x, y) for x in xs for y in ys]
+
+
+def side_by_side(region: Region, edge: float) -> list[tuple[float, float]]:
+    """Places in a region at which blocks stand close together, from the corner or the edge on which it borders."""
+    pitch = 1.25 * edge
+    axes = []
+    for (low, high), from_high in ((WORKSPACE_X, "far" in region), (WORKSPACE_Y, "left" in region)):
+        steps = range(int((high - low - 2 * INSET) / pitch) + 1)
+        axes.append([high - INSET - k * pitch if from_high else low + INSET + k * pitch for k in steps])
+    places = [(x, y) for x in axes[0] for y in axes[1] if region_margin(region, x, y, edge) > 0.05]
+    return sorted(places, key=lambda place: -region_margin(region, place[0], place[1], edge))
 
 
 def _way_out(region: Region, x: float, y: float, edge: float) -> tuple[float, float]:

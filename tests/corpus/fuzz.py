@@ -11,12 +11,15 @@ from rpg.ir.schema import TaskSchema
 from rpg.passes.schema.frontend import BuiltinFrontEnd
 from tests.corpus.templates import Case, case
 
-Outcome = Literal["right", "refused", "wrong"]
+Outcome = Literal["right", "refused", "wrong", "crash"]
 
 
 def outcome(one: Case) -> tuple[Outcome, str]:
     """How a sentence is read, and what was made of it where that is not right."""
-    schema, diagnostics = BuiltinFrontEnd().read(one.text)
+    try:
+        schema, diagnostics = BuiltinFrontEnd().read(one.text)
+    except Exception as error:  # a crash is an outcome of its own, and the report must go on
+        return "crash", repr(error)[:200]
     if schema is None:
         return "refused", "; ".join(d.message for d in diagnostics)
     for goal in one.goals:
@@ -36,8 +39,8 @@ def main(count: int, first: int) -> None:
         found, why = outcome(one)
         totals[found] += 1
         by_template[one.template, found] += 1
-        if found == "wrong":
-            print(f"wrong: {one.text}\n       {why}")
+        if found in ("wrong", "crash"):
+            print(f"{found}: {one.text}\n       {why}")
         elif found == "refused":
             examples.setdefault(one.template, f"{one.text!r}: {why}")
     for template, example in examples.items():

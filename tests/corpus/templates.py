@@ -103,7 +103,7 @@ def two_relations(rng: Random) -> Case:
     """Two statements of place that may share a block."""
     colors = rng.sample(COLORS, 4)
     first, _, one = _statement(rng, colors[0], colors[1])
-    d = rng.choice((colors[3], colors[1], colors[0]))
+    d = colors[3] if isinstance(one, g.On) else rng.choice((colors[3], colors[1], colors[0]))
     second, _, two = _statement(rng, colors[2], d)
     template = rng.choice(SAID["joined"])
     used = dict.fromkeys((*colors[:3], d))

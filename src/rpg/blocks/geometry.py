@@ -90,10 +90,15 @@ def _turn(a: Point, b: Point, c: Point) -> float:
 
 def polygon_gap(p: Polygon, q: Polygon) -> float:
     """Signed distance between two convex polygons."""
-    separation = max(_separation(p, q), _separation(q, p))
+    separation = polygon_separation(p, q)
     if separation <= 0.0:
         return separation
     return min(_vertex_distance(p, q), _vertex_distance(q, p))
+
+
+def polygon_separation(p: Polygon, q: Polygon) -> float:
+    """Greatest distance between two convex polygons along the normal of an edge: at most their gap, and of its sign."""
+    return max(_separation(p, q), _separation(q, p))
 
 
 def _separation(p: Polygon, q: Polygon) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 from typing import Any as AnyType
 from typing import get_args
 
@@ -72,12 +73,18 @@ def _collect(goal: g.Goal, found: dict[str, None], bound: frozenset[str]) -> Non
         found.update(dict.fromkeys(goal.over))
         bound = bound | {goal.var}
     elif not children(goal):
-        for field in NAME_FIELDS:
-            value = getattr(goal, field, None)
+        for field in _name_fields(type(goal)):
+            value = getattr(goal, field)
             if value is not None:
                 found.update(dict.fromkeys(n for n in _names_in(value) if n not in bound))
     for child in children(goal):
         _collect(child, found, bound)
+
+
+@cache
+def _name_fields(kind: type[Node]) -> tuple[str, ...]:
+    """The fields of a node that name objects."""
+    return tuple(field for field in NAME_FIELDS if field in kind.model_fields)
 
 
 def _names_in(value: AnyType) -> Iterator[str]:
@@ -97,9 +104,9 @@ def rename(goal: g.Goal, mapping: Mapping[str, str]) -> g.Goal:
 
     def change(node: g.Goal) -> g.Goal:
         update: dict[str, AnyType] = {}
-        for field in NAME_FIELDS:
-            value = getattr(node, field, None)
-            if value is not None and not (field in ("over",) and not isinstance(node, g.Count)):
+        for field in _name_fields(type(node)):
+            value = getattr(node, field)
+            if value is not None:
                 new = _renamed(value, mapping)
                 if new != value:
                     update[field] = new

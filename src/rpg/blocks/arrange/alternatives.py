@@ -74,7 +74,7 @@ def alternatives(goal: g.Goal, world: World, wanted: bool = True) -> Iterator[Co
 def single(literals: Conjunction) -> Conjunction:
     """The literals with conditions on groups said block by block, so that each can be judged as soon as it is placed.
 
-    What must lie on one patch, or in one region, is joined as a hint, so that places for all of it are proposed together.
+    What must lie on one patch or in one region is joined as a hint, so that places for all of it are proposed together.
     """
     together: dict[str, dict[str, None]] = {}
     for atom, holds, _ in literals:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from rpg.blocks.arrange.pieces import Assembly, Piece
-from rpg.blocks.geometry import Polygon, footprint, polygon_gap
+from rpg.blocks.geometry import Polygon, footprint, polygon_separation
 from rpg.blocks.state import BlockState
 from rpg.ir import goal as g
 from rpg.ir.node import members
@@ -77,7 +77,7 @@ class Ground:
                     if gap >= nearest:
                         continue
                     if not (column.square and other.square):
-                        gap = polygon_gap(_at(column, origin).outline, other.outline)
+                        gap = polygon_separation(_at(column, origin).outline, other.outline)
                     if gap < self._least(column, other) - 1e-9:
                         return None
                     nearest = min(nearest, gap)

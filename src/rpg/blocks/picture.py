@@ -37,7 +37,7 @@ def draw(state: BlockState, *, size: tuple[int, int] = (camera.WIDTH, camera.HEI
 def pixels(state: BlockState, *, size: tuple[int, int], how: str | None = None) -> NDArray[np.uint8]:
     """RGB pixels of `state`, top row first; `how` is what `method` gives unless it is told."""
     rays = (how or method()) == "rays"
-    spec = build_spec(state.world.assets.values(), textures=not rays)
+    spec = build_spec(state.world.assets.values(), textures=True)
     spec.visual.quality.offsamples = 0
     _aim(spec, state)
     model = spec.compile()

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rpg.blocks.constants import TABLE_Z
-from rpg.blocks.scene import AMBIENT, HEADLIGHT, LAMP, LAMP_DIRECTION
+from rpg.blocks.scene import AMBIENT, HEADLIGHT, LAMP, LAMP_DIRECTION, LOOK, SHOWN
 from rpg.blocks.state import World
 from rpg.blocks.textures import PIXELS, face_pixels
 from rpg.blocks.visibility import NORMALS, UPS, cross
@@ -26,7 +26,7 @@ BIAS = 1e-4
 def draw(
     model: mujoco.MjModel, data: mujoco.MjData, world: World, camera: str, width: int, height: int
 ) -> NDArray[np.uint8]:
-    """What a camera sees: RGB pixels, top row first."""
+    """What a camera sees of a textured scene: RGB pixels, top row first."""
     number = model.camera(camera).id
     origin = np.array(data.cam_xpos[number])
     rays = _rays(np.array(data.cam_xmat[number]).reshape(3, 3), model.cam_fovy[number], width, height)
@@ -67,7 +67,18 @@ def _cast(
     geom = np.full(count, -1, dtype=np.int32)
     distance, normal = np.zeros(count), np.zeros(3 * count)
     mujoco.mj_multiRay(
-        model, data, origin, rays.ravel(), None, True, -1, geom, distance, normal, count, mujoco.mjMAXVAL
+        model,
+        data,
+        origin,
+        rays.ravel(),
+        np.array(SHOWN, dtype=np.uint8),
+        True,
+        -1,
+        geom,
+        distance,
+        normal,
+        count,
+        mujoco.mjMAXVAL,
     )
     return geom, distance, normal.reshape(-1, 3)
 
@@ -94,7 +105,7 @@ def _surface(
     """Colour of each point: the geom's, or that of the face's picture on a block."""
     colour: Floats = np.array(model.geom_rgba[geom][:, :3], dtype=np.float64)
     for name in world.blocks:
-        number = model.geom(name).id
+        number = model.geom(name + LOOK).id
         chosen = geom == number
         if chosen.any():
             axes = np.array(data.geom_xmat[number]).reshape(3, 3)

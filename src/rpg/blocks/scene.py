@@ -17,8 +17,17 @@ DENSITY = 600.0
 FRICTION = (0.8, 0.005, 0.0001)
 SOLREF = (0.01, 1.0)
 SOLIMP = (0.99, 0.999, 0.001, 0.5, 2.0)
-MARGIN = 5e-6
-"""Contacts act from this distance on, so that blocks placed to touch exactly rest as they are."""
+SKIN = 5e-4
+"""A block's collision box is this much (m) smaller on every side, and its contacts act from that distance on.
+
+So blocks touch where they seem to, and rest as they are placed; but their boxes never overlap, for then the contact
+points of yawed blocks would change from step to step, and tall stacks tremble until they fall.
+"""
+LOOK = " look"
+"""Ends the name of the geom that shows a block in a textured scene; the one it collides with is hidden."""
+SHOWN = (1, 1, 1, 0, 0, 0)
+"""Geom groups that pictures show."""
+HIDDEN_GROUP = 3
 
 AMBIENT, HEADLIGHT, LAMP = 0.46, 0.26, 0.48
 """Shares of light from everywhere, from the camera, and from the lamp that throws shadows."""
@@ -100,8 +109,8 @@ def _surroundings(spec: mujoco.MjSpec, textures: bool) -> None:
     )
 
 
-def _contact() -> dict[str, list[float] | float]:
-    return {"friction": list(FRICTION), "solref": list(SOLREF), "solimp": list(SOLIMP), "margin": MARGIN}
+def _contact() -> dict[str, list[float]]:
+    return {"friction": list(FRICTION), "solref": list(SOLREF), "solimp": list(SOLIMP)}
 
 
 def _add_patch(spec: mujoco.MjSpec, patch: GoalPatch) -> None:
@@ -124,17 +133,26 @@ def _add_patch(spec: mujoco.MjSpec, patch: GoalPatch) -> None:
 def _add_block(spec: mujoco.MjSpec, block: Block, textures: bool) -> None:
     body = spec.worldbody.add_body(name=block.name, pos=[0.0, 0.0, TABLE_Z + block.size / 2])
     body.add_freejoint(name=block.name)
-    geom = body.add_geom(
+    body.add_geom(
         name=block.name,
         type=mujoco.mjtGeom.mjGEOM_BOX,
-        size=[block.size / 2] * 3,
-        density=DENSITY,
+        size=[block.size / 2 - SKIN] * 3,
+        margin=SKIN,
+        mass=DENSITY * block.size**3,
         rgba=list(rgba(block.color)),
+        group=HIDDEN_GROUP if textures else 0,
         **_contact(),
     )
     if textures:
-        geom.material = _material(spec, block)
-        geom.rgba = [1.0, 1.0, 1.0, 1.0]
+        body.add_geom(
+            name=block.name + LOOK,
+            type=mujoco.mjtGeom.mjGEOM_BOX,
+            size=[block.size / 2] * 3,
+            mass=0.0,
+            contype=0,
+            conaffinity=0,
+            material=_material(spec, block),
+        )
 
 
 def _material(spec: mujoco.MjSpec, block: Block) -> str:

@@ -11,6 +11,8 @@ from rpg.blocks.nouns import join, number
 from rpg.ir import structures as s
 
 WAY = {"left": "to the left", "right": "to the right", "front": "to the front", "back": "to the back"}
+POINTER = {"L": "foot", "U": "opening", "T": "stem"}
+"""The part of a figure that its direction is the direction of; the tip of a triangle or a V."""
 
 
 def _form(node: Any, say: Speaker, what: str) -> str:
@@ -83,7 +85,7 @@ def figure(node: s.Figure, say: Speaker) -> str:
         what = f"a {name}" if node.shape == "circle" and not node.filled else what
     else:
         what = f"{'an' if name in 'LX' else 'a'} {name}" + (" shape" if len(name) == 1 else "")
-    way = f" pointing {WAY[node.pointing]}" if node.pointing else ""
+    way = f" with its {POINTER.get(node.shape, 'tip')} {WAY[node.pointing]}" if node.pointing else ""
     return _form(node, say, what + way + patterned(node.pattern, say))
 
 

@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
-from rpg.passes.schema.meaning import Chain, Clause, Manner, cost_of
+from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, cost_of, parts_of
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.read import Sentence
 from rpg.passes.schema.resolve import finish
@@ -93,6 +93,7 @@ def resolve(
     scene = Scene()
     for note in notes:
         scene.assume(note)
+    scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
     order = sorted(range(len(chains)), key=lambda n: (not _sets_scene(chains[n]), n))
     stated: dict[int, list[g.Goal]] = {}
     for n in order:
@@ -115,6 +116,13 @@ def resolve(
         name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start, goal=final,
         assumptions=tuple(scene.assumptions),
     )  # fmt: skip
+
+
+def _rest(part: Meaning) -> bool:
+    """"the others", "the rest", "another red block": what is left when some are spoken of."""
+    if isinstance(part, Noun):
+        return part.det in ("other", "another")
+    return isinstance(part, Pronoun) and ("other" in part.word or "rest" in part.word or "remain" in part.word) and part.word not in ("each other", "one another")
 
 
 def _sets_scene(chain: Chain) -> bool:

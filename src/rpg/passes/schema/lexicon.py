@@ -50,7 +50,8 @@ SYMBOL_NOUNS = "symbol sign"
 
 STRUCTURES = {
     "stack": "stack tower skyscraper",
-    "row": "row line queue sequence lineup",
+    "row": "row",
+    "line": "line queue lineup sequence",
     "column": "column file",
     "grid": "grid matrix array",
     "checkerboard": "checkerboard chessboard",

@@ -43,7 +43,7 @@ _PLAIN = {
     "nearest": ("rank", "front"), "rearmost": ("rank", "back"), "farthest": ("rank", "back"),
     "base": ("rank", "bottom"), "largest": ("rank", "largest"), "biggest": ("rank", "largest"),
     "smallest": ("rank", "smallest"), "cubic": ("target", True), "new": ("target", True), "individual": ("target", True),
-    "loose": ("target", True), "single": ("target", True), "wooden": ("target", True), "lone": ("target", True),
+    "loose": ("target", True), "single": ("target", True), "lone": ("target", True),
     "same": ("scheme", "same"), "different": ("scheme", "different"), "unique": ("scheme", "different"),
 }  # fmt: skip
 """Single words. "target" here only says "the one meant"; it selects nothing."""

@@ -98,10 +98,19 @@ def _absolute(p: Parser, i: int) -> Results[Meaning]:
             yield Absolute(theme=theme, adjuncts=(At(side="top", span=p.span(i, j)),), span=p.span(i, k)), k
         return
     for first, end in _one_absolute(p, j):
-        cost = 2 if j == comma and isinstance(first.adjuncts[0], Loc) else 0
+        cost = 2 if j == comma and isinstance(first.adjuncts[0], Loc) else 1 if isinstance(first.adjuncts[0], At) else 0
         first = replace(first, cost=cost)
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
+
+
+@rule
+def sided(p: Parser, i: int) -> Results[Meaning]:
+    """Absolutes about the sides of a structure alone."""
+    for found, j in _absolute(p, i):
+        parts = found.items if isinstance(found, Coord) else (found,)
+        if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At) for x in parts):
+            yield replace(found, cost=0), j
 
 
 def _one_absolute(p: Parser, j: int) -> Results[Absolute]:
@@ -314,7 +323,7 @@ _LITTLE = (
     ("respectively", "respectively", None), ("backwards", "backwards", None), ("in reverse", "backwards", None), ("backward", "backwards", None),
     ("at the end", "finally", None), ("in the end", "finally", None), ("at once", "idle", None), ("one by one", "idle", None),
     ("one at a time", "idle", None), ("carefully", "idle", None), ("gently", "idle", None), ("neatly", "idle", None), ("exactly", "idle", None),
-    ("again", "idle", None), ("precisely", "idle", None), ("somewhere", "idle", None), ("anywhere", "idle", None), ("instead", "idle", None),
+    ("again", "idle", None), ("precisely", "idle", None), ("instead", "idle", None),
      ("for me", "idle", None), ("slowly", "idle", None), ("quickly", "idle", None),
     ("in any way", "idle", None), ("in any arrangement", "idle", None), ("in any direction", "idle", None), ("in the picture", "idle", None), ("at all times", "always", None),
     ("the whole time", "always", None), ("throughout", "always", None), ("always", "always", None), ("in the scene", "idle", None), ("side up", "idle", None),

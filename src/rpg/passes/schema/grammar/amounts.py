@@ -87,6 +87,8 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
         yield Quantity("the"), j
         for found, k in amount(p, j):
             yield Quantity("the", found, found.high != 1), k
+    if j := p.any_of(i, ("at least one but not all of", "some but not all of", "some , but not all of", "at least one , but not all of")):
+        yield Quantity("some", Amount(1, -1, True), True, partitive=True), j
     for found, j in amount(p, i):
         yield Quantity("bare", found, found.high != 1), j
         if k := p.one(j, "of"):

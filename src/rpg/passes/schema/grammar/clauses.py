@@ -32,6 +32,7 @@ from rpg.passes.schema.meaning import (
     Quality,
     Size,
     Structure,
+    That,
     Toward,
     Traits,
     Using,
@@ -92,6 +93,10 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             yield from _more(p, i, whole, (*links, link), k)
         if previous is not None:
             denied = p.words[p.opt(at, ",")] == "but" if p.opt(at, ",") < p.end else False
+            if link in ("before", "after"):
+                for theme, k in noun_phrase(p, j):
+                    whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
+                    yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
                 whole = (*had, item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
@@ -100,7 +105,9 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
 
 def _link(p: Parser, i: int) -> Results[str]:
     j = p.opt(i, ",", ";")
-    if k := p.any_of(j, THEN):
+    if k := p.any_of(j, ("but first", "but before that", "and before that", "but only after")):
+        yield "after", p.opt(k, ",")
+    elif k := p.any_of(j, THEN):
         yield "then", p.opt(k, ",")
     elif k := p.any_of(j, ("before you", "before the robot", "before")):
         yield "before", k
@@ -115,7 +122,7 @@ def _link(p: Parser, i: int) -> Results[str]:
         yield "and", j
 
 
-_ALSO = ("and also", "and make sure that", "and ensure that", "and that", "and", "while also", "while", "but also", "but", "as well as", "also", "with", "whereas", "plus", "&",
+_ALSO = ("and also", "and make sure that", "and ensure that", "and that", "and", "while also", "while", "but also", "but", "as well as", "also", "whereas", "&",
          "yet", "although", "though")  # fmt: skip
 
 
@@ -328,9 +335,9 @@ def gerund_clause(p: Parser, i: int) -> Results[Chain]:
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
-    for theme, j in noun_phrase(p, i):
+    for theme, j in noun_phrase(p, i) if before.adjuncts else ():
         for found, k in adjuncts(p, j):
-            if found:
+            if found and not isinstance(found[0], That):
                 cost = 2 if before.verb in ("build", "spell", "sort") and not isinstance(theme, Structure) else 0
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):

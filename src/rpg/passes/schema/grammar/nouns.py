@@ -22,6 +22,9 @@ _SINGLE = Quantity("bare")
 def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
     """One noun phrase or a list of them."""
     start = p.one(i, frozenset({"both", "either"})) or i
+    if k := p.one(i, "neither"):
+        for item, j in simple(p, k):
+            yield from ((replace(found, op="nor"), e) for found, e in _list(p, i, (item,), j, None) if found.op == "or")
     for item, j in simple(p, start) if start > i else ():
         yield from (
             (replace(found, cost=0), k) for found, k in _list(p, i, (item,), j, None) if isinstance(found, Coord)
@@ -51,6 +54,8 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
     nxt = joined or comma
     for item, j in simple(p, nxt):
         whole = (*items, item)
+        if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
+            yield Coord(op="xor", items=whole, span=p.span(i, k)), k
         if joined:
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=2 if now == "then" else 0), j
             yield from _list(p, i, whole, j, now)

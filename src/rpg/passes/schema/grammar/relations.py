@@ -113,6 +113,10 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, negated=True), k
 
 
+_WEAK = frozenset({"in", "to", "at", "within", "by", "before"})
+"""Prepositions that mostly mean something else."""
+
+
 @rule
 def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from region(p, i)
@@ -121,11 +125,9 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
         for landmark, k in noun_phrase(p, j):
             if isinstance(landmark, TableTop) and name not in ("on", "off", "above", "behind", "front"):
                 continue
-            cost = (
-                2
-                if p.words[i : i + 1] in (["in"], ["to"], ["at"], ["within"], ["by"], ["before"]) and name != "on"
-                else 0
-            )
+            if isinstance(landmark, TableTop) and name == "in":
+                continue
+            cost = _listed_cost(landmark) + (2 if p.words[i] in _WEAK else 0)
             yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost), k
     yield from _either_relation(p, i)
     yield from _between(p, i)
@@ -221,6 +223,9 @@ def _bare(p: Parser, i: int) -> Results[Meaning]:
             yield Loc(rel=name, landmark=landmark, span=p.span(i, j)), j
 
 
+_AMONG = ("between them", "between each other", "in between them", "in between", "between the two", "between the blocks", "between each", "between neighbors",
+          "between neighboring blocks", "between each block", "between blocks", "between each pair", "between each of them", "between every two blocks", "between adjacent blocks",
+          "between each of the blocks")  # fmt: skip
 _AROUND = (
     ("about", 0.25),
     ("around", 0.25),
@@ -296,6 +301,10 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
         if end:
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
+    far = p.one(i, "by") or i
+    for (low, high), j in bounds(p, far):
+        if high is None or far > i:
+            yield Loc(rel="moved", low=low, high=high, span=p.span(i, j), cost=1), j
     if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")):
         for (low, high), k in bounds(p, j):
             gap = p.any_of(k, ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance"))

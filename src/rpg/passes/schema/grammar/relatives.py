@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from rpg.passes.schema import lexicon
 from rpg.passes.schema.grammar.adjectives import adjectives, of_quality
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.labels import label_list
-from rpg.passes.schema.meaning import Meaning, Traits
+from rpg.passes.schema.meaning import Loc, Meaning, Traits
 
 _THAT = frozenset({"that", "which", "who"})
 _SHOW = frozenset(
@@ -39,24 +40,13 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
         while start < p.end and p.words[start] in lexicon.POSTURE | {"currently", "already", "initially"}:
             start = p.reach(start + 1)
         if start > that or p.words[that : that + 1] == ["touches"]:
-            yield from _conditions(p, start, loc)
-    else:
-        if i < p.end and p.words[i] in (
-            "stacked",
-            "standing",
-            "sitting",
-            "resting",
-            "lying",
-            "placed",
-            "located",
-            "positioned",
-        ):
-            yield from _conditions(p, p.reach(i + 1), loc)
+            yield from _conditions(p, start, loc, comma > i)
 
 
-def _conditions(p: Parser, i: int, loc: Any) -> Results[tuple[Meaning, ...]]:
+def _conditions(p: Parser, i: int, loc: Any, asserted: bool) -> Results[tuple[Meaning, ...]]:
+    """Places; after a comma ("..., which is on the patch") they are said of the goal as well."""
     for first, j in loc(p, i):
-        yield (first,), j
+        yield ((replace(first, mods=(*first.mods, "asserted")),) if asserted and isinstance(first, Loc) else (first,)), j
 
 
 def _shown(p: Parser, i: int) -> Results[Traits]:

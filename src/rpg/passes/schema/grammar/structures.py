@@ -246,11 +246,23 @@ def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meanin
         yield sized, k
         for whole, end in _members(p, i, k, sized):
             yield whole, end
+            yield from _sided(p, i, end, whole)
             yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
+        if base.kind in ("stack", "row", "line", "column", "grid", "square", "cube", "wall", "word"):
+            yield from _sided(p, i, k, sized)
         if base.kind in ("stack", "row", "line", "column"):
             for items, end in listed(p, p.opt(k, ":", ",")):
                 given = OrderBy(by="named", items=items, span=p.span(k, end))
                 yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
+
+
+def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """"a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
+    from rpg.passes.schema.grammar.adjuncts import sided
+
+    if p.words[k : k + 1] and p.words[k] in ("with", ",", "having", "where", ":"):
+        for detail, end in sided(p, k):
+            yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
 
 
 @rule
@@ -286,7 +298,7 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         for members, end in noun_phrase(p, start):
             if isinstance(members, Structure) or (isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)):
                 continue
-            counted = members_amount(members) is not None and base.plural
+            counted = members_amount(members) is not None and base.plural and (p.words[k - 1] == "of" and p.words[j] != "out" or p.words[k - 1] == "with" or p.one(end, frozenset({"each", "apiece"})) > 0)
             listed_ = replace(base, members=members, span=p.span(i, end), each_size=counted)
             yield listed_, (p.opt(end, "each", "apiece") if base.plural else end)
     if not base.sizes and not base.plural:

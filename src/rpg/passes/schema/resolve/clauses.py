@@ -270,6 +270,9 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         return theme, []
     if theme.quant is not None or theme.op == "or":
         raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
+    items = next((o.items for o in spec.orders if o.items and o.by == "given"), ())
+    if items and len(theme.names) != len(items):
+        theme = replace(theme, names=scene.fit(theme.names, len(items)))
     base = _base(theme, spec, scene, scope)
     spec.listed = spec.listed or theme.listed
     counted = next((z for z in spec.sizes), None)
@@ -344,6 +347,7 @@ def _towers_by(theme: Ref, spec: Spec, scene: Scene, span: Span) -> tuple[Ref, G
 def _places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
     """Every place of the clause, for the theme or the structure it became."""
     goals: Goals = []
+    _merge_sides(spec)
     vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
     level = [p for p in spec.places if p not in vertical]
     respectively = spec.manner("respectively") is not None
@@ -353,6 +357,25 @@ def _places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goa
         goals += _place_one(ref, item, scene, scope, span, respectively)
     spec.places = []
     return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
+
+
+def _merge_sides(spec: Spec) -> None:
+    """"right next to the blue block, on its right side": one relation; "beside it on the right" too."""
+    close = next((p for p in spec.places if isinstance(p, Loc) and p.rel in ("adjacent", "beside") and p.landmark is not None), None)
+    if close is None:
+        return
+    tight = close.rel == "adjacent" or "immediate" in close.mods
+    for at_ in [a for a in spec.ats if a.side in ("left", "right", "front", "back") and a.index is None]:
+        spec.ats.remove(at_)
+        spec.places[spec.places.index(close)] = replace(close, rel={"back": "behind"}.get(at_.side, at_.side), mods=("immediate",) if tight else ())
+        if not tight:
+            spec.places.append(close)
+        return
+    for index, side in enumerate(spec.places):
+        if isinstance(side, Loc) and side.rel in ("left", "right", "front", "behind") and tight and isinstance(side.landmark, Pronoun):
+            spec.places[index] = replace(side, landmark=close.landmark, mods=("immediate",))
+            spec.places.remove(close)
+            return
 
 
 def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, respectively: bool) -> Goals:

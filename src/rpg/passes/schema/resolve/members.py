@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.passes.schema.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.orders import implied_kind
-from rpg.passes.schema.resolve.refer import create, refer
+from rpg.passes.schema.resolve.refer import create, matching, refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -41,6 +41,9 @@ def members_of(
     absolute = _from_absolutes(spec, need, scene)
     if absolute:
         return absolute
+    there = declared(shape.traits, scene)
+    if len(there) > 1 and (count is None or len(there) == count):
+        return there
     if count is None:
         count = default
         scene.assume(f"the number of blocks is not said: {default}")
@@ -98,9 +101,23 @@ def _from_absolutes(spec: Spec, need: int | None, scene: Scene) -> tuple[str, ..
     if not inside or (need is not None and len(inside) < need):
         return ()
     names: list[str] = []
-    for item in inside:
-        names += [n for n in refer(item.theme, scene, Scope(role="member")).names if n not in names]
+    for index, item in enumerate(spec.absolutes):
+        if item not in inside:
+            continue
+        theme = item.theme
+        if isinstance(theme, Noun) and theme.traits.colors and any(scene.things[n].color in theme.traits.colors for n in names) and not theme.det == "the":
+            theme = replace(theme, det="another", amount=theme.amount or Amount(1, 1))
+        found = refer(theme, scene, Scope(role="member")).names
+        scene.mentions.pop()
+        names += [n for n in found if n not in names]
+        spec.absolutes[index] = replace(item, theme=Pronoun(word="=" + " ".join(found), span=item.span))
     return tuple(names) if need is None or len(names) == need else ()
+
+
+def declared(traits: Traits, scene: Scene) -> tuple[str, ...]:
+    """The blocks that "there are", for a structure that names none."""
+    plain = replace(traits, scheme=None, shape=None)
+    return tuple(t.name for t in matching(plain, scene, False) if t.declared and t.name not in scene.used)
 
 
 def new_members(traits: Traits, count: int, kind: str | None, scene: Scene) -> tuple[str, ...]:

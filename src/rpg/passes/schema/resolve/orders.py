@@ -361,8 +361,10 @@ def _belongs(theme: Meaning, names: tuple[str, ...], scene: Scene) -> bool:
     """Whether a description can be one of the members: it fits one, or one whose looks are open could take it on."""
     if isinstance(theme, Coord):
         return all(_belongs(item, names, scene) for item in theme.items)
+    if isinstance(theme, Pronoun):
+        return not theme.word.startswith("=") or set(theme.word[1:].split()) <= set(names)
     if not isinstance(theme, Noun):
-        return isinstance(theme, Pronoun)
+        return False
     plain = replace(theme.traits, rank=None, scheme=None)
     if any(t.name in names for t in matching(plain, scene, False)):
         return True

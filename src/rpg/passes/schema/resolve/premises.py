@@ -20,7 +20,10 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
         theme = Ref(names=premise.names, span=premise.span)
         facts = place(theme, premise.condition, scene, Scope(start=True), premise.span)
         facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
-        scene.start_goals += [f for f in facts if f not in scene.start_goals]
+        if "asserted" in getattr(premise.condition, "mods", ()):
+            kept += facts
+        else:
+            scene.start_goals += [f for f in facts if f not in scene.start_goals]
     return conj([goal, *kept]) if kept else goal
 
 

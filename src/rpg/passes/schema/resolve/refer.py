@@ -133,6 +133,7 @@ def _quantified(found: Ref, noun: Noun) -> Ref:
 
 
 def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    """"two of the four red blocks", "none of them"."""
     whole = refer(noun.part_of, scene, scope) if noun.part_of else Ref()
     scene.mentions.pop()
     amount = noun.amount
@@ -146,6 +147,8 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if amount is None:
         return whole
     high = amount.high
+    if high == -1:
+        return replace(whole, quant=Amount(amount.low, len(whole.names) - 1, True))
     if high is not None and amount.low > len(whole.names):
         count = len(whole.names)
         raise refuse(
@@ -156,20 +159,40 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
             asked=amount.low,
             there=count,
         )
+    if scene.speaks_of_rest and not amount.strict and high is not None:
+        return _some_of(whole, amount.low, noun, scene)
+    if scene.speaks_of_rest and amount.low == high and high < len(whole.names):
+        return _some_of(whole, amount.low, noun, scene)
     return replace(whole, quant=Amount(amount.low, amount.high, True))
 
 
+def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
+    """So many of several look-alikes, told apart from "the others" that are spoken of elsewhere."""
+    free = [n for n in whole.names if n not in scene.used]
+    things = [scene.things[n] for n in free]
+    if not _alike(things) and any(t.color or t.label for t in things):
+        raise refuse("ambiguous", f"it is not said which of {len(free)} different blocks are meant", noun.span, "name the blocks", blocks=len(free))
+    if len(free) < count:
+        raise refuse("too-many-asked", f"{count} are asked for, but only {len(free)} are left", noun.span, f"ask for at most {len(free)}", asked=count, there=len(free))
+    for thing in things:
+        thing.scheme = thing.scheme or "same"
+    scene.used.update(free[:count])
+    return Ref(names=tuple(free[:count]), plural=count > 1)
+
+
 def _extras(noun: Noun, scene: Scene, scope: Scope) -> Ref:
-    count = noun.amount.low if noun.amount else (2 if noun.plural else 1)
-    colors = noun.traits.colors or (None,)
+    """Distractors: as many as are said, of the colours or labels listed."""
+    labels, colors = noun.traits.labels, noun.traits.colors
+    count = noun.amount.low if noun.amount else len(labels) or len(colors) or (2 if noun.plural else 1)
     scene.new_batch()
     names = []
-    for index in range(max(count, len(noun.traits.colors))):
-        thing = create(noun.traits, scene, False)
-        thing.color = colors[index % len(colors)]
+    for index in range(max(count, len(labels), len(colors))):
+        color = (colors[index % len(colors)],) if colors else ()
+        label = (labels[index % len(labels)],) if labels else ()
+        thing = create(replace(noun.traits, labels=label, colors=color), scene, False)
         thing.extra = True
         names.append(thing.name)
-    return Ref(names=tuple(names), det=noun.det, plural=noun.plural)
+    return Ref(names=tuple(names), det=noun.det, plural=len(names) > 1)
 
 
 def _listed(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:

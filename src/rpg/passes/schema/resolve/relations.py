@@ -78,6 +78,11 @@ def spread(theme: Ref, atom: Callable[[Operand], g.Goal], span: Span, together: 
     if theme.op == "except":
         inside, out = theme.parts
         return conj([spread(inside, atom, span, together), *negation([spread(out, atom, span)], span)], span)
+    if theme.op == "nor":
+        return conj(negation([spread(part, atom, span) for part in theme.parts], span), span)
+    if theme.op == "xor":
+        parts = [spread(part, atom, span, together) for part in theme.parts]
+        return g.All(goals=(g.Any(goals=tuple(parts), span=span), g.Not(goal=g.All(goals=tuple(parts), span=span), span=span)), span=span)
     if theme.op == "or":
         return disj([spread(part, atom, span, together) for part in theme.parts], span)
     if theme.built and len(theme.built) == 1 and not theme.each:

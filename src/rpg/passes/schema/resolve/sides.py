@@ -55,7 +55,7 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose]) -> g.Goal:
         if not isinstance(at_, At):
             continue
         for index, name in zip(_indices(at_, total, len(ref.names), sides, kind), ref.names, strict=False):
-            if index in places or index >= total:
+            if index in places or not 0 <= index < total or len(ref.names) >= total:
                 raise refuse(
                     "contradiction", "two blocks are given the same place", span, "give each a place of its own"
                 )

@@ -28,13 +28,18 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
             raise refuse("ambiguous", f"there are {len(known)} of them", shape.span, "say which")
         names = tuple(dict.fromkeys(n for b in known for n in b.members))
         return Ref(names=names, built=tuple(known), plural=len(known) > 1, each=shape.det == "each")
-    built, goals = make(shape, sort_adjuncts(shape.details), None, scene, scope)
+    spec = Spec()
+    built, goals = make(shape, spec, None, scene, scope)
+    ref = Ref(names=tuple(dict.fromkeys(n for b in built for n in b.members)), built=tuple(built), plural=len(built) > 1)
+    if spec.absolutes:
+        from rpg.passes.schema.resolve.clauses import absolutes
+
+        goals = [*goals, *absolutes(ref, spec, scene, scope)]
     if scope.start:
         scene.start_goals += goals
     else:
         scene.goals.setdefault(scene.clause, []).extend(goals)
-    names = tuple(dict.fromkeys(n for b in built for n in b.members))
-    return Ref(names=names, built=tuple(built), plural=len(built) > 1)
+    return ref
 
 
 _FAMILY = {"line": "row", "column": "row"}
@@ -71,6 +76,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if shape.details:
         inner = sort_adjuncts(shape.details)
         spec.orders, spec.spacings, spec.patterns = [*inner.orders, *spec.orders], [*inner.spacings, *spec.spacings], [*inner.patterns, *spec.patterns]
+        spec.absolutes = [*inner.absolutes, *spec.absolutes]
         shape = replace(shape, details=())
     _known_sizes(shape)
     maker = MAKERS.get(shape.kind)
@@ -116,6 +122,7 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         return towers.several(shape, spec, theme, scene, scope)
     spec.patterns = [p for p in spec.patterns if p.unit != "stack"]
     need = exact_size(shape)
+    source = shape.members or (spec.usings[0].members if spec.usings else None)
     least = shape.size is not None and shape.size.high is None
     if shape.size is not None and need is None and not least:
         raise refuse("ambiguous", "the height of the tower is left open", shape.span, "say one number, or 'at least'")
@@ -127,13 +134,7 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if len(names) < 2:
         raise refuse("too-few", "a lone block is no tower", shape.span, "name at least two blocks", blocks=len(names))
     order = order_of(spec, names, "stack", scene, scope, shape.span)
-    counted = (
-        need is not None
-        or isinstance(shape.members, Noun)
-        and shape.members.det in ("bare", "a", "some")
-        or theme is None
-        and shape.members is None
-    )
+    counted = need is not None or source is None and theme is None or isinstance(source, Noun) and source.det in ("bare", "a", "some")
     nodes = [s.Stack(blocks=names, order=o, exact=counted and not least, readable=o.by in ("label", "number"), span=shape.span) for o in alternatives(order, scene)]
     return [stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, shape.span)], [either(nodes)]
 
@@ -187,7 +188,8 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if len(names) < 2:
         raise refuse("too-few", "one block is no line", shape.span, "name at least two blocks", blocks=len(names))
     node = row_node(names, shape.kind, spec, scene, scope, shape.span, shape.upright is False)
-    return [row_built(node, shape.kind, scene)], [node]
+    nodes = [node.model_copy(update={"order": o}) for o in alternatives(node.order, scene)]
+    return [row_built(node, shape.kind, scene) if len(nodes) == 1 else scene.add_built(shape.kind, names, False, shape.span)], [either(nodes)]
 
 
 def _gradient(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import Amount, Coord, Noun, Structure
-from rpg.passes.schema.resolve.members import new_members
+from rpg.passes.schema.meaning import Coord, Meaning, Noun, Structure, Traits
+from rpg.passes.schema.resolve.members import declared, new_members
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
@@ -15,27 +15,30 @@ from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 STACK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
 DEFAULT_HEIGHT = 2
 DEFAULT_COLORS = 3
+Made = tuple[list[Built], list[g.Goal]]
 
 
-def several(
-    shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope
-) -> tuple[list[Built], list[g.Goal]]:
-    """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
+def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """"two towers of three red blocks", "towers, one per colour", "two stacks"."""
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
     spec.patterns = [p for p in spec.patterns if p.unit not in ("stack", "pile")]
     by_color = bool(patterns) or shape.traits.scheme == "same" or any(_matching(p) for p in spec.places)
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
     per = shape.extent("size", "high", "layers")
-    if by_color and count is None and shape.plural and not shape.members and shape.amount is None and theme is None:
-        count = 2
-    names, count, per = _blocks(shape, spec, theme, count, per, by_color, scene, scope)
-    separate = any(p.different for p in patterns) or by_color
-    heights = (per,) * count if per is not None and count is not None else None
+    equal = spec.manner("equal") is not None
+    fresh = theme is None
+    theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)
+    if theme is not None and count is None and not by_color and len(theme.parts) > 1 and all(len(p.names) > 1 for p in theme.parts):
+        return _one_each(theme, shape, scene)
+    if theme is not None:
+        names, count = _given(theme, shape, count, per, by_color, scene)
+    else:
+        names, count = _new(shape.traits, shape, count, per, by_color, scene)
+    heights = (per,) * count if per is not None and count is not None and fresh else None
     node = s.Towers(
-        blocks=names, count=count, heights=heights, equal=_equal(spec), each="color" if by_color else None,
-        separate=separate and by_color, span=shape.span,
+        blocks=names, count=count, heights=heights, equal=equal, each="color" if by_color else None, separate=by_color, span=shape.span
     )  # fmt: skip
-    return _remember(node, names, count, per, by_color, scene), [node]
+    return _remember(node, by_color, scene), [node]
 
 
 def _matching(place: object) -> bool:
@@ -46,90 +49,92 @@ def _matching(place: object) -> bool:
     return mark.traits.matching or (mark.traits.scheme in ("some", "different") and not mark.traits.colors)
 
 
-def _equal(spec: Spec) -> bool:
-    found = spec.manner("equal")
-    return found is not None
-
-
-def _blocks(
-    shape: Structure,
-    spec: Spec,
-    theme: Ref | None,
-    count: int | None,
-    per: int | None,
-    by_color: bool,
-    scene: Scene,
-    scope: Scope,
-) -> tuple[tuple[str, ...], int | None, int | None]:
-    """The blocks of all towers together, how many towers, and how many blocks in each where that is fixed."""
-    source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+def _source(
+    shape: Structure, spec: Spec, theme: Ref | None, per: int | None, count: int | None, by_color: bool, scene: Scene, scope: Scope
+) -> tuple[Ref | None, int | None]:
+    """The blocks that were named for the towers, and how many are in each where that was said."""
     if theme is not None:
-        names = theme.names
-        colors = {scene.things[n].color for n in names}
-        if by_color:
-            count = len(colors)
-        if count is not None and len(names) < 2 * count:
-            raise refuse(
-                "too-few",
-                f"{len(names)} blocks do not make {count} towers of two or more",
-                shape.span,
-                f"use at least {2 * count}",
-                blocks=len(names),
-                towers=count,
-            )
-        return names, count, per
+        return theme, per
+    source: Meaning | None = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+    if source is None:
+        there = declared(shape.traits, scene)
+        return (Ref(names=there), per) if there else (None, per)
     if isinstance(source, Noun):
-        each = source.amount.low if source.amount else None
-        if shape.plural and each is not None and not source.det.startswith("the"):
-            per, total = each, None
-        else:
-            total = None
-        if source.det in ("the", "all", "both") and not source.amount or source.part_of:
-            found = refer(
-                source, scene, replace(scope, need=(count or 2) * (per or DEFAULT_HEIGHT), role="member")
-            ).names
-            return found, count, per
-        traits = replace(source.traits, colors=source.traits.colors or shape.traits.colors)
-    else:
-        traits, total = shape.traits, None
-    if isinstance(source, Coord):
-        found = refer(source, scene, replace(scope, role="member")).names
-        return found, count, per
+        amount = source.amount.low if source.amount and source.amount.low == source.amount.high else None
+        if shape.members is source and shape.each_size and amount is not None and source.det != "the":
+            return _each(source, amount, shape, count, by_color, scene), amount
+        if amount is None and source.det in ("bare", "some", "a"):
+            traits = replace(source.traits, colors=source.traits.colors or shape.traits.colors)
+            there = declared(traits, scene)
+            if there:
+                return Ref(names=there), per
+            names, _ = _new(traits, shape, count, per, by_color, scene)
+            return Ref(names=names), per
+    found = refer(source, scene, replace(scope, role="member", need_each=DEFAULT_HEIGHT))
+    return found, per
+
+
+def _each(source: Noun, amount: int, shape: Structure, count: int | None, by_color: bool, scene: Scene) -> Ref:
+    """"two towers of three red blocks": three for each tower."""
+    towers = count or (len(source.traits.colors) if len(source.traits.colors) > 1 else DEFAULT_COLORS if by_color else 2)
+    names, _ = _new(source.traits, shape, towers, amount, by_color, scene)
+    return Ref(names=names)
+
+
+def _given(theme: Ref, shape: Structure, count: int | None, per: int | None, by_color: bool, scene: Scene) -> tuple[tuple[str, ...], int | None]:
+    names = theme.names
+    colors = list(dict.fromkeys(scene.things[n].color for n in names))
+    if by_color and None in colors:
+        towers = count or DEFAULT_COLORS
+        names = scene.fit(names, max(len(names), towers * (per or DEFAULT_HEIGHT)))
+        for index, name in enumerate(names):
+            scene.things[name].color = STACK_COLORS[index * towers // len(names)]
+        scene.assume(f"the colours are not said: {', '.join(STACK_COLORS[:towers])}")
+        return names, towers
+    if by_color:
+        if count is not None and count != len(colors):
+            raise refuse("count-mismatch", f"{count} towers, but {len(colors)} colours", shape.span, f"say {len(colors)} towers", towers=count)
+        count = len(colors)
+    elif count is not None:
+        names = scene.fit(names, max(len(names), count * (per or DEFAULT_HEIGHT)))
+    if count is not None and (len(names) < 2 * count or (per is not None and per * count != len(names))):
+        needed = per * count if per is not None else 2 * count
+        raise refuse(
+            "count-mismatch", f"{count} towers take {needed} blocks or more, but {len(names)} are named", shape.span, f"use {needed}",
+            blocks=len(names), towers=count,
+        )  # fmt: skip
+    return names, count
+
+
+def _new(traits: Traits, shape: Structure, count: int | None, per: int | None, by_color: bool, scene: Scene) -> tuple[tuple[str, ...], int]:
+    """New blocks for towers that name none."""
+    colors = traits.colors
     if count is None:
-        count = len(traits.colors) if len(traits.colors) > 1 else (DEFAULT_COLORS if by_color else 2)
+        count = len(colors) if len(colors) > 1 else DEFAULT_COLORS if by_color else 2
         scene.assume(f"the number of towers is not said: {count}")
-    if per is None:
-        scene.assume(f"the number of blocks is not said: {DEFAULT_HEIGHT * count}")
     height = per or DEFAULT_HEIGHT
-    if by_color or len(traits.colors) > 1:
-        names: list[str] = []
-        if len(traits.colors) > 1 and len(traits.colors) != count:
-            raise refuse(
-                "count-mismatch",
-                f"{count} towers, but {len(traits.colors)} colours",
-                shape.span,
-                "name one colour for each tower",
-                towers=count,
-            )
-        for color in traits.colors if len(traits.colors) == count else STACK_COLORS[:count]:
-            names += new_members(replace(traits, colors=(color,), scheme=None), height, None, scene)
-        return tuple(names), count, per
-    return new_members(traits, total or height * count, None, scene), count, per
+    if per is None:
+        scene.assume(f"the number of blocks is not said: {height * count}")
+    if not by_color and len(colors) < 2:
+        return new_members(traits, height * count, None, scene), count
+    if len(colors) > 1 and len(colors) != count:
+        raise refuse("count-mismatch", f"{count} towers, but {len(colors)} colours", shape.span, "name one colour for each tower", towers=count)
+    names: list[str] = []
+    for color in colors if len(colors) == count else STACK_COLORS[:count]:
+        names += new_members(replace(traits, colors=(color,), scheme=None), height, None, scene)
+    return tuple(names), count
 
 
-def _remember(
-    node: s.Towers, names: tuple[str, ...], count: int | None, per: int | None, by_color: bool, scene: Scene
-) -> list[Built]:
+def _one_each(theme: Ref, shape: Structure, scene: Scene) -> Made:
+    """"towers of two black and two pink cubes": each part a tower of its own."""
+    nodes: list[g.Goal] = [s.Stack(blocks=p.names, exact=True, span=shape.span) for p in theme.parts]
+    return [scene.add_built("stack", p.names, False, shape.span) for p in theme.parts], nodes
+
+
+def _remember(node: s.Towers, by_color: bool, scene: Scene) -> list[Built]:
     """Towers whose members are told apart by colour are structures of their own; others are known together only."""
+    names = node.blocks
     colors = list(dict.fromkeys(scene.things[n].color for n in names))
     if by_color and None not in colors:
-        return [
-            scene.add_built("stack", [n for n in names if scene.things[n].color == c], False, node.span or (0, 0))
-            for c in colors
-        ]
+        return [scene.add_built("stack", [n for n in names if scene.things[n].color == c], False, node.span or (0, 0)) for c in colors]
     return [scene.add_built("towers", names, False, node.span or (0, 0))]
-
-
-def on_patches(shape: Structure, amount: Amount | None) -> bool:
-    """Whether each tower is to have a patch of its own."""
-    return shape.plural

@@ -117,6 +117,7 @@ class Scene:
     appearance_only: bool = True
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
+    speaks_of_rest: bool = False
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
 

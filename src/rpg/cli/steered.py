@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -84,12 +85,8 @@ def _reference(done: Steered) -> str:
 def print_proof(console: Console, proof: Proof) -> None:
     """How two versions differ in assets, start, goal and language, and what the bank of states says of the goals."""
     diff = proof.diff
-    for sign, style, lines in (
-        ("-", "red", (*(f"object {n}" for n in diff.assets_removed), *(f"start: {t}" for t in diff.starts_removed), *diff.conditions_removed)),
-        ("+", "green", (*(f"object {n}" for n in diff.assets_added), *(f"start: {t}" for t in diff.starts_added), *diff.conditions_added)),
-    ):  # fmt: skip
-        for line in lines:
-            console.print(Text(f"  {sign} {line}", style))
+    _print_side(console, "-", "red", diff.assets_removed, diff.starts_removed, diff.conditions_removed)
+    _print_side(console, "+", "green", diff.assets_added, diff.starts_added, diff.conditions_added)
     for change in diff.assets_changed:
         fields = ", ".join(f"{name} {_plain(a)} → {_plain(b)}" for name, (a, b) in change.fields.items())
         console.print(Text(f"  ~ {change.before} → {change.after}: {fields}", "yellow"))
@@ -103,6 +100,14 @@ def print_proof(console: Console, proof: Proof) -> None:
     axes = ", ".join(f"{axis} ({AXES[axis]})" for axis in proof.axes)
     console.print(Text.assemble(("  changed: ", "bold"), axes or "nothing"))
     console.print()
+
+
+def _print_side(
+    console: Console, sign: str, style: str, assets: Iterable[str], starts: Iterable[str], conditions: Iterable[str]
+) -> None:
+    """What only one of the versions has."""
+    for line in (*(f"object {name}" for name in assets), *(f"start: {text}" for text in starts), *conditions):
+        console.print(Text(f"  {sign} {line}", style))
 
 
 def _plain(value: object) -> str:

@@ -29,7 +29,8 @@ _FRESH = re.compile(
     re.IGNORECASE,
 )
 _ADDS = re.compile(
-    r"\b(?:also|too|as well|must|should|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning|still|in addition)\b",
+    r"\b(?:also|too|as well|must|should|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning"
+    r"|still|in addition)\b",
     re.IGNORECASE,
 )
 

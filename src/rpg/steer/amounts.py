@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, bounds, count, dimensions, length, longest, m, simple
+from rpg.steer.language import Parser, bounds, count, dimensions, length, longest, m, phrases, simple
 
-_TALL = ("blocks tall", "blocks high", "block tall", "block high", "tall", "high", "levels", "layers", "levels high", "layers high", "steps", "steps high", "levels tall",
-         "cubes tall", "cubes high", "layers tall", "stories high", "stories")  # fmt: skip
+_TALL = phrases(
+    "blocks tall | blocks high | block tall | block high | tall | high | levels | layers | levels high | "
+    "layers high | steps | steps high | levels tall | cubes tall | cubes high | layers tall | stories "
+    "high | stories"
+)
 _LONG = ("blocks long", "blocks wide", "long", "wide", "cubes long", "cubes wide", "in length", "blocks in length")
 _BLOCKS = (
     "blocks",
@@ -26,7 +29,7 @@ _MORE = {"taller": 1, "higher": 1, "longer": 1, "shorter": -1, "lower": -1, "wid
 
 
 def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
-    """Phrases such as "make it five blocks tall", "make the tower two blocks taller", "use four blocks", "make the base 4x4"."""
+    """Phrases such as "make it five blocks tall", "make it two blocks taller", "use four blocks"."""
     for theme, j in _subjects(p, i):
         yield from _to(p, i, j, theme)
         yield from _by(p, i, j, theme)
@@ -72,8 +75,8 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
 
 def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
     for n, k in count(p, j):
-        for phrases, what in ((_TALL, "height"), (_LONG, "length"), (_BLOCKS, "blocks")):
-            if end := longest(p, k, phrases):
+        for units, what in ((_TALL, "height"), (_LONG, "length"), (_BLOCKS, "blocks")):
+            if end := longest(p, k, units):
                 end = _instead_of(p, longest(p, end, ("tall", "high", "long", "wide")) or end)
                 yield r.Recount(theme=theme, amount=n, what=what, span=p.span(i, end)), end
     start = longest(p, j, ("a", "an")) or j
@@ -124,8 +127,9 @@ def loosening(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 _TIGHTEN = {
-    "tighten": 0.5, "loosen": 2.0, "relax": 2.0, "halve": 0.5, "double": 2.0, "reduce": 0.5, "increase": 2.0, "widen": 2.0, "narrow": 0.5,
-    "decrease": 0.5, "lower": 0.5, "raise": 2.0, "triple": 3.0, "set": 1.0, "change": 1.0, "make": 1.0, "shrink": 0.5, "use": 1.0,
+    "tighten": 0.5, "loosen": 2.0, "relax": 2.0, "halve": 0.5, "double": 2.0, "reduce": 0.5, "increase": 2.0,
+    "widen": 2.0, "narrow": 0.5, "decrease": 0.5, "lower": 0.5, "raise": 2.0, "triple": 3.0, "set": 1.0, "change": 1.0,
+    "make": 1.0, "shrink": 0.5, "use": 1.0,
 }  # fmt: skip
 _TOLERANCE = (
     "the tolerance",
@@ -223,13 +227,22 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Loosen(what="tolerance", value=metres, span=p.span(i, k), cost=1), k
 
 
+_CHANGES = {
+    "smaller": 0.5, "tighter": 0.5, "narrower": 0.5, "larger": 2.0, "bigger": 2.0, "wider": 2.0, "looser": 2.0,
+    "twice as wide": 2.0, "twice as large": 2.0, "half as wide": 0.5, "shorter": 0.5, "longer": 2.0, "stricter": 0.5,
+}  # fmt: skip
+_APART = {
+    "further apart": 2.0, "farther apart": 2.0, "closer together": 0.5, "more widely": 2.0, "wider apart": 2.0,
+    "more tightly": 0.5, "nearer together": 0.5, "closer": 0.5, "twice as far apart": 2.0,
+}  # fmt: skip
+
+
 def _valued(p: Parser, i: int, k: int, what: str, factor: float) -> Iterator[tuple[r.Request, int]]:
     """A new value, or a factor where none is given."""
     if n := longest(p, k, ("to", "of", "be", "at", "a")):
         for metres, end in length(p, n):
             yield r.Loosen(what=what, value=metres, span=p.span(i, end)), end
-    for phrase, change in (("smaller", 0.5), ("tighter", 0.5), ("narrower", 0.5), ("larger", 2.0), ("bigger", 2.0), ("wider", 2.0), ("looser", 2.0), ("twice as wide", 2.0),
-                           ("twice as large", 2.0), ("half as wide", 0.5), ("shorter", 0.5), ("longer", 2.0), ("stricter", 0.5)):  # fmt: skip
+    for phrase, change in _CHANGES.items():
         if end := p.seq(k, phrase):
             yield r.Loosen(what=what, factor=change, span=p.span(i, end)), end
     for metres, end in length(p, k):
@@ -253,8 +266,7 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         starts.append(j)
     for start in starts:
         start = p.opt(start, "out")
-        for phrase, factor in (("further apart", 2.0), ("farther apart", 2.0), ("closer together", 0.5), ("more widely", 2.0), ("wider apart", 2.0), ("more tightly", 0.5),
-                               ("nearer together", 0.5), ("closer", 0.5), ("twice as far apart", 2.0)):  # fmt: skip
+        for phrase, factor in _APART.items():
             if k := p.seq(start, phrase):
                 yield r.Loosen(what="spacing", factor=factor, span=p.span(i, k)), k
         if k := longest(

@@ -6,7 +6,19 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.core.diagnostics import Span
-from rpg.steer.language import Parser, Results, adjectives, colors, count, lexicon, longest, m, noun_phrase, rule
+from rpg.steer.language import (
+    Parser,
+    Results,
+    adjectives,
+    colors,
+    count,
+    lexicon,
+    longest,
+    m,
+    noun_phrase,
+    phrases,
+    rule,
+)
 
 
 @dataclass(frozen=True)
@@ -27,16 +39,25 @@ class Reference:
     without: bool = False
 
 
-_UNDO = ("undo", "revert", "never mind", "nevermind", "take that back", "take it back", "roll back", "rollback", "step back", "scratch that", "forget that",
-         "cancel that", "go back", "go one back", "back up", "undo that", "undo it", "undo this", "revert that", "undo the last change", "undo the last edit",
-         "undo the last step", "undo my last change", "revert the last change", "undo the change", "undo the previous change", "go back a step",
-         "undo the latest change", "revert the last edit")  # fmt: skip
-_BACK = ("go back to", "return to", "revert to", "revert back to", "go to", "get back to", "back to", "switch back to", "restore", "take", "roll back to", "jump back to",
-         "undo to", "undo back to", "bring back", "change back to", "continue from", "start from", "starting from", "from", "in", "as in", "like", "same as", "like in",
-         "based on", "use", "take me back to", "let us go back to", "checkout", "check out", "same as in", "going back to", "starting with", "turn back to",
-         "do the same as in", "reuse")  # fmt: skip
-_OPEN = frozenset({"go back to", "return to", "revert to", "revert back to", "get back to", "back to", "switch back to", "restore", "roll back to", "jump back to",
-                   "undo to", "undo back to", "bring back", "take me back to", "let us go back to", "going back to", "change back to", "turn back to"})  # fmt: skip
+_UNDO = phrases(
+    "undo | revert | never mind | nevermind | take that back | take it back | roll back | rollback | step "
+    "back | scratch that | forget that | cancel that | go back | go one back | back up | undo that | undo "
+    "it | undo this | revert that | undo the last change | undo the last edit | undo the last step | undo "
+    "my last change | revert the last change | undo the change | undo the previous change | go back a "
+    "step | undo the latest change | revert the last edit"
+)
+_BACK = phrases(
+    "go back to | return to | revert to | revert back to | go to | get back to | back to | switch back to "
+    "| restore | take | roll back to | jump back to | undo to | undo back to | bring back | change back "
+    "to | continue from | start from | starting from | from | in | as in | like | same as | like in | "
+    "based on | use | take me back to | let us go back to | checkout | check out | same as in | going "
+    "back to | starting with | turn back to | do the same as in | reuse"
+)
+_OPEN = phrases(
+    "go back to | return to | revert to | revert back to | get back to | back to | switch back to | restore | "
+    "roll back to | jump back to | undo to | undo back to | bring back | take me back to | let us go back to | "
+    "going back to | change back to | turn back to"
+)
 _VERSION = frozenset({"version", "v", "variant", "revision", "step", "snapshot", "task", "number"})
 _NOUN = frozenset(
     {
@@ -54,12 +75,20 @@ _NOUN = frozenset(
         "goal",
     }
 )
-_BASE = ("the original", "the base", "the beginning", "the start", "the first", "the very first", "the very beginning", "the initial", "the original base", "square one",
-         "the starting", "the root")  # fmt: skip
-_LAST = ("the previous", "the last", "the one before", "the earlier", "before", "the prior", "the preceding", "what we had before", "what it was before", "how it was before",
-         "last time", "what it was", "how it was", "the way it was before", "the way it was")  # fmt: skip
-_WHEN = ("when it was", "when there was", "when there were", "when we had", "when it had", "when they were", "where it was", "the time when it was", "where there was",
-         "where there were", "where we had", "when i had", "when you had", "when it used", "when it only had", "when it was a")  # fmt: skip
+_BASE = phrases(
+    "the original | the base | the beginning | the start | the first | the very first | the very "
+    "beginning | the initial | the original base | square one | the starting | the root"
+)
+_LAST = phrases(
+    "the previous | the last | the one before | the earlier | before | the prior | the preceding | what "
+    "we had before | what it was before | how it was before | last time | what it was | how it was | the "
+    "way it was before | the way it was"
+)
+_WHEN = phrases(
+    "when it was | when there was | when there were | when we had | when it had | when they were | where "
+    "it was | the time when it was | where there was | where there were | where we had | when i had | "
+    "when you had | when it used | when it only had | when it was a"
+)
 
 
 @rule
@@ -134,8 +163,15 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
 
 def _before(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:
     """Phrases such as "before I added the green one", "before the letter was added"."""
-    k = longest(p, j, ("before i added", "before we added", "before adding", "the version before i added", "before you added", "the version before adding", "the one before i added",
-                     "the one without", "the version without", "when there was no", "before there was", "when there were no"))  # fmt: skip
+    k = longest(
+        p,
+        j,
+        phrases(
+            "before i added | before we added | before adding | the version before i added | before you added | "
+            "the version before adding | the one before i added | the one without | the version without | when "
+            "there was no | before there was | when there were no"
+        ),
+    )
     for phrase, end in noun_phrase(p, k) if k else ():
         yield Reference(span=p.span(i, end), description=(phrase,), without=True), end
     if k := p.one(j, "before"):
@@ -145,7 +181,7 @@ def _before(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:
 
 
 def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Reference, int]]:
-    """Phrases such as "when it was just red and blue", "the letter version", "the two-block tower", "the version with the purple block"."""
+    """Phrases such as "when it was just red and blue", "the letter version", "the version with the purple block"."""
     for phrase in _WHEN:
         if k := p.seq(j, phrase):
             n = longest(p, k, ("just", "only", "simply", "still just", "still only")) or k

@@ -14,7 +14,7 @@ from rpg.steer.bank import Bank, Sample, Side
 from rpg.steer.identity import Identity
 
 Relation = Literal["equal", "implies", "implied by", "overlaps", "disjoint"]
-"""The new goal's relation to the old one: "implies" is that every state which satisfies the new one satisfies the old."""
+"""How the new goal relates to the old one: "implies" is that every state that satisfies the new one satisfies both."""
 
 
 @dataclass(frozen=True)

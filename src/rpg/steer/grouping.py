@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, count, longest, m, noun_phrase
+from rpg.steer.language import Parser, count, longest, m, noun_phrase, phrases
 
 KINDS = {
     "letters": "letter", "letter": "letter", "numbers": "digit", "number": "digit", "digits": "digit", "digit": "digit",
@@ -118,9 +118,12 @@ def outliers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 _GROUPS = frozenset({"pile", "piles", "group", "groups", "bunch", "bunches", "cluster", "clusters", "stack", "stacks"})
-_ELSEWHERE = ("into another one", "into another pile", "into another group", "into another", "to another one", "to another pile", "to another group",
-              "to another", "into the other", "to the other", "into the next", "with another", "into a different one", "into a different pile",
-              "with the others", "into the others", "to a different pile", "into the wrong one", "into the wrong pile")  # fmt: skip
+_ELSEWHERE = phrases(
+    "into another one | into another pile | into another group | into another | to another one | to "
+    "another pile | to another group | to another | into the other | to the other | into the next | with "
+    "another | into a different one | into a different pile | with the others | into the others | to a "
+    "different pile | into the wrong one | into the wrong pile"
+)
 
 
 def _counts(p: Parser, i: int) -> Iterator[tuple[int, int]]:

@@ -30,6 +30,7 @@ from rpg.steer.operations.restyle import replace, restyle
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.parse import Parsed, parse
 from rpg.steer.refer import resolve
+from rpg.steer.shape import same_structure
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -243,7 +244,7 @@ def _whole(request: str, text: str, offset: int, history: History, read: Reader,
         reference=None if intent == "FRESH" else past.number,
         edits=(Overwrite(task=task),),
         task=apply(past.schema, [Overwrite(task=task)]),
-        intent=intent,
+        intent="MODIFY" if intent == "PIVOT" and same_structure(past.schema.goal, task.goal) else intent,
         parameters={"instruction": [text]},
         focus=(),
     )

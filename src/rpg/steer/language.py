@@ -1,8 +1,9 @@
-"""The language that edits share with instructions: tokens, grammar rules for noun phrases and places, their meanings."""
+"""The language that edits share with instructions: tokens, rules for noun phrases and places, their meanings."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cache
 
 from rpg.passes.schema import lexicon
 from rpg.passes.schema import meaning as m
@@ -15,6 +16,12 @@ from rpg.passes.schema.grammar.orders import order
 from rpg.passes.schema.grammar.relations import bounds, loc
 from rpg.passes.schema.grammar.sizes import dimensions
 from rpg.passes.schema.tokens import Token, tokenize
+
+
+@cache
+def phrases(text: str) -> tuple[str, ...]:
+    """The phrases of a table, which are written with bars between them."""
+    return tuple(phrase.strip() for phrase in text.split("|"))
 
 
 def longest(p: Parser, i: int, phrases: Iterable[str]) -> int:
@@ -41,6 +48,7 @@ __all__ = [
     "m",
     "noun_phrase",
     "order",
+    "phrases",
     "rule",
     "simple",
     "tokenize",

@@ -1,4 +1,4 @@
-"""The proof of what an edit preserved: A, rho_0, G and l compared, on data where data will do and on states elsewhere."""
+"""The proof of what an edit preserved: A, rho_0, G and l compared, as data where that will do, else on states."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Goals(Record):
 
 
 class Proof(Record):
-    """What differs, what stayed, and how the goals relate. `axes`: S, language; V, appearance or start; B, behaviour."""
+    """What differs, what stayed, how the goals relate. `axes`: S, language; V, appearance or start; B, behaviour."""
 
     diff: Diff
     positions: Positions

@@ -14,8 +14,10 @@ from rpg.steer.view import NOUNS, Line, Shape, View
 RANKS = {"top": -1, "bottom": 0, "left": 0, "right": -1, "front": 0, "back": -1, "last": -1, "base": 0}
 AXES = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
 ALL_OF = frozenset({"them", "they", "these", "those", "all of them", "everything", "all", "themselves", "all of it"})
-OTHERS = frozenset({"the other one", "the others", "the other ones", "the rest", "others", "the other", "all others",
-                    "all the others", "all the rest", "everything else", "the remaining ones", "the other two"})  # fmt: skip
+OTHERS = frozenset(
+    {"the other one", "the others", "the other ones", "the rest", "others", "the other", "all others", "all the others"}
+    | {"all the rest", "everything else", "the remaining ones", "the other two"}
+)
 LINE_NOUNS = {"stack": "tower", "row": "row", "column": "column"}
 
 
@@ -102,9 +104,10 @@ def _structure(view: View, phrase: m.Structure) -> Found:
 
 _WORDS = {"word": "spells", "equation": "equation"}
 _FIGURES = {
-    "grid": ("grid",), "wall": ("grid",), "square": ("grid", "figure"), "pyramid": ("pyramid",), "staircase": ("staircase",),
-    "pile": ("group_by", "towers"), "stack": ("towers",), "cube": ("grid",), "checkerboard": ("grid",),
-    "rectangle": ("grid", "figure"), "circle": ("figure",), "triangle": ("figure",), "plus": ("figure",), "set": ("group_by",),
+    "grid": ("grid",), "wall": ("grid",), "square": ("grid", "figure"), "pyramid": ("pyramid",),
+    "staircase": ("staircase",), "pile": ("group_by", "towers"), "stack": ("towers",), "cube": ("grid",), "checkerboard": ("grid",),
+    "rectangle": ("grid", "figure"), "circle": ("figure",), "triangle": ("figure",), "plus": ("figure",),
+    "set": ("group_by",),
 }  # fmt: skip
 
 

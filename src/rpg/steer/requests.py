@@ -115,7 +115,7 @@ class Reshape(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Loosen(Request):
-    """Tolerances or gaps change: by a factor, or to a value in metres. `what`: "tolerance", "gap", "spacing", "even"."""
+    """Tolerances or gaps change: by a factor, or to a value in metres. `what`: "tolerance", "gap", "even" ..."""
 
     what: str
     factor: float | None = None

@@ -81,6 +81,20 @@ def _flat(found: Any) -> Any:
     return found if found[0] == "all" else repr(found)
 
 
+def same_structure(old: g.Goal, new: g.Goal) -> bool:
+    """Whether two goals build one figure of the same kind and size, perhaps of other blocks in another order."""
+    before, after = list(atoms(old)), list(atoms(new))
+    if len(before) != 1 or len(after) != 1 or before[0].kind not in STRUCTURES:
+        return False
+    return before[0].kind == after[0].kind and _frame(before[0]) == _frame(after[0])
+
+
+def _frame(atom: g.Goal) -> dict[str, Any]:
+    """The fields of a structure that say what is built; not of which blocks, nor in which order."""
+    told = atom.model_dump(exclude={"span", "blocks", "groups", "order", "pattern", "readable", "word", "text"})
+    return {**told, "blocks": len(getattr(atom, "blocks", ()))}
+
+
 def _qualities(atom: g.Goal) -> tuple[tuple[str, str], ...]:
     """Fields of an atom that are words or truth values; a field at its default and one left out are the same."""
     kept = []

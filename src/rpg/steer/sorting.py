@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, longest, m, noun_phrase, order, simple
+from rpg.steer.language import Parser, longest, m, noun_phrase, order, phrases, simple
 
 REVERSE = (
     "reverse",
@@ -35,18 +35,25 @@ SORT = (
     "make",
     "group",
 )
-_THEIR = ("the color order of", "the order of", "the colour order of", "the sequence of", "the arrangement of", "the colors of", "the colours of", "the stacking order of",
-          "the letters of", "the direction of")  # fmt: skip
-_PLAIN = ("the color order", "the colour order", "the order", "the sequence", "the arrangement", "the direction", "the stacking order", "the colors", "its order",
-          "their order", "the block order")  # fmt: skip
+_THEIR = phrases(
+    "the color order of | the order of | the colour order of | the sequence of | the arrangement of | the "
+    "colors of | the colours of | the stacking order of | the letters of | the direction of"
+)
+_PLAIN = phrases(
+    "the color order | the colour order | the order | the sequence | the arrangement | the direction | "
+    "the stacking order | the colors | its order | their order | the block order"
+)
 BY = {
-    "label": "label", "number": "number", "rainbow": "rainbow", "size": "size", "alternating": "alternating", "mirrored": "mirrored",
-    "any": "any", "size_down": "size_down", "size_up": "size_up", "ascending": "ascending", "even_first": "even_first",
+    "label": "label", "number": "number", "rainbow": "rainbow", "size": "size", "alternating": "alternating",
+    "mirrored": "mirrored", "any": "any", "size_down": "size_down", "size_up": "size_up", "ascending": "ascending", "even_first": "even_first",
     "odd_first": "odd_first", "vowel_first": "vowel_first", "consonant_first": "consonant_first",
 }  # fmt: skip
 _ATTRIBUTES = {"color": "color", "label": "label", "size": "size", "kind": "kind", "parity": "parity", "vowel": "vowel"}
-_COLORS = ("by different colors", "by different colours", "by their colors", "by colors", "by colours", "by their colours", "by color", "by colour", "by their color",
-           "into different colors", "by the colors", "according to color", "according to their colors")  # fmt: skip
+_COLORS = phrases(
+    "by different colors | by different colours | by their colors | by colors | by colours | by their "
+    "colours | by color | by colour | by their color | into different colors | by the colors | according "
+    "to color | according to their colors"
+)
 
 
 def reorder(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -73,9 +80,12 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield from _upside(p, i, j, "reverse", noun_phrase(p, j), wanted=phrase == "turn")
         if phrase != "turn" and (k := longest(p, j, ("everything", "things", "all"))):
             yield r.Reorder(how="reverse", span=p.span(i, k)), k
-    if j := longest(p, i, ("do it in reverse order", "in reverse order", "the other way around", "the other way round", "make it the other way around", "do it the other way around",
-                         "make it the other way round", "upside down", "in reverse", "turn it upside down", "in the opposite order", "put them in reverse order",
-                         "the opposite order", "use the opposite order", "use the reverse order", "backwards")):  # fmt: skip
+    if j := longest(p, i, phrases(
+        "do it in reverse order | in reverse order | the other way around | the other way round | make it the "
+        "other way around | do it the other way around | make it the other way round | upside down | in "
+        "reverse | turn it upside down | in the opposite order | put them in reverse order | the opposite "
+        "order | use the opposite order | use the reverse order | backwards"
+    )):  # fmt: skip
         yield r.Reorder(how="reverse", span=p.span(i, j)), j
 
 
@@ -107,13 +117,15 @@ def _mirror(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 p, j, ("everything", "the whole thing", "the arrangement", "the scene", "the goal", "the task")
             ):
                 yield r.Reorder(how="mirror", span=p.span(i, k)), k
-    if j := longest(p, i, ("swap left and right", "exchange left and right", "switch left and right", "make it mirrored left to right", "flip left and right",
-                         "flip it horizontally", "flip it left to right", "mirror left and right")):  # fmt: skip
+    if j := longest(p, i, phrases(
+        "swap left and right | exchange left and right | switch left and right | make it mirrored left to "
+        "right | flip left and right | flip it horizontally | flip it left to right | mirror left and right"
+    )):  # fmt: skip
         yield r.Reorder(how="mirror", span=p.span(i, j)), j
 
 
 def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
-    """Phrases such as "sort them alphabetically", "order the row by size, from right to left", "put them in the order red, blue, green"."""
+    """Phrases such as "sort them alphabetically", "order the row by size, from right to left"."""
     starts: list[tuple[m.Meaning | None, int]] = []
     for phrase in SORT:
         if j := p.seq(i, phrase):
@@ -193,8 +205,14 @@ def _swap_them(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 def _no_matter(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
-    j = longest(p, i, ("the order does not matter", "the order does not matter any more", "in any order", "ignore the order", "drop the order", "forget the order",
-                     "remove the order", "any order is fine", "the order no longer matters", "order does not matter", "let the order be free", "any order will do",
-                     "in no particular order"))  # fmt: skip
+    j = longest(
+        p,
+        i,
+        phrases(
+            "the order does not matter | the order does not matter any more | in any order | ignore the order | "
+            "drop the order | forget the order | remove the order | any order is fine | the order no longer "
+            "matters | order does not matter | let the order be free | any order will do | in no particular order"
+        ),
+    )
     if j:
         yield r.Reorder(how="any", span=p.span(i, j)), longest(p, j, ("any more", "anymore")) or j

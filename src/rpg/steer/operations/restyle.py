@@ -19,7 +19,7 @@ from rpg.steer.refer import resolve
 
 
 def restyle(draft: Draft, request: r.Restyle) -> None:
-    """Phrases such as "make the red block green", "change the base to purple", "make them bigger", "change the A to a B"."""
+    """Other colours, symbols or sizes: "make the red block green", "make them bigger", "change the A to a B"."""
     names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
     names = tuple(name for name in names if name not in draft.kept)
     traits = request.traits

@@ -6,10 +6,13 @@ from typing import Any
 
 from rpg.ir import goal as g
 from rpg.ir import relations as rel
-from rpg.ir.edits import Path, SetField
+from rpg.ir.edits import AddAsset, ChangeCondition, Path, SetField, SetStart
+from rpg.ir.schema import InitialState
 from rpg.ir.structures import Cells, GroupBy, Row
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
+from rpg.steer.operations.count import like
+from rpg.steer.view import Shape
 
 EDGES = {"on": ("offset_edges",), "row": ("line_edges",), "between": ("within_edges",)}
 """Tolerances in edges, by kind of atom."""
@@ -149,8 +152,10 @@ def outliers(draft: Draft, request: r.Outliers) -> None:
             request.span,
             "sort the blocks into groups first",
         )
+    figure = _grown(draft, figure, 2 * request.count + 1)
+    assert isinstance(figure.node, GroupBy)
     small = min(len(group) for group in figure.node.groups)
-    if request.count * 2 > small:
+    if request.count * 2 >= small:
         raise draft.refusal(
             "breaks-structure",
             f"with {request.count} strangers among {small} blocks a group is no group of its kind any more",
@@ -160,3 +165,31 @@ def outliers(draft: Draft, request: r.Outliers) -> None:
     draft.aim("MODIFY")
     draft.note("outliers", request.count)
     draft.do(SetField(at=figure.path, field="outliers", value=request.count), request.span)
+
+
+def _grown(draft: Draft, figure: Shape, size: int) -> Shape:
+    """The groups with blocks of their own sort added where they are too small for their strangers to stand out."""
+    assert isinstance(figure.node, GroupBy)
+    groups = [list(group) for group in figure.node.groups]
+    for group in groups:
+        for asset in like(draft, group, max(0, size - len(group))):
+            draft.do(AddAsset(asset=asset))
+            group.append(asset.name)
+    if [tuple(group) for group in groups] == list(figure.node.groups):
+        return figure
+    draft.assume(f"groups of {size}, so that what does not belong there stands out")
+    node = figure.node.model_copy(update={"groups": tuple(tuple(group) for group in groups)})
+    draft.do(ChangeCondition(at=figure.path, to=node))
+    if any(set(heap) & set(figure.members) for heap in draft.schema.init.heaps):
+        draft.do(SetStart(init=_heaped(draft.schema.init, groups)))
+    return next(f for f in draft.view.figures if f.path == figure.path)
+
+
+def _heaped(init: InitialState, groups: list[list[str]]) -> InitialState:
+    """Blocks that joined a group start in the heap of its first member."""
+    heaps = [list(heap) for heap in init.heaps]
+    for group in groups:
+        home = next((heap for heap in heaps if group[0] in heap), None)
+        if home is not None:
+            home += [name for name in group if name not in home]
+    return init.model_copy(update={"heaps": tuple(tuple(heap) for heap in heaps)})

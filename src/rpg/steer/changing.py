@@ -1,0 +1,196 @@
+"""Requests that change how objects look, or what they form."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.steer import requests as r
+from rpg.steer.language import Parser, adjectives, colors, label_list, length, literal, longest, m, noun_phrase
+from rpg.steer.phrases import fresh, plural_kind
+
+CHANGE = ("change", "turn", "make", "convert", "transform", "switch", "modify", "set", "have", "let", "transition")
+
+
+PAINT = frozenset({"paint", "color", "colour", "recolor", "recolour", "dye", "repaint"})
+
+
+def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "change the base cube to purple", "make it bigger", "turn the tower into a row"."""
+    for phrase in CHANGE:
+        j = p.seq(i, phrase)
+        if not j:
+            continue
+        for theme, k in _themes(p, j):
+            n = longest(
+                p, k, ("back to", "to be", "back into", "into", "to", "as", "in", "be", "become", "for", "with")
+            )
+            linked = bool(n)
+            for found, end in _becomes(p, i, n or k, theme):
+                if linked or phrase in ("make", "turn", "have", "paint", "color", "set", "let"):
+                    yield found, end
+    for theme, k in noun_phrase(p, i):
+        if n := longest(
+            p,
+            k,
+            (
+                "should become",
+                "should be",
+                "must be",
+                "becomes",
+                "is now",
+                "are now",
+                "should all be",
+                "need to be",
+                "needs to be",
+            ),
+        ):
+            yield from _becomes(p, i, n, theme, cost=1)
+
+
+def _themes(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
+    """What is changed: objects, or the colour, letter or size of objects."""
+    yield from noun_phrase(p, i)
+    if j := longest(p, i, ("the word", "the text", "the spelling")):
+        yield m.Structure(kind="word", det="the", span=p.span(i, j)), j
+    for phrase in (
+        "the color of",
+        "the colour of",
+        "the letter of",
+        "the label of",
+        "the size of",
+        "the number on",
+        "the letter on",
+        "the symbol on",
+        "the kind of",
+        "the type of",
+    ):
+        if j := p.seq(i, phrase):
+            yield from noun_phrase(p, j)
+    for theme, j in noun_phrase(p, i):
+        if (k := p.one(j, "'s")) and (
+            end := longest(p, k, ("color", "colour", "letter", "label", "size", "number", "symbol"))
+        ):
+            yield theme, end
+
+
+def _becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -> Iterator[tuple[r.Request, int]]:
+    for how, k in _scale(p, n):
+        yield r.Restyle(theme=theme, scale=how, span=p.span(i, k), cost=cost), k
+    start = p.opt(n, "all", "both", "each")
+    for marks, k in adjectives(p, start):
+        if marks and not set(marks) & {"rank", "extra", "target", "matching", "empty", "shape", "long"}:
+            yield r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost), k
+    for (labels, _), k in label_list(
+        p, longest(p, n, ("the letter", "the number", "letter", "number", "a", "an")) or n, True
+    ):
+        yield r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, k), cost=cost + 1), k
+    text = literal(p, n)
+    if text is not None and len(text) > 1 and isinstance(theme, m.Structure | m.Pronoun):
+        word = m.Structure(kind="word", letter=text, span=p.span(n, n + 1))
+        yield r.Reshape(structure=word, theme=theme, span=p.span(i, n + 1), cost=cost), n + 1
+    for new, k in noun_phrase(p, n):
+        if isinstance(new, m.Structure):
+            yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
+        elif fresh(new) or plural_kind(new):
+            yield r.Replace(old=theme, new=new, span=p.span(i, k), cost=cost), k
+
+
+_SCALES = {
+    "twice as big": 2.0, "twice as large": 2.0, "half as big": 0.5, "half the size": 0.5, "double the size": 2.0,
+    "a bit bigger": 1.25, "slightly bigger": 1.25, "slightly larger": 1.25, "a bit smaller": 0.75, "bigger": 1.25,
+    "slightly smaller": 0.75, "larger": 1.25, "smaller": 0.75, "tinier": 0.75, "a little bigger": 1.25,
+    "a little smaller": 0.75,
+}  # fmt: skip
+
+
+def _scale(p: Parser, i: int) -> Iterator[tuple[float, int]]:
+    for phrase, factor in _SCALES.items():
+        if j := p.seq(i, phrase):
+            yield factor, j
+
+
+_FORM = (
+    "arrange",
+    "rearrange",
+    "put",
+    "place",
+    "line up",
+    "build",
+    "stack",
+    "set",
+    "lay out",
+    "organize",
+    "lay",
+    "form",
+    "make",
+)
+
+
+def arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "arrange them in a circle instead", "make a pyramid out of the same blocks"."""
+    for phrase in _FORM:
+        j = p.seq(i, phrase)
+        for theme, k in noun_phrase(p, j) if j else ():
+            n = longest(p, k, ("so that they form", "in the shape of", "in", "into", "as", "to form", "up as", "up in"))
+            for shape, end in noun_phrase(p, n) if n else ():
+                if isinstance(shape, m.Structure) and not isinstance(theme, m.Structure) and not fresh(theme):
+                    yield r.Reshape(structure=shape, theme=theme, span=p.span(i, end)), end
+        for shape, k in noun_phrase(p, j) if j else ():
+            end = longest(p, k, _SAME_BLOCKS)
+            if isinstance(shape, m.Structure) and end:
+                yield r.Reshape(structure=shape, span=p.span(i, end)), end
+            if isinstance(shape, m.Structure) and shape.members is None and (end := p.one(k, "instead")):
+                yield r.Reshape(structure=shape, span=p.span(i, end), cost=1), end
+    if j := longest(p, i, ("in", "as", "into")):
+        for shape, k in noun_phrase(p, j):
+            if isinstance(shape, m.Structure) and (end := p.one(k, "instead")):
+                yield r.Reshape(structure=shape, span=p.span(i, end)), end
+    for shape, k in noun_phrase(p, i):
+        n = longest(p, k, ("instead of", "rather than"))
+        for old, end in noun_phrase(p, n) if n else ():
+            if isinstance(shape, m.Structure) and isinstance(old, m.Structure):
+                yield r.Reshape(structure=shape, theme=replace(old, det="the"), span=p.span(i, end)), end
+
+
+_SAME_BLOCKS = tuple(
+    f"{by} {blocks}"
+    for by in ("out of", "from", "with", "of", "using")
+    for blocks in (
+        "the same blocks",
+        "the same cubes",
+        "these blocks",
+        "them",
+        "the blocks",
+        "those blocks",
+        "all of them",
+        "these",
+    )
+)
+
+
+def paint(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    j = p.one(i, PAINT)
+    for theme, k in noun_phrase(p, j) if j else ():
+        k = p.opt(k, "in", "to")
+        for (listed, either), end in colors(p, k):
+            yield r.Restyle(theme=theme, traits=m.Traits(colors=listed, either=either), span=p.span(i, end)), end
+    if j := p.one(i, frozenset({"relabel", "label", "rename"})):
+        for theme, k in noun_phrase(p, j):
+            k = longest(p, k, ("as", "to", "with")) or k
+            for (labels, _), end in label_list(
+                p, longest(p, k, ("the letter", "letter", "number", "a", "an")) or k, True
+            ):
+                yield r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, end)), end
+
+
+def resize(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "resize the red block to 5 cm", "enlarge it", "shrink the patch"."""
+    for word, factor in (("enlarge", 1.25), ("grow", 1.25), ("shrink", 0.75), ("reduce", 0.75), ("resize", None)):
+        j = p.one(i, word)
+        for theme, k in noun_phrase(p, j) if j else ():
+            if n := p.one(k, "to"):
+                for metres, end in length(p, n):
+                    yield r.Restyle(theme=theme, traits=m.Traits(edge=metres), span=p.span(i, end)), end
+            if factor:
+                yield r.Restyle(theme=theme, scale=factor, span=p.span(i, k)), k

@@ -1,0 +1,67 @@
+"""What noun phrases of an edit bring in: new objects, kinds of block, distractors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from rpg.steer.language import Parser, adjectives, label_list, lexicon, longest, m, noun_phrase
+
+
+def things(p: Parser, i: int) -> Iterator[tuple[m.Meaning, int]]:
+    """Noun phrases, symbols before what describes their cube, and distractors by that name alone."""
+    yield from noun_phrase(p, i)
+    yield from _symbol_first(p, i)
+    j = longest(p, i, ("all the", "the", "all", "any", "these", "those")) or i
+    number = 1 if p.one(i, frozenset({"a", "an"})) else p.number(i)
+    k = j if j > i else i + 1 if number is not None else i
+    k = longest(p, k, ("more", "extra", "random")) or k
+    word = p.words[k] if k < p.end else ""
+    if word in ("distractor", "distractors", "extras"):
+        amount = None if number is None else m.Amount(number, number)
+        det = "the" if j > i else "bare" if number is None else "a" if number == 1 else "bare"
+        traits = m.Traits(extra=True)
+        plural = word.endswith("s")
+        yield (
+            m.Noun(head="block", det=det, amount=amount, plural=plural, traits=traits, span=p.span(i, k + 1)),
+            p.reach(k + 1),
+        )
+
+
+def _symbol_first(p: Parser, i: int) -> Iterator[tuple[m.Meaning, int]]:
+    """Phrases such as "a letter 'A' semantic cube", "the 5 blue block"."""
+    article = p.words[i] if p.words[i] in ("a", "an", "the", "another") else ""
+    j = p.opt(i, article) if article else i
+    for (labels, _), k in label_list(p, p.opt(j, "letter", "number", "digit"), True):
+        for marks, end in adjectives(p, k):
+            if marks and "labels" not in marks and p.lex(end, lexicon.BLOCK) is False and len(labels) == 1:
+                told = {**marks, "labels": labels, "kind": "digit" if labels[0].isdigit() else "letter"}
+                det = {"": "bare", "an": "a"}.get(article, article)
+                amount = m.Amount(1, 1) if det in ("a", "another") else None
+                noun = m.Noun(head="block", det=det, amount=amount, traits=m.Traits(**told), span=p.span(i, end + 1))
+                yield noun, p.reach(end + 1)
+
+
+def fresh(phrase: m.Meaning) -> bool:
+    """Whether a phrase brings in new objects: "a block", "another one", "two more", "some letters"."""
+    match phrase:
+        case m.Noun():
+            counted = phrase.amount is not None and phrase.det in ("bare", "another")
+            return phrase.part_of is None and (phrase.det in ("a", "another", "some") or counted or plural_kind(phrase))
+        case m.Coord():
+            return all(fresh(item) for item in phrase.items)
+        case _:
+            return False
+
+
+def labelled(phrase: Any) -> bool:
+    """Phrases such as "add letter A": one object, with no article."""
+    if isinstance(phrase, m.Coord):
+        return all(fresh(item) or labelled(item) for item in phrase.items)
+    bare = isinstance(phrase, m.Noun) and phrase.det == "bare" and phrase.part_of is None
+    return bare and bool(phrase.traits.labels or phrase.traits.colors or phrase.traits.extra)
+
+
+def plural_kind(phrase: Any) -> bool:
+    """Phrases such as "letters", "coloured blocks": a kind of block rather than certain ones."""
+    return isinstance(phrase, m.Noun) and phrase.det in ("bare", "some") and phrase.plural and phrase.amount is None

@@ -1,0 +1,145 @@
+"""Requests that put one thing in the place of another, exchange two, or keep some where they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.steer import requests as r
+from rpg.steer.language import Parser, longest, m, noun_phrase, phrases, simple
+from rpg.steer.phrases import fresh, plural_kind
+from rpg.steer.places import place
+
+REPLACE = ("replace", "substitute", "exchange", "swap out", "switch out", "swap", "switch", "trade")
+
+
+TRADE = phrases(
+    "swap the positions of | swap the places of | exchange the positions of | swap positions of | "
+    "interchange | switch the positions of | swap the order of | swap places of | exchange the places of "
+    "| switch places of | swap | switch | exchange | trade"
+)
+
+
+def replace_with(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "replace the green cube with a yellow one", "swap the red block for a blue one"."""
+    for phrase in REPLACE:
+        j = p.seq(i, phrase)
+        for old, k in noun_phrase(p, j) if j else ():
+            links: tuple[str, ...] = ("with", "by") if phrase == "substitute" else ("with", "by", "for", "out for")
+            if n := longest(p, k, links):
+                for new, end in noun_phrase(p, n):
+                    if fresh(new) or plural_kind(new):
+                        yield r.Replace(old=old, new=new, span=p.span(i, end)), end
+        if j and phrase == "substitute":
+            for new, k in noun_phrase(p, j):
+                if n := p.one(k, "for"):
+                    for old, end in noun_phrase(p, n):
+                        yield r.Replace(old=old, new=new, span=p.span(i, end)), end
+
+
+def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "use letters instead of colours", "a blue block in place of the red one"."""
+    j = (
+        longest(
+            p,
+            i,
+            (
+                "use",
+                "add",
+                "put",
+                "have",
+                "make it with",
+                "make them with",
+                "with",
+                "do it with",
+                "try",
+                "build it with",
+                "take",
+                "make it from",
+            ),
+        )
+        or i
+    )
+    for new, k in noun_phrase(p, j):
+        for phrase in ("instead of", "in place of", "rather than", "in lieu of", "and not", "not"):
+            if n := p.seq(k, phrase):
+                for old, end in _old(p, n):
+                    yield r.Replace(old=old, new=new, span=p.span(i, end)), end
+        if (end := p.one(k, "instead")) and j > i:
+            yield r.Replace(old=None, new=new, span=p.span(i, end), cost=1), end
+        if j > i and p.words[i] == "use" and plural_kind(new):
+            yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k
+    if (j := p.seq(i, "instead of")) or (j := p.seq(i, "rather than")):
+        for old, k in _old(p, j):
+            n = longest(p, k, (", use", "use", ", put", ",", ", i want"))
+            for new, end in noun_phrase(p, n) if n else ():
+                yield r.Replace(old=old, new=new, span=p.span(i, end)), end
+
+
+def _old(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
+    """What is given up: blocks of the task, or only their colours."""
+    yield from noun_phrase(p, i)
+    if j := longest(p, i, ("the colors", "colors", "color", "the color", "colours", "colored", "plain", "the colours")):
+        yield m.Noun(head="block", det="all", plural=True, traits=m.Traits(kind="plain"), span=p.span(i, j)), j
+
+
+def trade(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "swap the red and the blue block", "switch the red one with the blue one"."""
+    for phrase in TRADE:
+        j = p.seq(i, phrase)
+        if not j:
+            continue
+        for both, k in noun_phrase(p, j):
+            if isinstance(both, m.Coord) and len(both.items) == 2:
+                end = longest(p, k, ("around", "places", "positions")) or k
+                yield r.Trade(a=both.items[0], b=both.items[1], span=p.span(i, end)), end
+            pair = _pair(both)
+            if pair:
+                end = longest(p, k, ("around", "places", "positions")) or k
+                yield r.Trade(a=pair[0], b=pair[1], span=p.span(i, end)), end
+            if n := longest(p, k, ("with", "and", "for")):
+                for other, end in simple(p, n):
+                    if not fresh(both) and not fresh(other):
+                        yield r.Trade(a=both, b=other, span=p.span(i, end)), end
+
+
+def _pair(both: m.Meaning) -> tuple[m.Noun, m.Noun] | None:
+    """Phrases such as "the red and blue blocks": two phrases in one."""
+    if not isinstance(both, m.Noun) or both.det not in ("the", "bare", "both", "its"):
+        return None
+    colored, labelled = both.traits.colors, both.traits.labels
+    if len(colored) == 2 and not labelled:
+        each = [m.Traits(colors=(color,)) for color in colored]
+    elif len(labelled) == 2 and not colored:
+        each = [m.Traits(labels=(label,)) for label in labelled]
+    else:
+        return None
+    one, two = (m.Noun(head=both.head, det="the", traits=traits, span=both.span) for traits in each)
+    return one, two
+
+
+def keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "keep the letter A on top", "leave the base where it is"."""
+    j = longest(
+        p,
+        i,
+        phrases(
+            "keep | keeping | leave | leaving | except for | except | apart from | other than | without moving | "
+            "without touching | do not move | do not touch | do not change | without changing"
+        ),
+    )
+    for theme, k in noun_phrase(p, j) if j else ():
+        end = longest(
+            p,
+            k,
+            phrases(
+                "where it is | where they are | as it is | as they are | as is | in place | the same | unchanged | in "
+                "its place | alone | fixed | there | untouched | still | the way it is | the way they are"
+            ),
+        )
+        if end:
+            yield r.Keep(theme=theme, span=p.span(i, end)), end
+            continue
+        for _, stop in place(p, k):
+            yield r.Keep(theme=theme, span=p.span(i, stop)), stop
+        if p.words[i] in ("except", "apart", "other", "without", "do"):
+            yield r.Keep(theme=theme, span=p.span(i, k)), k

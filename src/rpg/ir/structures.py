@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
+
+from pydantic import Field
 
 from rpg.ir.base import Names
 from rpg.ir.node import Axis, Direction, Node
 from rpg.ir.order import Attribute, Order, Pattern
+
+Members = Annotated[Names, Field(min_length=1)]
+Count = Annotated[int, Field(ge=1)]
+Share = Annotated[float, Field(ge=0.0)]
 
 
 class Stack(Node):
@@ -19,7 +25,7 @@ class Stack(Node):
     """
 
     kind: Literal["stack"] = "stack"
-    blocks: Names
+    blocks: Members
     order: Order = Order()
     exact: bool = False
     patch: str | None = None
@@ -37,9 +43,9 @@ class Towers(Node):
     """
 
     kind: Literal["towers"] = "towers"
-    blocks: Names
-    count: int | None = None
-    heights: tuple[int, ...] | None = None
+    blocks: Members
+    count: Count | None = None
+    heights: tuple[Count, ...] | None = None
     equal: bool = False
     each: Attribute | None = None
     separate: bool = False
@@ -56,20 +62,20 @@ class Row(Node):
     """
 
     kind: Literal["row"] = "row"
-    blocks: Names
+    blocks: Members
     axis: Axis | None = None
     order: Order = Order()
     readable: bool = False
     excused: Names = ()
     touching: bool = False
     evenly: bool = False
-    spacing: float | None = None
-    gap: float | None = None
-    tolerance: float = 0.01
-    gap_edges: float = 1.5
-    line_edges: float = 0.5
-    even_edges: float = 0.5
-    angle: float = 15.0
+    spacing: Share | None = None
+    gap: Share | None = None
+    tolerance: Share = 0.01
+    gap_edges: Share = 1.5
+    line_edges: Share = 0.5
+    even_edges: Share = 0.5
+    angle: Share = 15.0
 
 
 class Cells(Node):
@@ -79,21 +85,21 @@ class Cells(Node):
     name no direction hold in any rotation and mirroring.
     """
 
-    blocks: Names
+    blocks: Members
     pattern: Pattern | None = None
     readable: bool = False
     excused: Names = ()
-    fit_edges: float = 0.5
-    pitch_edges: tuple[float, float] = (1.0, 2.0)
+    fit_edges: Share = 0.5
+    pitch_edges: tuple[Share, Share] = (1.0, 2.0)
 
 
 class Grid(Cells):
     """`rows` lie along y, one behind the other along x; `columns` per row; `layers` high. A wall has one row."""
 
     kind: Literal["grid"] = "grid"
-    rows: int
-    columns: int
-    layers: int = 1
+    rows: Count
+    columns: Count
+    layers: Count = 1
     axis: Axis | None = None
 
 
@@ -101,14 +107,14 @@ class Pyramid(Cells):
     """Layers of n, n-1, ... 1 blocks in a line (`base` = [n, 1]), or n x m, (n-1) x (m-1), ... (`base` = [n, m])."""
 
     kind: Literal["pyramid"] = "pyramid"
-    base: tuple[int, int]
+    base: tuple[Count, Count]
 
 
 class Staircase(Cells):
     """Columns of 1, 2, ... `steps` blocks side by side, going up towards `up` when it is given."""
 
     kind: Literal["staircase"] = "staircase"
-    steps: int
+    steps: Count
     up: Direction | None = None
 
 
@@ -123,7 +129,7 @@ class Figure(Cells):
     kind: Literal["figure"] = "figure"
     shape: Literal["square", "rectangle", "triangle", "circle", "L", "T", "V", "U", "plus", "X"]
     filled: bool = False
-    sides: tuple[int, int] | None = None
+    sides: tuple[Count, Count] | None = None
     pointing: Direction | None = None
 
 
@@ -136,11 +142,11 @@ class GroupBy(Node):
     """
 
     kind: Literal["group_by"] = "group_by"
-    groups: tuple[Names, ...]
+    groups: Annotated[tuple[Members, ...], Field(min_length=1)]
     by: Attribute | None = None
-    outliers: int = 0
-    inner_edges: float = 2.0
-    outer_edges: float = 1.5
+    outliers: Annotated[int, Field(ge=0)] = 0
+    inner_edges: Share = 2.0
+    outer_edges: Share = 1.5
 
 
 class Spells(Node):
@@ -151,13 +157,13 @@ class Spells(Node):
     """
 
     kind: Literal["spells"] = "spells"
-    blocks: Names
-    word: str
+    blocks: Members
+    word: Annotated[str, Field(min_length=1)]
     along: Literal["row", "stack"] = "row"
     reverse: bool = False
     readable: bool = True
     excused: Names = ()
-    gap_edges: float = 1.5
+    gap_edges: Share = 1.5
 
 
 class Equation(Node):
@@ -167,9 +173,9 @@ class Equation(Node):
     """
 
     kind: Literal["equation"] = "equation"
-    blocks: Names
+    blocks: Members
     along: Literal["row", "stack"] = "row"
     longer: bool = False
     text: str | None = None
     excused: Names = ()
-    gap_edges: float = 1.5
+    gap_edges: Share = 1.5

@@ -11,6 +11,7 @@ from rpg.blocks.arrange.bounds import Contradiction
 from rpg.blocks.arrange.fit import oversize
 from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.english import clause
+from rpg.blocks.nouns import bare
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.core.diagnostics import Diagnostic, Label, Refusal
@@ -87,7 +88,7 @@ def _diagnostic(parts: list[g.Goal], world: World, start: BlockState | None) -> 
     if cycle:
         return Diagnostic(
             code="support-cycle",
-            message=f"{' rests on '.join(cycle)}: nothing in this ring reaches the table",
+            message=f"{_ring_in_words(cycle, world)}: nothing in this ring reaches the table",
             span=span,
             labels=labels,
             hint="let one of these blocks stand on the table",
@@ -153,6 +154,11 @@ def support_cycle(parts: list[g.Goal], world: World) -> list[str]:
             if ring:
                 return ring
     return []
+
+
+def _ring_in_words(cycle: list[str], world: World) -> str:
+    first, *rest = (f"the {bare(name, world)}" if name in world.assets else f"the {name}" for name in cycle)
+    return f"{first} would rest on {', that on '.join(rest)}"
 
 
 def _ring(first: str, edges: dict[str, list[str]]) -> list[str]:

@@ -88,7 +88,7 @@ def _relation(rng: Random, free: list[Block], patches: list[GoalPatch]) -> g.Goa
     kinds: list[Callable[[], g.Goal]] = [
         lambda: g.On(a=a, b=b), lambda: g.Beside(a=a, b=b), lambda: g.Adjacent(a=a, b=b), lambda: g.Touching(a=a, b=b),
         lambda: g.Near(a=a, b=b), lambda: g.LeftOf(a=a, b=b), lambda: g.RightOf(a=a, b=b, directly=True),
-        lambda: g.Behind(a=a, b=b), lambda: g.InFrontOf(a=a, b=b, immediate=True),
+        lambda: g.Behind(a=a, b=b), lambda: g.InFrontOf(a=a, b=b, directly=True, immediate=True),
         lambda: g.LeftOf(a=a, b=b, somewhere=True),
         lambda: g.Distance(a=a, b=b, minimum=0.11, maximum=0.13), lambda: g.Distance(a=a, b=b, minimum=0.15),
         lambda: g.Swapped(a=a, b=b), lambda: g.Not(goal=g.Touching(a=a, b=b)), lambda: g.Not(goal=g.On(a=a, b=b)),

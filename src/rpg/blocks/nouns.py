@@ -34,7 +34,7 @@ def _described(block: Block) -> str:
         return block.color
     color = "" if block.color == "ivory" else f"{block.color} "
     symbol = block.label or block.symbol("top")
-    return color + SIGNS.get(symbol, symbol)
+    return color + symbol
 
 
 def _size(block: Block) -> str:

@@ -12,7 +12,7 @@ from rpg.blocks.state import World
 from rpg.ir.node import Highest, Lowest, Operand, members
 
 _COLOR = re.compile(r"[a-z]+ block")
-_LABEL = re.compile(r"[A-Z0-9] block")
+_LABEL = re.compile(r"[-A-Z0-9+*/=] block")
 
 
 class Inexpressible(Exception):

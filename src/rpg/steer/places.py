@@ -16,7 +16,8 @@ _ENDS = {
     "first": "begin",
     "at the left end": "left", "on the left end": "left", "to the left end": "left", "at the far left": "left",
     "on the far left": "left", "to the far left": "left", "at the left": "left", "on the left": "left",
-    "to the left": "left", "at the right end": "right", "on the right end": "right", "to the right end": "right", "at the far right": "right",
+    "to the left": "left", "at the right end": "right",
+    "on the right end": "right", "to the right end": "right", "at the far right": "right",
     "on the far right": "right", "to the far right": "right", "at the right": "right",
     "on the right": "right",
     "to the right": "right", "leftmost": "left", "rightmost": "right",
@@ -29,7 +30,8 @@ _ENDS = {
 }  # fmt: skip
 _SIDES_OF = {
     "on the top of": "top", "at the top of": "top", "to the top of": "top", "on top of": "top",
-    "at the bottom of": "bottom", "on the bottom of": "bottom", "to the bottom of": "bottom", "at the base of": "bottom",
+    "at the bottom of": "bottom", "on the bottom of": "bottom",
+    "to the bottom of": "bottom", "at the base of": "bottom",
     "at the end of": "end", "to the end of": "end", "at the left end of": "left", "to the left end of": "left",
     "on the left end of": "left", "at the right end of": "right", "to the right end of": "right",
     "on the right end of": "right", "in the middle of": "middle", "in the center of": "middle",

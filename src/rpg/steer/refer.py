@@ -105,8 +105,9 @@ def _structure(view: View, phrase: m.Structure) -> Found:
 _WORDS = {"word": "spells", "equation": "equation"}
 _FIGURES = {
     "grid": ("grid",), "wall": ("grid",), "square": ("grid", "figure"), "pyramid": ("pyramid",),
-    "staircase": ("staircase",), "pile": ("group_by", "towers"), "stack": ("towers",), "cube": ("grid",), "checkerboard": ("grid",),
-    "rectangle": ("grid", "figure"), "circle": ("figure",), "triangle": ("figure",), "plus": ("figure",),
+    "staircase": ("staircase",), "pile": ("group_by", "towers"), "stack": ("towers",), "cube": ("grid",),
+    "checkerboard": ("grid",), "rectangle": ("grid", "figure"),
+    "circle": ("figure",), "triangle": ("figure",), "plus": ("figure",),
     "set": ("group_by",),
 }  # fmt: skip
 

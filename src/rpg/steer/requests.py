@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from rpg.core.diagnostics import Span
 from rpg.steer.language import m
 
+NO_TRAITS = m.Traits()
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Request:
@@ -55,7 +57,7 @@ class Restyle(Request):
     """Objects get another colour, symbol or size. `scale`: bigger (> 1) or smaller."""
 
     theme: m.Meaning | None
-    traits: m.Traits = m.Traits()
+    traits: m.Traits = NO_TRAITS
     scale: float | None = None
 
 

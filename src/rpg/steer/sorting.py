@@ -45,7 +45,8 @@ _PLAIN = phrases(
 )
 BY = {
     "label": "label", "number": "number", "rainbow": "rainbow", "size": "size", "alternating": "alternating",
-    "mirrored": "mirrored", "any": "any", "size_down": "size_down", "size_up": "size_up", "ascending": "ascending", "even_first": "even_first",
+    "mirrored": "mirrored", "any": "any", "size_down": "size_down", "size_up": "size_up", "ascending": "ascending",
+    "even_first": "even_first",
     "odd_first": "odd_first", "vowel_first": "vowel_first", "consonant_first": "consonant_first",
 }  # fmt: skip
 _ATTRIBUTES = {"color": "color", "label": "label", "size": "size", "kind": "kind", "parity": "parity", "vowel": "vowel"}

@@ -41,7 +41,7 @@ def add(draft: Draft, request: r.Add) -> None:
     line, figure = draft.view.main_line(), draft.view.main_figure()
     assets = new_assets(draft, request.theme)
     names = draft.add(assets, request.span)
-    draft.note("add", [name for name in names])
+    draft.note("add", list(names))
     if _extra(request.theme):
         draft.aim("TWEAK")
         return
@@ -220,11 +220,11 @@ def _at_landmark(
         raise draft.refusal(
             "edit-unclear", "the request does not say next to what", span, "name a block: beside the red block"
         )
-    if place.rel in ("on", "above", "under", "between", "sandwiched") or (
-        anchor.line and place.rel in ("left", "right", "front", "behind")
-    ):
-        if _into_line(draft, names, place, anchor, span):
-            return
+    if (
+        place.rel in ("on", "above", "under", "between", "sandwiched")
+        or (anchor.line and place.rel in ("left", "right", "front", "behind"))
+    ) and _into_line(draft, names, place, anchor, span):
+        return
     if place.rel == "on" and all(n in draft.view.world.patches for n in anchor.names):
         for name in names:
             draft.do(AddCondition(goal=OnPatch(a=(name,), patch=anchor.names[-1])), span)

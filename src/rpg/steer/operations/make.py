@@ -13,7 +13,7 @@ from rpg.steer.language import lexicon, m
 
 PALETTE = (*GRADIENT, "brown", "black", "gray", "white")
 DIGITS = "1234567890"
-SPELT = {sign: name for sign, name in SIGNS.items()}
+SPELT = dict(SIGNS.items())
 
 
 def new_assets(draft: Draft, phrase: m.Meaning, count: int | None = None) -> list[Asset]:

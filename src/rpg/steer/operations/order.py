@@ -179,7 +179,7 @@ def _can(draft: Draft, members: Sequence[str], how: str) -> bool:
     if how == "number":
         return sum(kind_of(symbol) == "digit" for symbol in symbols) > 1
     colors = {draft.view.world.blocks[name].color for name in members if name in draft.view.world.blocks}
-    return len(colors) > 1 or any(symbols) and len(colors) > 1
+    return len(colors) > 1 or (any(symbols) and len(colors) > 1)
 
 
 def _sort_line(draft: Draft, line: Line, request: r.Reorder) -> None:

@@ -8,7 +8,7 @@ what any placed structure must notice: a block moved off, lifted, tilted or gone
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, islice
 from random import Random
 
 from rpg.blocks.arrange.explain import conditions
@@ -21,8 +21,10 @@ from rpg.blocks.predicates.common import put, set_aside, shift, swap, tilted
 from rpg.blocks.state import BlockState
 from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.ir import goal as g
-from rpg.ir.walk import names
+from rpg.ir.walk import atoms, children, instances, names
 
+MOST_INNER = 12
+"""Near-misses of what is inside of one condition."""
 PER_KIND = 6
 """Generic near-misses of each kind."""
 ARRANGE_TRIES = 2500
@@ -64,8 +66,31 @@ def _of_conditions(goal: g.Goal, state: BlockState, rng: Random) -> Iterator[Nea
         predicate = PREDICATES.get(part.kind)
         misses = list(predicate.near_misses(part, state, rng)) if predicate is not None else []
         yield from misses
+        if predicate is None:
+            yield from islice(_of_what_holds(part, state, rng), MOST_INNER)
         if not misses:
             yield from _arranged_without(part, others, state, rng)
+
+
+def _of_what_holds(part: g.Goal, state: BlockState, rng: Random) -> Iterator[NearMiss]:
+    """Near-misses of the atoms that make a condition of several parts true, where they spoil the whole of it."""
+    for atom in _instances(part):
+        if satisfied(atom, state):
+            for miss in PREDICATES[atom.kind].near_misses(atom, state, rng):
+                if not satisfied(part, miss.state):
+                    yield miss
+
+
+def _instances(goal: g.Goal) -> Iterator[g.Atom]:
+    """The atoms of a goal, with each block that is counted in its place."""
+    if isinstance(goal, g.Count):
+        for part in instances(goal):
+            yield from _instances(part)
+    elif children(goal):
+        for part in children(goal):
+            yield from _instances(part)
+    else:
+        yield from atoms(goal)
 
 
 def _arranged_without(part: g.Goal, others: list[g.Goal], state: BlockState, rng: Random) -> Iterator[NearMiss]:

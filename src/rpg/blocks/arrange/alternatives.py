@@ -64,7 +64,7 @@ def alternatives(goal: g.Goal, world: World, wanted: bool = True) -> Iterator[Co
             yield from _pairings(goal)
         case Between() if wanted:
             yield (Literal(goal),)
-            yield from _sandwiched(goal)
+            yield from _sandwiched(goal, world)
         case Clear() | Empty() | OnTable() if not wanted:
             yield from _spoilt(goal, world)
         case _:
@@ -132,11 +132,12 @@ def _count(count: g.Count, world: World, wanted: bool) -> Iterator[Conjunction]:
     sizes = [k for k in range(total + 1) if (k in allowed) == wanted]
     if wanted and low == 0:
         sizes.reverse()
+    open_ended = wanted and high == total
     each = instances(count)
-    for size in sizes:
+    for size in [low] if open_ended and low <= total else sizes:
         for chosen in _unlike_first(count.over, size, world):
-            parts = tuple(each[k] if k in chosen else g.Not(goal=each[k]) for k in range(total))
-            yield from _all(parts, world, True)
+            others = () if open_ended else (g.Not(goal=each[k]) for k in range(total) if k not in chosen)
+            yield from _all((*(each[k] for k in chosen), *others), world, True)
 
 
 def _unlike_first(names: Sequence[str], size: int, world: World) -> Iterator[tuple[int, ...]]:
@@ -163,9 +164,11 @@ def _spoilt(atom: Clear | Empty | OnTable, world: World) -> Iterator[Conjunction
         yield from ((Literal(On(a=a, b=b)),) for a, b in pairs if a != b)
 
 
-def _sandwiched(between: Between) -> Iterator[Conjunction]:
+def _sandwiched(between: Between, world: World) -> Iterator[Conjunction]:
     """Between in a tower: one of the ends below, the other one above."""
     if any(isinstance(end, Lowest | Highest) or len(end) > 1 for end in (between.a, between.b, between.c)):
+        return
+    if not world.blocks.keys() >= {*members(between.a), *members(between.b), *members(between.c)}:
         return
     for low, high in ((between.b, between.c), (between.c, between.b)):
         yield Literal(On(a=between.a, b=low)), Literal(On(a=high, b=between.a))

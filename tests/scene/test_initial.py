@@ -100,6 +100,14 @@ def test_arranged_starts_hold_and_stand_by_themselves(seed: int) -> None:
     assert all(footprint_gap(state, name, "patch") > 0 for name in state.position)
 
 
+@pytest.mark.parametrize("count", [2, 3, 12])
+def test_heaps_of_any_size_are_found(count: int) -> None:
+    world = World([ColoredCube(name=f"b{k}", color="red") for k in range(count)])
+    for seed in range(2):
+        state = sample_start(InitialState(heaps=(tuple(world.blocks),)), world, seed)
+        assert settled(state) and in_workspace(state)
+
+
 @pytest.mark.parametrize("seed", range(3))
 def test_a_heap_has_settled_in_one_piece_with_blocks_on_blocks(seed: int) -> None:
     heap = ("red_block", "green_block", "blue_block", "yellow_block")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from random import Random
 
 import pytest
 
@@ -55,6 +56,25 @@ def test_structures_placed_exactly_stay_where_they_are(places: list[Vec3]) -> No
     end, drift = after(at(plain(len(places)), *places), 100)
     assert drift < 0.001
     assert not end.moving
+
+
+@pytest.mark.parametrize(("count", "offset"), [(2, 0.008), (5, 0.004), (10, 0.002), (15, 0.0005)])
+@pytest.mark.parametrize("seed", range(3))
+def test_towers_of_turned_and_shifted_blocks_stand_still(count: int, offset: float, seed: int) -> None:
+    rng = Random(seed)
+    places, turns = [], {}
+    for level in range(count):
+        places.append((0.55 + rng.uniform(-offset, offset), rng.uniform(-offset, offset), HALF + EDGE * level))
+        turns[f"b{level}"] = about("z", rng.uniform(-180, 180))
+    state = at(plain(count), *places, turns=turns)
+    physics = Physics(state.world)
+    physics.write(state)
+    fastest = 0.0
+    for _ in range(40):
+        physics.step()
+        fastest = max(fastest, physics.fastest())
+    assert fastest < 0.05
+    assert physics.fastest() < 0.005
 
 
 @pytest.mark.parametrize("axis", ["x", "y"])

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
+
 from rpg.blocks.constants import SUPPORT_GAP
-from rpg.blocks.geometry import supporters, table_gap
+from rpg.blocks.geometry import body_gap, is_level, supporters, table_gap
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState
 from rpg.blocks.verdict import FALSE, Verdict, at_most, between, every, some
@@ -63,4 +65,13 @@ def _supported(name: str, state: BlockState) -> Verdict:
     if gap > SUPPORT_GAP:
         bottom = state.bottom(name)
         gap = min((abs(bottom - state.top(b)) for b in supporters(state, name)), default=gap)
+        if gap > SUPPORT_GAP and not is_level(state, name):
+            gap = min(gap, _leaning_gap(name, state))
     return at_most(gap, SUPPORT_GAP)
+
+
+def _leaning_gap(name: str, state: BlockState) -> float:
+    """Distance from a tilted block, as it lies in a heap, to the nearest block whose centre is lower."""
+    height = state.position[name][2]
+    lower = (other for other, place in state.position.items() if other != name and place[2] < height)
+    return min((abs(body_gap(state, name, other)) for other in lower), default=math.inf)

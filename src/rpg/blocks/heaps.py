@@ -14,12 +14,30 @@ from rpg.blocks.constants import TABLE_Z
 from rpg.blocks.geometry import body_gap
 from rpg.blocks.physics import Physics
 from rpg.blocks.scene import build_spec
-from rpg.blocks.state import BlockState, Quat, Vec3, World
+from rpg.blocks.state import BlockState, Quat, Vec3, World, product, yaw_quat
 from rpg.ir.assets import Asset
 
 WALL_HEIGHT, WALL_THICKNESS = 0.6, 0.01
+PILED = 4
+"""From so many blocks on, a heap has blocks lying on others."""
 CHAIN_EDGES = 1.0
 """In a heap every block is within this many edges of another one."""
+ELBOW_EDGES = 1.2
+"""Blocks start to fall with this much room (in their edges) between the walls; corners may touch them."""
+LEAN = math.radians(25)
+"""Blocks start to fall at an angle of up to this."""
+R = math.sqrt(0.5)
+UPRIGHTS: tuple[Quat, ...] = (
+    (1.0, 0.0, 0.0, 0.0),
+    (0.0, 1.0, 0.0, 0.0),
+    (R, R, 0.0, 0.0),
+    (R, -R, 0.0, 0.0),
+    (R, 0.0, R, 0.0),
+    (R, 0.0, -R, 0.0),
+)
+"""One orientation for each face that can be up."""
+FALL_STEPS = 30
+"""Control steps that blocks have to fall between the walls."""
 AWAY = 10.0
 """Height (m) that walls are lifted to when they have done their work."""
 
@@ -41,14 +59,14 @@ def shaft(world: World, names: Sequence[str]) -> float:
 
 
 def above(world: World, heap: Heap, rng: Random) -> dict[str, tuple[Vec3, Quat]]:
-    """The blocks of a heap over its place, one above the other and turned anyhow, ready to fall."""
+    """The blocks of a heap over its place, one above the other and leaning a little, ready to fall."""
     found: dict[str, tuple[Vec3, Quat]] = {}
     height = TABLE_Z
     for name in heap.names:
         reach = world.edge[name] * math.sqrt(3) / 2
-        room = max(0.0, heap.side / 2 - reach)
+        room = max(0.0, (heap.side - ELBOW_EDGES * world.edge[name]) / 2)
         place = (heap.x + rng.uniform(-room, room), heap.y + rng.uniform(-room, room), height + reach)
-        found[name] = (place, _turned_anyhow(rng))
+        found[name] = (place, _tilted(rng))
         height += 2 * reach
     return found
 
@@ -60,8 +78,7 @@ def dropped(state: BlockState, heaps: tuple[Heap, ...]) -> BlockState | None:
     physics.write(state)
     for index, heap in enumerate(heaps):
         physics.data.mocap_pos[index] = (heap.x, heap.y, TABLE_Z)
-    if not physics.settle():
-        return None
+    physics.step(FALL_STEPS)
     physics.data.mocap_pos[:, 2] = AWAY
     if not physics.settle() or not physics.sane():
         return None
@@ -69,7 +86,7 @@ def dropped(state: BlockState, heaps: tuple[Heap, ...]) -> BlockState | None:
 
 
 def in_one_piece(heap: Heap, state: BlockState) -> bool:
-    """Is every block of the heap within reach of another one, and (of three or more) some, but not all but one, lying on others?"""
+    """Is every block within reach of another one, and (of PILED or more) some, but not all but one, lying on others?"""
     names = heap.names
     chain = CHAIN_EDGES * max(state.world.edge[name] for name in names)
     reached, frontier = {names[0]}, [names[0]]
@@ -79,7 +96,7 @@ def in_one_piece(heap: Heap, state: BlockState) -> bool:
         reached.update(near)
         frontier += near
     raised = sum(state.bottom(name) > TABLE_Z + state.world.edge[name] / 4 for name in names)
-    return len(reached) == len(names) and (len(names) < 3 or 0 < raised < len(names) - 1)
+    return len(reached) == len(names) and (len(names) < PILED or 0 < raised < len(names) - 1)
 
 
 @lru_cache(maxsize=16)
@@ -100,9 +117,10 @@ def _walled(assets: tuple[Asset, ...], sides: tuple[float, ...]) -> mujoco.MjMod
     return spec.compile()
 
 
-def _turned_anyhow(rng: Random) -> Quat:
-    """A uniformly random orientation."""
-    parts = [rng.gauss(0.0, 1.0) for _ in range(4)]
-    length = math.sqrt(sum(part * part for part in parts))
-    w, x, y, z = (part / length for part in parts)
-    return (w, x, y, z)
+def _tilted(rng: Random) -> Quat:
+    """Any face up, any turn about the vertical, leaning a little: what comes to rest on others soon."""
+    face = rng.choice(UPRIGHTS)
+    lean, way, yaw = rng.uniform(0.0, LEAN), rng.uniform(-math.pi, math.pi), rng.uniform(-math.pi, math.pi)
+    s = math.sin(lean / 2)
+    leaning = (math.cos(lean / 2), s * math.cos(way), s * math.sin(way), 0.0)
+    return product(leaning, product(yaw_quat(yaw), face))

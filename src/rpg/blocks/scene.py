@@ -23,6 +23,8 @@ SKIN = 5e-4
 So blocks touch where they seem to, and rest as they are placed; but their boxes never overlap, for then the contact
 points of yawed blocks would change from step to step, and tall stacks tremble until they fall.
 """
+TOUCH = 5e-6
+"""Contacts act from a little farther (m) than where blocks touch, so that rounding does not let them fall apart."""
 LOOK = " look"
 """Ends the name of the geom that shows a block in a textured scene; the one it collides with is hidden."""
 SHOWN = (1, 1, 1, 0, 0, 0)
@@ -137,7 +139,7 @@ def _add_block(spec: mujoco.MjSpec, block: Block, textures: bool) -> None:
         name=block.name,
         type=mujoco.mjtGeom.mjGEOM_BOX,
         size=[block.size / 2 - SKIN] * 3,
-        margin=SKIN,
+        margin=SKIN + TOUCH,
         mass=DENSITY * block.size**3,
         rgba=list(rgba(block.color)),
         group=HIDDEN_GROUP if textures else 0,

@@ -114,3 +114,15 @@ def matrix(quat: Quat) -> Matrix:
 def yaw_quat(yaw: float) -> Quat:
     """Quaternion of a turn by `yaw` radians about the vertical."""
     return (math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
+
+
+def product(a: Quat, b: Quat) -> Quat:
+    """The quaternion of turn `b`, then turn `a` (both about the world's axes)."""
+    aw, ax, ay, az = a
+    bw, bx, by, bz = b
+    return (
+        aw * bw - ax * bx - ay * by - az * bz,
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+    )

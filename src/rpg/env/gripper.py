@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rpg.blocks import camera
-from rpg.blocks.state import Quat
+from rpg.blocks.state import Quat, product
 from rpg.env.embodiment import Action
 
 HOME = (0.33, 0.0, 1.40)
@@ -196,19 +196,7 @@ class BoundGripper:
         if angle > 0.0:
             s = math.sin(angle / 2) / angle
             turn = (math.cos(angle / 2), clipped[0] * s, clipped[1] * s, clipped[2] * s)
-            self._quat = _normalised(_product(turn, self._quat))
-
-
-def _product(a: Quat, b: Quat) -> Quat:
-    """Rotation `b`, then `a`."""
-    aw, ax, ay, az = a
-    bw, bx, by, bz = b
-    return (
-        aw * bw - ax * bx - ay * by - az * bz,
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-    )
+            self._quat = _normalised(product(turn, self._quat))
 
 
 def _normalised(q: Quat) -> Quat:

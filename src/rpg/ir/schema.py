@@ -11,6 +11,7 @@ from rpg.ir.assets import Asset, Block, GoalPatch
 from rpg.ir.base import Names, Record
 from rpg.ir.goal import Goal
 from rpg.ir.walk import names
+from rpg.ir.wellformed import problems
 
 FORMAT: Literal[1] = 1
 MAX_NAME = 60
@@ -97,4 +98,8 @@ class TaskSchema(Record):
         unknown = sorted(mentioned - set(known))
         if unknown:
             raise ValueError(f"the task mentions {unknown[0]!r}, but its assets are {', '.join(known)}")
+        patches = [patch.name for patch in self.patches]
+        for goal in (self.goal, *self.init.arranged):
+            for problem in problems(goal, patches):
+                raise ValueError(problem)
         return self

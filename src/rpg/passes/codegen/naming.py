@@ -55,6 +55,8 @@ def boolean_name(goal: g.Goal) -> str:
             return _tidy("always_" + boolean_name(goal.goal))
         case g.Count():
             return _tidy(_quantity(goal) + "_" + boolean_name(rename(goal.goal, {goal.var: ""})))
+        case g.All() | g.Any() if not goal.goals:
+            return "nothing_asked"
         case g.All() | g.Any():
             word = "_and_" if isinstance(goal, g.All) else "_or_"
             name = word.join(boolean_name(part) for part in goal.goals)

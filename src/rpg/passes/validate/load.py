@@ -12,7 +12,7 @@ from rpg.env import BlockTask
 
 ALLOWED_BUILTINS = (
     "abs", "all", "any", "bool", "dict", "enumerate", "float", "int", "len", "list", "max", "min", "range", "reversed",
-    "round", "set", "sorted", "str", "sum", "super", "tuple", "zip", "True", "False", "None",
+    "round", "sorted", "str", "sum", "super", "tuple", "zip", "True", "False", "None",
 )  # fmt: skip
 """Builtins that generated code may use; none of them reaches outside."""
 MODULE = "rpg.env"

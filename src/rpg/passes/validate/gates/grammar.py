@@ -7,11 +7,12 @@ import ast
 NODES: tuple[type[ast.AST], ...] = (
     ast.Module, ast.Expr, ast.ImportFrom, ast.alias, ast.ClassDef, ast.FunctionDef, ast.arguments, ast.arg, ast.Return,
     ast.Assign, ast.AnnAssign, ast.AugAssign, ast.For, ast.If, ast.IfExp, ast.Pass, ast.Name, ast.Load, ast.Store,
-    ast.Attribute, ast.Constant, ast.Call, ast.keyword, ast.List, ast.Tuple, ast.Dict, ast.Set, ast.Subscript,
+    ast.Attribute, ast.Constant, ast.Call, ast.keyword, ast.List, ast.Tuple, ast.Dict, ast.Subscript,
     ast.Slice, ast.Starred, ast.ListComp, ast.GeneratorExp, ast.comprehension, ast.BinOp, ast.UnaryOp, ast.BoolOp,
     ast.Compare, ast.operator, ast.unaryop, ast.boolop, ast.cmpop,
 )  # fmt: skip
-"""What a task is written with. Loops without an end, exceptions, closures and formatting are not among it."""
+"""What a task is written with. Endless loops, exceptions, closures, formatting and sets (whose order depends on the
+process) are not among it."""
 
 TYPES = frozenset(kind for base in NODES for kind in (base, *base.__subclasses__()))
 """The same, with the kinds of operators one by one."""
@@ -57,6 +58,8 @@ def what(node: ast.AST) -> str:
         ast.JoinedStr: "f-string",
         ast.Raise: "raise statement",
         ast.Delete: "del statement",
+        ast.Set: "set",
+        ast.SetComp: "set",
         ast.NamedExpr: "assignment expression",
     }
     return words.get(type(node), type(node).__name__)

@@ -94,6 +94,8 @@ def holds(task: BlockTask, path: tuple[BlockState, ...]) -> bool:
 
 def unsettled(goal: BlockState) -> list[NearMiss]:
     """The goal state while a block still moves, and while one is held."""
+    if not goal.position:
+        return []
     last = max(goal.position, key=lambda name: (goal.position[name][2], name))
     block = frozenset({last})
     return [

@@ -122,7 +122,7 @@ def _link(p: Parser, i: int) -> Results[str]:
         yield "and", j
 
 
-_ALSO = ("and also", "and make sure that", "and ensure that", "and that", "and", "while also", "while", "but also", "but", "as well as", "also", "whereas", "&",
+_ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also", "while", "but also", "but", "as well as", "also", "whereas", "&",
          "yet", "although", "though")  # fmt: skip
 
 
@@ -371,7 +371,7 @@ def _state(p: Parser, i: int, mode: str) -> Results[Meaning]:
 _STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off", "start out", "initially is", "initially sits",
            "starts the episode")  # fmt: skip
 _FILLERS = frozenset({"to", "also", "only", "all", "always", "both", "each", "ever", "end", "gets", "get", "up", "then", "still", "just", "simply"})
-_ADVERBS = frozenset({"all", "both", "each", "also", "still", "now", "currently", "already", "initially", "being", "originally", "to", "be", "always", "then", "only", "going"})
+_ADVERBS = frozenset({"all", "both", "each", "also", "still", "now", "currently", "already", "initially", "being", "originally", "be", "always", "then", "only", "going"})
 
 
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
@@ -387,7 +387,7 @@ def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, ne
         if p.words[k] in ("was", "were"):
             mode = "start"
         lasting = False
-        while n := p.one(j, _NOT | _ADVERBS):
+        while n := p.one(j, _NOT | _ADVERBS) or p.seq(j, "to be"):
             negated = negated or p.words[j] in _NOT
             lasting = lasting or p.words[j] in ("always", "never")
             if p.words[j] in ("currently", "already", "initially", "originally"):
@@ -450,7 +450,10 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
             )
     head = theme.head if isinstance(theme, Noun) else "block"
     for marks, k in adjectives(p, j):
-        if marks:
+        if set(marks) == {"rank"} and marks["rank"] in ("top", "bottom", "left", "right", "front", "back", "middle"):
+            side = At(side=marks["rank"], span=p.span(j, k))
+            yield Clause(verb="be", theme=theme, adjuncts=(side,), negated=negated, mode=mode, span=p.span(i, k)), k
+        elif marks and "rank" not in marks:
             quality = Quality(traits=Traits(**marks), span=p.span(j, k))
             yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
     for marks, k in of_quality(p, j, head):

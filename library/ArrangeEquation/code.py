@@ -6,8 +6,7 @@ from rpg.env import BlockTask, SemanticCube, Verdict
 class ArrangeEquation(BlockTask):
     """Five symbol blocks (2, 3, 5, +, =).
 
-    Goal: The 2 block, the 3 block, the 5 block, the plus block and the equals block must form a
-    true equation.
+    Goal: The blocks 2, 3, 5, + and = must form a true equation.
     Success: equation_true; every block released, supported and at rest.
     """
 

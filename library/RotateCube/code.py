@@ -1,19 +1,19 @@
 """The task rotate-cube, generated from its task.yaml."""
 
-from rpg.env import BlockTask, Faces, SemanticCube, Verdict
+from rpg.env import BlockTask, SemanticCube, Verdict
 
 
 class RotateCube(BlockTask):
     """A symbol block (R).
 
-    Goal: The  block must be upside down.
+    Goal: The R block must be upside down.
     Success: r_facing_up; every block released, supported and at rest.
     """
 
     instruction = "Turn the R block so that its letter is upside down."
 
     def _initialize_env(self) -> None:
-        self.add(SemanticCube(name="R_block", labels=Faces(front="R")))
+        self.add(SemanticCube(name="R_block", label="R"))
 
     def _on_reset(self) -> None:
         self.scatter("R_block")

@@ -7,4 +7,4 @@ class RotateCubeGoal(RotateCube):
     """Every block stands in a goal configuration."""
 
     def _on_reset(self) -> None:
-        self.place("R_block", (0.55, 0.0, 0.97), quat=(0.707107, 0.0, -0.707107, 0.0))
+        self.place("R_block", (0.55, 0.0, 0.97), yaw=3.141593)

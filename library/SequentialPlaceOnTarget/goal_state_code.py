@@ -11,7 +11,7 @@ class SequentialPlaceOnTargetGoal(SequentialPlaceOnTarget):
         self.place("red_block", (0.528155, 0.23892, 0.97), yaw=-1.2038)
         self.waypoint()
         self.place("blue_block", (0.55, 0.1, 0.97))
-        self.place("red_block", (0.4322, 0.2047, 0.97))
+        self.place("red_block", (0.6306, -0.2183, 0.97))
         self.waypoint()
         self.place("blue_block", (0.55, 0.1, 0.97))
         self.place("red_block", (0.55, -0.1, 0.97))

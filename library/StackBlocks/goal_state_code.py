@@ -7,5 +7,5 @@ class StackBlocksGoal(StackBlocks):
     """Every block stands in a goal configuration."""
 
     def _on_reset(self) -> None:
-        self.place("red_block", (0.55, 0.0, 1.01))
-        self.place("blue_block", (0.55, 0.0, 0.97))
+        self.place("red_block_1", (0.55, 0.0, 1.01))
+        self.place("red_block_2", (0.55, 0.0, 0.97))

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from itertools import product
+from typing import Any
+
+from pydantic import ValidationError
 
 from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
+from rpg.ir.walk import names as names_in
 from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, cost_of, parts_of
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.read import Sentence
@@ -16,23 +20,35 @@ from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.tidy import tidy
-from rpg.passes.schema.resolve.world import Scene, refuse
+from rpg.passes.schema.resolve.world import Scene, refuse, said
 
 MAX_COMBINATIONS = 48
 
 
-def build(
-    sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None
-) -> TaskSchema:
+FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors", "does-not-fit", "unknown-symbol", "size-out-of-range",
+                   "out-of-reach", "too-many-asked"})  # fmt: skip
+"""Refusals that no other reading mends: the words are understood, and what they say cannot be done."""
+SENSIBLE = frozenset({"contradiction", "support-cycle", "count-mismatch", "self-reference", "one-group", "missing-symbol", "unused-block", "fixed-patch", "order-conflict"})
+"""Refusals of a reading that makes sense in itself: only readings hardly less natural are tried after one."""
+PATIENCE = 0
+
+
+def build(sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None) -> TaskSchema:
     """The task that the sentences state."""
     first: Refusal | None = None
     best: tuple[int, TaskSchema] | None = None
+    limit: int | None = None
     for cost, chosen in _combinations(sentences):
-        if best is not None and cost > best[0]:
+        if (best is not None and cost > best[0]) or (limit is not None and cost > limit):
             break
         try:
             schema = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
         except Refusal as refusal:
+            code = refusal.diagnostics[0].code
+            if code in FINAL and best is None:
+                raise
+            if code in SENSIBLE and limit is None:
+                limit, first = cost + PATIENCE, refusal
             first = first or refusal
             continue
         if best is None:
@@ -105,6 +121,7 @@ def resolve(
     finish.choose(scene)
     goal = tidy(goal, scene)
     check(goal, scene)
+    _all_used(goal, scene, chains)
     names = finish.naming(scene)
     start = InitialState(
         arranged=tuple(dict.fromkeys(finish.renamed(x, names) for x in scene.start_goals)),
@@ -112,10 +129,28 @@ def resolve(
     )  # fmt: skip
     final = reconcile(finish.renamed(goal, names))
     made = finish.assets(scene, names)
-    return TaskSchema(
+    return _schema(
         name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start, goal=final,
         assumptions=tuple(scene.assumptions),
     )  # fmt: skip
+
+
+def _schema(**fields: Any) -> TaskSchema:
+    """The task, if its parts fit together: a reading that leaves something dangling is none."""
+    try:
+        return TaskSchema(**fields)
+    except ValidationError:
+        raise refuse("misplaced", "this cannot be put together in one task", (0, len(fields["instruction"])), "say it in several short sentences") from None
+
+
+def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
+    """Every block that was spoken of must matter: one that no condition mentions was lost on the way."""
+    told = set(names_in(goal)) | {n for x in scene.start_goals for n in names_in(x)} | {n for heap in scene.heaps for n in heap}
+    for thing in scene.things.values():
+        if thing.name in told or thing.extra or thing.declared or thing.name in scene.spare:
+            continue
+        span = next((m.ref.span for m in scene.mentions if thing.name in m.ref.names), chains[0].span)
+        raise refuse("unused-block", f"{said(thing)} is spoken of, but nothing is said of where it should be", span, "say where it should be, or that it is a distractor")
 
 
 def _rest(part: Meaning) -> bool:

@@ -308,6 +308,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
 
 
 _LITTLE = (
+    ("but not both", "xor", None), (", but not both", "xor", None), (", not both", "xor", None), ("but not on both", "xor", None),
     ("first", "time", 1.0), ("second", "time", 2.0), ("third", "time", 3.0), ("last", "time", 99.0), ("finally", "time", 99.0), ("afterwards", "time", 50.0), ("initially", "start", None),
     ("at the start", "start", None), ("at the beginning", "start", None), ("at first", "start", None), ("in the beginning", "start", None), ("to begin with", "start", None), ("originally", "start", None),
     ("currently", "start", None), ("at the start of the episode", "start", None), ("as distractors", "extra", None), ("as a distractor", "extra", None), ("lying around", "extra", None),

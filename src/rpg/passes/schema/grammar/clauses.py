@@ -157,6 +157,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                          "place", "put", "comes then", "come"))  # fmt: skip
         if isinstance(first, Loc | In | At):
             for theme, end in noun_phrase(p, k or j):
+                if isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None and not (theme.traits.colors or theme.traits.labels):
+                    continue
                 for more, last in adjuncts(p, end):
                     verb = "build" if isinstance(theme, Structure) else "be"
                     said = Clause(verb=verb, theme=theme, adjuncts=(first, *more), mode="start" if mode == "start" else "goal", span=p.span(i, last), cost=1 if k else 2)

@@ -103,7 +103,7 @@ def _pronoun(p: Parser, i: int) -> Results[Meaning]:
                    "the other two", "the latter", "the former", "everything else", "both of them", "all of them", "everything", "both",
                    "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
                    "the other", "one", "nothing else", "nothing", "either of them", "neither of them", "each of them",
-                   "none of them", "that", "this", "those", "these", "each one", "each", "all others", "all the others", "all the rest",
+                   "none of them", "that", "this", "those", "these", "each one", "any other one", "any other", "any of the others", "each", "all others", "all the others", "all the rest",
                    "all"):  # fmt: skip
         if j := p.seq(i, phrase):
             yield Pronoun(word=phrase, span=p.span(i, j)), j
@@ -209,6 +209,8 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")
         yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1 if several else 0)
     counted = quantity.amount is not None and quantity.det in ("the", "bare", "other", "another", "both", "some")
+    if counted and quantity.det == "bare" and start > i and p.tokens[start - 1].kind == "number":
+        counted = False
     if j == start and (counted or quantity.det in ("other", "another")):
         yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=2)
     if (quantity.det in ("bare", "the", "all", "both") and quantity.amount is None) or quantity.det == "a":
@@ -243,6 +245,8 @@ def _finish(
     if len(marks.get("colors", ())) > 1 and not many and not marks.get("either"):
         cost += 1
         many = True
+    if head == "block" and quantity.det == "bare" and low is None and not many and not marks:
+        cost += 1
     noun = Noun(
         head=head, det=quantity.det, amount=low, plural=many, traits=Traits(**marks), span=p.span(i, j), cost=cost
     )  # fmt: skip

@@ -122,6 +122,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from region(p, i)
     yield from _measured(p, i)
     for (name, mods), j in relation(p, i):
+        if p.words[j - 1] == "by" and p.figure(j) is not None:
+            continue
         for landmark, k in noun_phrase(p, j):
             if isinstance(landmark, TableTop) and name not in ("on", "off", "above", "behind", "front"):
                 continue

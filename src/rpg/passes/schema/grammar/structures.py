@@ -14,7 +14,7 @@ from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.labels import literal
 from rpg.passes.schema.grammar.lists import listed
 from rpg.passes.schema.grammar.sizes import dimensions, size_phrase
-from rpg.passes.schema.meaning import Amount, Coord, Meaning, OrderBy, Pattern, Pronoun, Size, Spacing, Structure, Traits
+from rpg.passes.schema.meaning import Amount, Coord, Manner, Meaning, OrderBy, Pattern, Pronoun, Size, Spacing, Structure, Traits
 
 _LETTER_SHAPES = frozenset("LTVUX")
 _MODIFIERS = {
@@ -22,14 +22,15 @@ _MODIFIERS = {
     "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
     "simple": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {}, "upright": {"upright": True},
     "single file": {}, "standing": {"upright": True}, "tall": {}, "long": {}, "closed": {}, "proper": {}, "full": {"filled": True},
-    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "equal": {}, "equally tall": {}, "neatly": {}, "regular": {}, "loose": {}, "big": {}, "huge": {}, "large": {}, "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {}, "addition": {}, "small": {},
+    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {}, "big": {}, "huge": {}, "large": {}, "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {}, "addition": {}, "small": {},
     "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
 }  # fmt: skip
 _OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
 
 
 _NOWHERE = (0, 0)
-_DETAILS: dict[str, OrderBy | Spacing] = {
+_DETAILS: dict[str, OrderBy | Spacing | Manner] = {
+    "equally tall": Manner(kind="equal", span=_NOWHERE), "equal": Manner(kind="equal", span=_NOWHERE), "equally high": Manner(kind="equal", span=_NOWHERE),
     "alternating": OrderBy(by="alternating", span=_NOWHERE), "symmetric": OrderBy(by="mirrored", span=_NOWHERE),
     "symmetrical": OrderBy(by="mirrored", span=_NOWHERE), "mirrored": OrderBy(by="mirrored", span=_NOWHERE),
     "alphabetical": OrderBy(by="label", span=_NOWHERE), "alphabetically sorted": OrderBy(by="label", span=_NOWHERE), "palindromic": OrderBy(by="mirrored", span=_NOWHERE),

@@ -39,6 +39,8 @@ def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
 
 def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
     traits = quality.traits
+    if traits.rank or traits.target or traits.matching or traits.labels and len(traits.labels) != 1:
+        raise refuse("misplaced", "this is understood, but is no look that can be given", quality.span, "say it as a place")
     things = [scene.things[n] for n in theme.names]
     if traits.extra:
         for thing in things:

@@ -16,7 +16,7 @@ from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.orders import alternatives, order_of
 from rpg.passes.schema.resolve.refer import continued, give, refer
-from rpg.passes.schema.resolve.relations import conj, crown, foot, matching_patches, negation, place, reciprocal, related
+from rpg.passes.schema.resolve.relations import conj, crown, foot, matching_patches, negation, place, reciprocal, related, spread
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.structures import either, make, row_node, stack_built
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
@@ -35,6 +35,8 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     goals = _dispatch(clause, spec, scene, scope)
     goals = [*scene.goals.pop(number, []), *goals]
     later = _thats(spec, scene, start)
+    if spec.manner("xor") is not None:
+        goals = _not_both(goals, clause.span)
     always = spec.manner("always") is not None
     _leftovers(spec, clause)
     if clause.negated:
@@ -42,6 +44,14 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if always and not start:
         goals = held_throughout(goals, scene, clause.span)
     return [*goals, *later]
+
+
+def _not_both(goals: Goals, span: Span) -> Goals:
+    """"either ... or ..., but not both"."""
+    if len(goals) != 1 or not isinstance(goals[0], g.Any):
+        raise refuse("misplaced", "'but not both' needs two alternatives", span, "say 'either ... or ..., but not both'")
+    parts = goals[0].goals
+    return [g.All(goals=(goals[0], g.Not(goal=g.All(goals=parts, span=span), span=span)), span=span)]
 
 
 def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
@@ -108,6 +118,10 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return turning.keep(clause, spec, scene, scope)
     if clause.verb == "place" and any(isinstance(p, Loc) and p.rel == "moved" for p in spec.places):
         return turning.moved(clause, spec, scene, scope)
+    if clause.verb == "place" and clause.lemma in ("move", "shift", "nudge", "relocate", "push", "drag") and not clause.adjuncts and not clause.negated:
+        theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+        scene.assume("moved: at least 5 cm away from where it started")
+        return [spread(theme, lambda a: r.Moved(a=a, span=clause.span), clause.span, together=True)]
     if clause.negated and clause.verb == "place" and not clause.adjuncts:
         return turning.stay(clause, spec, scene, scope, stays=True)
     if _is_shape(clause.theme) or (clause.theme is None and spec.intos):

@@ -18,6 +18,7 @@ def members_of(
 ) -> tuple[str, ...]:
     """The blocks of a structure: those named, else `need` (or `default`) new ones."""
     if theme is not None:
+        theme = certain(theme, scene)
         spec.listed = spec.listed or theme.listed
         listed = _order_items(spec)
         open_ = all(scene.things[n].elastic for n in theme.names)
@@ -30,6 +31,7 @@ def members_of(
         source = _with_kind(source, implied_kind(spec), shape.traits)
         named = refer(source, scene, Scope(start=scope.start, need=count or default, role="member", share=count is not None))
         _fix_parts(named)
+        named = certain(named, scene)
         spec.listed = spec.listed or named.listed
         names = scene.fit(named.names, count or (default if all(scene.things[n].elastic for n in named.names) else None))
         return _checked(names, need, shape.span, scene)
@@ -48,6 +50,24 @@ def members_of(
         count = default
         scene.assume(f"the number of blocks is not said: {default}")
     return new_members(shape.traits, count, implied_kind(spec), scene)
+
+
+def certain(ref: Ref, scene: Scene) -> Ref:
+    """The very blocks that are meant: of look-alikes as many as are asked for; else the phrase must say which."""
+    if ref.op in ("or", "nor", "xor", "except"):
+        if ref.op == "except":
+            return ref.parts[0]
+        raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
+    if ref.quant is None:
+        return ref
+    things = [scene.things[n] for n in ref.names]
+    if ref.quant.low != ref.quant.high or ref.quant.low == 0 or len({(t.color, t.label, t.kind, t.size) for t in things}) > 1:
+        raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
+    for thing in things:
+        thing.scheme = thing.scheme or "same"
+    for name in ref.names[ref.quant.low :]:
+        scene.spare.add(name)
+    return replace(ref, names=ref.names[: ref.quant.low], quant=None)
 
 
 def _fix_parts(named: Ref) -> None:

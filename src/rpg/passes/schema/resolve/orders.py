@@ -338,22 +338,23 @@ def _positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scop
             places[index] = (name,)
         last = max(indices) if sides[0] not in ("top",) else None
         spec.absolutes.remove(item)
-    if not places:
-        return []
-    rest = [n for n in names if (n,) not in places.values()]
+    return ranks_from(places, names, scene) if places else []
+
+
+def ranks_from(places: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene) -> list[tuple[str, ...]]:
+    """Ranks from the fixed places of some of `names`; the others fill what is between them."""
+    taken = {n for rank in places.values() for n in rank}
+    remaining = iter([n for n in names if n not in taken])
     ranks: list[tuple[str, ...]] = []
     run: list[str] = []
-    remaining = iter(rest)
-    for index in range(total):
+    for index in range(len(names)):
         if index in places:
-            if run:
-                ranks.append(tuple(run))
-                run = []
+            ranks += [tuple(run)] if run else []
+            run = []
             ranks.append(places[index])
         else:
             run.append(next(remaining))
-    if run:
-        ranks.append(tuple(run))
+    ranks += [tuple(run)] if run else []
     return _free_runs(ranks, places, scene)
 
 

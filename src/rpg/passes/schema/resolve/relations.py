@@ -12,7 +12,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import Amount, Coord, In, Loc, Meaning
+from rpg.passes.schema.meaning import Amount, Coord, In, Loc, Meaning, Pronoun
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
@@ -124,6 +124,8 @@ def crown(ref: Ref) -> Operand:
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
+    if isinstance(loc.landmark, Pronoun) and loc.landmark.word in ("another", "any other", "any other one", "any of the others") and len(theme.names) > 1:
+        return reciprocal(theme, loc, span)
     like = scope.like_patch or (scene.last_landmark_patch and loc.rel in ("on", "in"))
     mark = refer(
         loc.landmark,
@@ -357,6 +359,8 @@ def _on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
+    if mark.each and theme.det in ("a", "bare", "some") and theme.quant is None and not theme.built:
+        return conj([r.OnPatch(a=names, patch=p, span=span) for names, p in zip(_one_lot_each(theme, len(patches), scene), patches, strict=True)], span)
     units = theme.built if len(theme.built) == len(patches) else ()
     if units:
         return conj(
@@ -366,6 +370,20 @@ def _on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         pairs = zip(theme.names, patches, strict=True)
         return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
     return conj([disj([r.OnPatch(a=(a,), patch=p, span=span) for p in patches], span) for a in theme.names], span)
+
+
+def _one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
+    """"two blocks on each patch": as many again for every further patch."""
+    made = [theme.names]
+    for _ in range(lots - 1):
+        more = []
+        for name in theme.names:
+            like = scene.things[name]
+            new = scene.fresh(color=like.color, kind=like.kind, size=like.size, edge=like.edge, scheme=like.scheme)
+            new.batch = like.batch
+            more.append(new.name)
+        made.append(tuple(more))
+    return made
 
 
 def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:
@@ -448,7 +466,7 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
     names = theme.names
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
-    if theme.quant is not None and theme.quant.high == 0:
+    if theme.quant is not None and theme.quant.high == 0 and len(names) > 1:
         inside = [replace(theme, names=pair, quant=None, built=(), parts=()) for pair in combinations(names, 2)]
         return negation([x for two in inside for x in reciprocal(two, loc, span)], span)
     if len(names) < 2:

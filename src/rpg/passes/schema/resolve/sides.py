@@ -8,9 +8,9 @@ from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.walk import transform
 from rpg.passes.schema.meaning import At, Meaning
-from rpg.passes.schema.resolve.orders import SIDES
+from rpg.passes.schema.resolve.orders import SIDES, alternatives, ranks_from
 from rpg.passes.schema.resolve.relations import conj
-from rpg.passes.schema.resolve.structures import stack_built
+from rpg.passes.schema.resolve.structures import either, stack_built
 from rpg.passes.schema.resolve.world import Ref, Scene, refuse
 
 Loose = tuple[Ref, Meaning, tuple[int, int]]
@@ -23,7 +23,7 @@ def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
     scene.loose = []
     names = [n for ref, _, _ in loose for n in ref.names]
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks)):
-        return _refine(goal, node, loose)
+        return _refine(goal, node, loose, scene)
     sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
     if all(side in ("top", "bottom", "middle") for side in sides) and len(loose) > 1:
         return _and(goal, _stack(loose, scene))
@@ -42,7 +42,7 @@ def _lines(goal: g.Goal) -> list[s.Stack | s.Row]:
     return [a for a in atoms(goal) if isinstance(a, s.Stack | s.Row)][::-1]
 
 
-def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose]) -> g.Goal:
+def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scene) -> g.Goal:
     kind = "stack" if isinstance(node, s.Stack) else "row"
     if node.order.by != "any":
         raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], "keep one of them")
@@ -60,20 +60,12 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose]) -> g.Goal:
                     "contradiction", "two blocks are given the same place", span, "give each a place of its own"
                 )
             places[index] = name
-    rest = iter([n for n in node.blocks if n not in places.values()])
-    ranks: list[tuple[str, ...]] = []
-    run: list[str] = []
-    for index in range(total):
-        if index in places:
-            ranks += [tuple(run)] if run else []
-            run = []
-            ranks.append((places[index],))
-        else:
-            run.append(next(rest))
-    ranks += [tuple(run)] if run else []
+    ranks = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
-    fixed = node.model_copy(update={"order": order, **({"axis": "y"} if kind == "row" else {})})
+    if kind == "row" and node.axis == "x":
+        order = order.model_copy(update={"first": "front"})
+    fixed = either([node.model_copy(update={"order": o, **({"axis": node.axis or "y"} if kind == "row" else {})}) for o in alternatives(order, scene)])
     return transform(goal, lambda x: fixed if x == node else x)
 
 

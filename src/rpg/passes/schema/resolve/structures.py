@@ -76,7 +76,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if shape.details:
         inner = sort_adjuncts(shape.details)
         spec.orders, spec.spacings, spec.patterns = [*inner.orders, *spec.orders], [*inner.spacings, *spec.spacings], [*inner.patterns, *spec.patterns]
-        spec.absolutes = [*inner.absolutes, *spec.absolutes]
+        spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     _known_sizes(shape)
     maker = MAKERS.get(shape.kind)
@@ -146,6 +146,7 @@ def _alike(theme: Ref, shape: Structure, scene: Scene) -> tuple[str, ...]:
         raise refuse("count-mismatch", f"it is not said which of {len(theme.names)} different blocks are used", shape.span, "name the blocks", blocks=len(theme.names))
     for name in theme.names:
         scene.things[name].scheme = scene.things[name].scheme or "same"
+        scene.spare.add(name)
     return theme.names
 
 

@@ -10,7 +10,7 @@ from itertools import permutations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import Noun, Structure, Traits
+from rpg.passes.schema.meaning import Meaning, Noun, Structure, Traits, Using, parts_of
 from rpg.passes.schema.resolve.refer import create, refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
@@ -136,21 +136,23 @@ def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scop
     """ "2+3=5", "a correct equation"."""
     text = shape.letter if shape.letter and len(shape.letter) > 1 else None
     chosen = text or _default_equation(shape.letter)
-    if text is None and theme is None and not (spec.usings and getattr(spec.usings[0].members, "items", None)):
-        scene.assume(f"the numbers are not said: cubes for {chosen}, any true equation of them counts")
     check_equation(chosen, shape.span)
+    source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+    if theme is None and source is not None and (text is None and _labelled(source)):
+        theme = refer(source, scene, Scope(role="member"))
+    elif source is not None:
+        spec.usings.insert(0, Using(members=source, span=source.span))
     if theme is not None and text is None and any(scene.things[n].label for n in theme.names):
-        names = theme.names
-        check_solvable(names, scene, shape.span)
-    else:
-        if spec.usings and text is None and getattr(spec.usings[0].members, "amount", None) is None:
-            named = getattr(spec.usings[0].members, "traits", None)
-            if named is not None and len(named.labels) > 2:
-                names = refer(spec.usings.pop(0).members, scene, Scope(role="member")).names
-                check_solvable(names, scene, shape.span)
-                return _equation_node(names, None, spec, shape, scene)
-        names = _cubes(chosen, spec, theme, scene, scope, shape.span)
-    return _equation_node(names, text, spec, shape, scene)
+        check_solvable(theme.names, scene, shape.span)
+        return _equation_node(theme.names, None, spec, shape, scene)
+    if theme is None and text is None:
+        scene.assume(f"the numbers are not said: cubes for {chosen}, any true equation of them counts")
+    return _equation_node(_cubes(chosen, spec, theme, scene, scope, shape.span), text, spec, shape, scene)
+
+
+def _labelled(source: Meaning) -> bool:
+    """Whether a phrase names the symbols of its cubes."""
+    return any(isinstance(part, Noun) and bool(part.traits.labels) for part in parts_of(source))
 
 
 def _equation_node(names: tuple[str, ...], text: str | None, spec: Spec, shape: Structure, scene: Scene) -> Made:

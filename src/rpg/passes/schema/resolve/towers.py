@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.passes.schema.meaning import Coord, Meaning, Noun, Structure, Traits
-from rpg.passes.schema.resolve.members import declared, new_members
+from rpg.passes.schema.resolve.members import certain, declared, new_members
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
@@ -22,7 +22,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     """"two towers of three red blocks", "towers, one per colour", "two stacks"."""
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
     spec.patterns = [p for p in spec.patterns if p.unit not in ("stack", "pile")]
-    by_color = bool(patterns) or shape.traits.scheme == "same" or any(_matching(p) for p in spec.places)
+    by_color = bool(patterns) or shape.traits.scheme == "same" or any(_matching(p) for p in (*spec.places, *(x for a in spec.absolutes for x in a.adjuncts)))
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
     per = shape.extent("size", "high", "layers")
     equal = spec.manner("equal") is not None
@@ -71,7 +71,7 @@ def _source(
             names, _ = _new(traits, shape, count, per, by_color, scene)
             return Ref(names=names), per
     found = refer(source, scene, replace(scope, role="member", need_each=DEFAULT_HEIGHT))
-    return found, per
+    return certain(found, scene), per
 
 
 def _each(source: Noun, amount: int, shape: Structure, count: int | None, by_color: bool, scene: Scene) -> Ref:

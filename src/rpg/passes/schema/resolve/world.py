@@ -118,6 +118,7 @@ class Scene:
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
     speaks_of_rest: bool = False
+    spare: set[str] = field(default_factory=set)
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
 

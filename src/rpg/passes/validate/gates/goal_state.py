@@ -122,9 +122,9 @@ class GoalStateGate:
         measures = bench.measures
         return {
             "control_steps": measures.settle_steps + measures.hold_steps,
-            "margin": round(hold.margin, 3),
-            "drift_mm": round(hold.drift * 1000, 2),
-            "fall_mm": round(hold.fall * 1000, 2),
+            "margin": round(hold.margin, 2),
+            "drift_mm": round(hold.drift * 1000, 1),
+            "fall_mm": round(hold.fall * 1000, 1),
         }
 
 

@@ -64,7 +64,7 @@ class SmokeGate:
         return found, {
             "blocks": len(state.position),
             "control_steps": bench.measures.smoke_steps,
-            "moved_mm": round(moved * 1000, 3),
+            "moved_mm": round(moved * 1000, 1),
         }
 
     def _assets(self, bench: Bench, task: BlockTask) -> list[Diagnostic]:

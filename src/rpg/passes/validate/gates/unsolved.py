@@ -38,8 +38,8 @@ class _Starts:
             self.found.values(),
             resets=self.resets,
             solved=self.solved,
-            overlap_mm=round(self.overlap * 1000, 3),
-            speed_mm_s=round(self.speed * 1000, 2),
+            overlap_mm=round(self.overlap * 1000, 2),
+            speed_mm_s=round(self.speed * 1000, 1),
         )
 
 

@@ -53,6 +53,8 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     """Outlines, filled figures and letter shapes on the table."""
     _plain(shape)
     count = _count(shape, theme, scene)
+    if shape.kind == "rectangle" and shape.dims and shape.filled is not False and not spec.patterns and not spec.orders:
+        return _rectangle(shape, spec, theme, scene, scope)
     if shape.kind in ("square", "rectangle") and shape.filled is not False:
         square = shape.kind == "square" and count is not None and count % 4 and math.isqrt(count) ** 2 == count and count > 1
         if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
@@ -68,6 +70,15 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     node = s.Figure(
         blocks=names, shape=shape.kind, filled=filled, sides=sides, pointing=pointing, pattern=pattern, readable=readable, span=shape.span  # type: ignore[arg-type]
     )  # fmt: skip
+    return _made(shape.kind, node, names, shape.span, scene)
+
+
+def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a 2x3 rectangle": filled, and turned in any way, for it has no rows that would lie along y."""
+    sides = (shape.dims[0], shape.dims[1])
+    need = sides[0] * sides[1]
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    node = s.Figure(blocks=names, shape="rectangle", filled=True, sides=sides, span=shape.span)
     return _made(shape.kind, node, names, shape.span, scene)
 
 

@@ -21,7 +21,7 @@ def cubes(count: int, color: Color = "red") -> tuple[Asset, ...]:
 
 
 def symbols(labels: str) -> tuple[Asset, ...]:
-    return tuple(SemanticCube(name=f"symbol_{i}", label=label) for i, label in enumerate(labels))
+    return tuple(SemanticCube(name=f"symbol_{ord(label)}_{i}", label=label) for i, label in enumerate(labels))
 
 
 def of(assets: tuple[Asset, ...]) -> tuple[str, ...]:
@@ -109,8 +109,8 @@ CASES: tuple[tuple[tuple[Asset, ...], g.Goal], ...] = (
         ),
     ),
     (FOUR, g.All(goals=(g.On(a="orange_block", b="pink_block"), g.Always(goal=g.OnTable(a="white_block"))))),
-    (LETTERS[:1], g.Facing(block="symbol_0", label="A", turn=180.0)),
-    (LETTERS[:1], g.Facing(block="symbol_0", label="A", turn=0.0)),
+    (LETTERS[:1], g.Facing(block=LETTERS[0].name, label="A", turn=180.0)),
+    (LETTERS[:1], g.Facing(block=LETTERS[0].name, label="A", turn=0.0)),
     (SMALL_AND_BIG, g.On(a="red_block", b="blue_block")),
 )
 

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 from random import Random
 
-from rpg.blocks.arrange import arrange
+from rpg.blocks.arrange import CHANGES, arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.initial import sample_start
 from rpg.blocks.near_miss import near_misses
@@ -20,11 +20,12 @@ from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import Block, GoalPatch
 from rpg.ir.edits import key
 from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import atoms
 from rpg.steer.identity import Identity
 
 SIZE = 512
 """States in a bank."""
-ARRANGED, MISSED, STARTS, SHUFFLES = 5, 2, 32, 6
+ARRANGED, MISSED, STARTS, SHUFFLES = 4, 1, 16, 6
 """Per version: goal states arranged, those whose near-misses are taken, starts drawn; and per goal state, re-dealings
 of its places among its blocks."""
 
@@ -36,11 +37,15 @@ Pose = tuple[Vec3, Quat]
 
 @dataclass(frozen=True)
 class Sample:
-    """One state of the bank: where every object of either version is, how it began, and where it is from."""
+    """One state of the bank: where every object of either version is, how it began, and where it is from.
+
+    `known`: what one of the versions is known to say of it by construction.
+    """
 
     poses: dict[str, Pose]
     start: dict[str, Pose]
     source: str
+    known: dict[str, bool] = field(default_factory=dict)
 
 
 class Side:
@@ -51,11 +56,13 @@ class Side:
         self.label = label
         self.world = World(schema.assets)
         self.keys = {asset.name: key(asset) for asset in schema.assets if not isinstance(asset, GoalPatch)}
+        self.looks_back = any(atom.kind in CHANGES for atom in atoms(schema.goal))
 
     def state(self, sample: Sample, keys: Mapping[str, str] | None = None) -> BlockState:
         """`sample` as this version has it: its own blocks (those of `keys`), by its own names."""
         keys = self.keys if keys is None else keys
-        return self._only(sample.poses, keys, self._only(sample.start, keys, None))
+        start = self._only(sample.start, keys, None) if self.looks_back else None
+        return self._only(sample.poses, keys, start)
 
     def _only(self, poses: dict[str, Pose], keys: Mapping[str, str], start: BlockState | None) -> BlockState:
         return BlockState(
@@ -100,26 +107,31 @@ class Bank:
         self.old, self.new = Side(identity.old, "old"), Side(identity.new, "new")
         self.sizes = _sizes(identity)
         self.rng = Random(f"bank {seed}")
+        self.slots = _slots(1.5 * max(self.sizes.values()))
         self.starts = {side.label: _starts(side, STARTS) for side in (self.old, self.new)}
+        self.begun = {label: [self._complete(side, s) for s in self.starts[label]] for label, side in self._sides()}
         self.samples: list[Sample] = []
         self._fill()
 
+    def _sides(self) -> tuple[tuple[str, Side], ...]:
+        return ("old", self.old), ("new", self.new)
+
     def _fill(self) -> None:
-        goals = {side.label: self._goals(side) for side in (self.old, self.new)}
-        for side in (self.old, self.new):
-            for state in goals[side.label]:
-                self._add(side, state, "goal")
-            for state in goals[side.label][:MISSED]:
+        goals = {label: self._goals(side) for label, side in self._sides()}
+        for label, side in self._sides():
+            for state in goals[label]:
+                self._add(side, state, "goal", True)
+            for state in goals[label][:MISSED]:
                 for miss in near_misses(side.schema.goal, state, self.rng):
-                    self._add(side, miss.state, "near-miss")
-        for side in (self.old, self.new):
-            for state in self.starts[side.label]:
-                self._add(side, state, "start")
-            for state in goals[side.label]:
+                    self._add(side, miss.state, "near-miss", False)
+        for label, side in self._sides():
+            for start in self.begun[label]:
+                self.samples.append(Sample(start, start, f"{label} start"))
+            for state in goals[label]:
                 for dealt in self._dealt(state):
-                    self._add(side, dealt, "goal re-dealt")
+                    self._add(side, dealt, "goal re-dealt", None)
         while len(self.samples) < SIZE:
-            self.samples.append(self._random())
+            self.samples.append(self._random(tight=len(self.samples) % 2 == 0))
 
     def _goals(self, side: Side) -> list[BlockState]:
         start = self.starts[side.label][0]
@@ -138,50 +150,69 @@ class Bank:
             if {a for a, _ in pairs} == {b for _, b in pairs}:
                 yield state.moved({a: (state.position[b], state.orientation.get(b, IDENTITY)) for a, b in pairs})
 
-    def _add(self, side: Side, state: BlockState, source: str) -> None:
+    def _add(self, side: Side, state: BlockState, source: str, holds: bool | None) -> None:
         """Add a state of one version, with the other version's blocks somewhere on the table as well."""
+        known = {} if holds is None else {side.label: holds}
+        start = self.begun[side.label][0]
+        self.samples.append(Sample(self._complete(side, state), start, f"{side.label} {source}", known))
+
+    def _complete(self, side: Side, state: BlockState) -> dict[str, Pose]:
+        """A state of one version, with every block that it lacks at a free place flat on the table."""
         poses = side.poses(state)
-        begun = side.poses(state.start) if state.start is not None else poses
-        start = {**self._elsewhere(begun), **begun}
-        self.samples.append(Sample({**self._elsewhere(poses), **poses}, start, f"{side.label} {source}"))
-
-    def _elsewhere(self, poses: dict[str, Pose]) -> dict[str, Pose]:
-        """Free places flat on the table for every block that `poses` lacks."""
-        taken = [(position, self.sizes[k]) for k, (position, _) in poses.items()]
-        found: dict[str, Pose] = {}
-        for k in self.sizes:
-            if k not in poses:
-                position = self._free(taken, self.sizes[k])
-                taken.append((position, self.sizes[k]))
-                found[k] = (position, yaw_quat(self.rng.uniform(-math.pi, math.pi)))
-        return found
-
-    def _free(self, taken: list[tuple[Vec3, float]], size: float) -> Vec3:
-        spot = (0.0, 0.0)
-        for _ in range(60):
-            spot = (round(self.rng.uniform(*WORKSPACE_X), 4), round(self.rng.uniform(*WORKSPACE_Y), 4))
-            if all(math.dist(spot, other[:2]) > 0.75 * (size + edge) for other, edge in taken):
+        missing = [k for k in self.sizes if k not in poses]
+        if not missing:
+            return poses
+        taken = [(x, y) for (x, y, _), _ in poses.values()]
+        reach = (1.5 * max(self.sizes.values())) ** 2
+        enough = min(len(self.slots), 3 * len(missing) + 4 * len(taken))
+        for x, y in self.rng.sample(self.slots, enough):
+            if not missing:
                 break
-        return (*spot, TABLE_Z + size / 2)
+            if all((x - a) ** 2 + (y - b) ** 2 > reach for a, b in taken):
+                k = missing.pop()
+                poses[k] = ((x, y, TABLE_Z + self.sizes[k] / 2), yaw_quat(self.rng.uniform(-math.pi, math.pi)))
+        for index, k in enumerate(missing):
+            poses[k] = (self._aside(index, k), IDENTITY)
+        return poses
 
-    def _random(self) -> Sample:
-        """Blocks dealt into stacks of random heights at free places, square to the table."""
+    def _aside(self, index: int, k: str) -> Vec3:
+        """A place beyond the others, for blocks that find no room among them."""
+        return (WORKSPACE_X[1] + 0.2 * (index + 1), 0.0, TABLE_Z + self.sizes[k] / 2)
+
+    def _random(self, tight: bool) -> Sample:
+        """Blocks dealt into stacks of random heights, square to the table: close together, or at free places."""
         names = sorted(self.sizes)
         self.rng.shuffle(names)
         poses: dict[str, Pose] = {}
-        taken: list[tuple[Vec3, float]] = []
-        while names:
+        for x, y in self._near(len(names)) if tight else self.rng.sample(self.slots, min(len(names), len(self.slots))):
+            if not names:
+                break
             height = min(len(names), self.rng.choice((1, 1, 1, 2, 2, 3, 4)))
-            pile = sorted((names.pop() for _ in range(height)), key=lambda k: -self.sizes[k])
-            x, y, z = self._free(taken, self.sizes[pile[0]])
-            taken.append(((x, y, z), self.sizes[pile[0]]))
             z = TABLE_Z
-            for k in pile:
+            for k in sorted((names.pop() for _ in range(height)), key=lambda k: -self.sizes[k]):
                 poses[k] = ((x, y, round(z + self.sizes[k] / 2, 6)), IDENTITY)
                 z += self.sizes[k]
-        starts = self.starts["new"]
-        begun = self.new.poses(starts[self.rng.randrange(len(starts))])
-        return Sample(poses, {**self._elsewhere(begun), **begun}, "random layout")
+        for index, k in enumerate(names):
+            poses[k] = (self._aside(index, k), IDENTITY)
+        begun = self.begun["new"]
+        return Sample(poses, begun[self.rng.randrange(len(begun))], "random layout")
+
+    def _near(self, count: int) -> list[tuple[float, float]]:
+        """Places in a few rows around a point, in a random order of rows, at one pitch."""
+        pitch = max(self.sizes.values()) * self.rng.choice((1.02, 1.2, 1.6, 2.2))
+        columns = self.rng.randint(1, max(1, min(6, count)))
+        x, y = self.rng.uniform(0.45, 0.6), self.rng.uniform(-0.1, 0.15)
+        rows = -(-count // columns)
+        return [(round(x + i * pitch, 4), round(y - j * pitch, 4)) for i in range(rows) for j in range(columns)]
+
+
+def _slots(pitch: float) -> list[tuple[float, float]]:
+    """Places on the table that are clear of each other, some of them beside the workspace."""
+    return [
+        (round(WORKSPACE_X[0] + i * pitch, 4), round(1.6 * WORKSPACE_Y[0] + j * pitch, 4))
+        for i in range(math.floor((WORKSPACE_X[1] - WORKSPACE_X[0]) / pitch) + 1)
+        for j in range(math.floor(1.6 * (WORKSPACE_Y[1] - WORKSPACE_Y[0]) / pitch) + 1)
+    ]
 
 
 def _starts(side: Side, count: int) -> list[BlockState]:

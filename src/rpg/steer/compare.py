@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from rpg.blocks.evaluate import evaluate, settled
+from rpg.blocks.evaluate import satisfied, settled
 from rpg.blocks.state import BlockState
 from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.ir import goal as g
@@ -48,10 +48,13 @@ class Judge:
         self.choices = side.choices(other)
 
     def __call__(self, sample: Sample) -> bool:
+        known = sample.known.get(self.side.label)
+        if known is not None and (known or len(self.choices) == 1):
+            return known
         return any(self._holds(self.side.state(sample, keys)) for keys in self.choices)
 
     def _holds(self, state: BlockState) -> bool:
-        holds = any(evaluate(self.goal, rename_state(state, naming)).value for naming in self.namings)
+        holds = any(satisfied(self.goal, rename_state(state, naming)) for naming in self.namings)
         return holds and settled(state).value
 
 

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from typing import Literal
 
-from rpg.blocks.initial import sample_start
-from rpg.blocks.state import BlockState, World
+from rpg.blocks.state import BlockState
 from rpg.ir.base import Record
 from rpg.ir.schema import TaskSchema
-from rpg.steer.bank import Bank
+from rpg.steer.bank import STARTS, Bank
 from rpg.steer.compare import Comparison, Relation, Witness, compare
 from rpg.steer.diff import Diff, diff
 from rpg.steer.identity import Identity, look
 
-SEEDS = 16
-"""Seeds for which starts are compared."""
 Axis = Literal["S", "V", "B"]
 
 
@@ -59,7 +56,7 @@ def prove(old: TaskSchema, new: TaskSchema) -> tuple[Proof, tuple[Witness, ...]]
     changes = diff(identity)
     proof = Proof(
         diff=changes,
-        positions=_positions(identity),
+        positions=_positions(identity, bank),
         goals=_goals(found),
         axes=_axes(identity, changes, found.relation),
     )
@@ -76,21 +73,18 @@ def _goals(found: Comparison) -> Goals:
     )
 
 
-def _positions(identity: Identity) -> Positions:
-    """Draw both versions' starts for the same seeds and compare them to the bit."""
-    worlds = World(identity.old.assets), World(identity.new.assets)
+def _positions(identity: Identity, bank: Bank) -> Positions:
+    """Compare the starts that both versions draw for the same seeds, to the bit."""
     moved: set[str] = set()
     identical = 0
-    for seed in range(SEEDS):
-        before = sample_start(identity.old.init, worlds[0], seed)
-        after = sample_start(identity.new.init, worlds[1], seed)
+    for before, after in zip(bank.starts["old"], bank.starts["new"], strict=True):
         elsewhere = {k for k in identity.untouched if _pose(before, identity, k, old=True) != _pose(after, identity, k)}
         identical += not elsewhere
         moved |= elsewhere
     names = {k: identity.after[k].name for k in identity.untouched}
     return Positions(
         blocks=tuple(names.values()),
-        seeds=SEEDS,
+        seeds=STARTS,
         identical=identical,
         moved=tuple(names[k] for k in names if k in moved),
     )

@@ -60,7 +60,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         raise refuse("misplaced", "blocks and patches are listed together here", meaning.span, "name them in clauses of their own")
     names = tuple(dict.fromkeys(n for part in parts for n in part.names))
     built = tuple(b for part in parts for b in part.built)
-    single = all(len(part.names) == 1 for part in parts)
+    single = all(len(part.names) == 1 or part.listed for part in parts)
     return Ref(names=names, patch=parts[0].patch, built=built, op=meaning.op, parts=tuple(parts), plural=True, span=meaning.span, listed=single)
 
 

@@ -17,7 +17,7 @@ from rpg.blocks.scene import build_spec
 from rpg.blocks.state import BlockState, Vec3
 
 SUPERSAMPLING = 2
-"""Pictures are drawn this many times larger, and scaled down."""
+"""OpenGL draws pictures this many times larger, and they are scaled down."""
 MARGIN = 1.5
 """Degrees kept free between what must be seen and the picture's upper and lower edge."""
 
@@ -43,15 +43,13 @@ def pixels(state: BlockState, *, size: tuple[int, int], how: str | None = None) 
     model = spec.compile()
     physics = Physics(state.world, model)
     physics.write(state)
-    width, height = size[0] * SUPERSAMPLING, size[1] * SUPERSAMPLING
     if rays:
-        large = raycast.draw(model, physics.data, state.world, camera.NAME, width, height)
-    else:
-        canvas = opengl.Canvas(model, width, height)
-        try:
-            large = canvas.draw(physics.data, camera.NAME)
-        finally:
-            canvas.close()
+        return raycast.draw(model, physics.data, state.world, camera.NAME, *size)
+    canvas = opengl.Canvas(model, size[0] * SUPERSAMPLING, size[1] * SUPERSAMPLING)
+    try:
+        large = canvas.draw(physics.data, camera.NAME)
+    finally:
+        canvas.close()
     return np.asarray(Image.fromarray(large).resize(size, Image.Resampling.BOX))
 
 

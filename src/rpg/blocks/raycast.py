@@ -19,6 +19,9 @@ Floats = NDArray[np.float64]
 
 LAMP_DISTANCE = 6.0
 SKY_TOP, SKY_HORIZON = np.array([0.93, 0.95, 0.97]), np.array([0.80, 0.84, 0.88])
+OFFSETS = tuple((dx / 6, dy / 6) for dx in (-2, 0, 2) for dy in (-2, 0, 2))
+"""Where in a pixel on an edge the rays go, in pixels from its centre."""
+CONTRAST = 0.02
 BIAS = 1e-4
 """Shadow rays start from this far (m) in front of a surface."""
 
@@ -26,21 +29,52 @@ BIAS = 1e-4
 def draw(
     model: mujoco.MjModel, data: mujoco.MjData, world: World, camera: str, width: int, height: int
 ) -> NDArray[np.uint8]:
-    """What a camera sees of a textured scene: RGB pixels, top row first."""
+    """What a camera sees of a textured scene: RGB pixels, top row first. Pixels on edges get several rays each."""
+    y, x = (axis.ravel().astype(np.float64) for axis in np.indices((height, width)))
+    size = (width, height)
+    colour = _shade(model, data, world, camera, x, y, size)
+    rough = _rough(colour.reshape(height, width, 3)).ravel()
+    finer = [_shade(model, data, world, camera, x[rough] + dx, y[rough] + dy, size) for dx, dy in OFFSETS]
+    colour[rough] = np.mean(finer, axis=0)
+    return (np.clip(colour, 0.0, 1.0) * 255 + 0.5).astype(np.uint8).reshape(height, width, 3)
+
+
+def _rough(image: Floats) -> NDArray[np.bool_]:
+    """Pixels that differ from a neighbour."""
+    found = np.zeros(image.shape[:2], dtype=bool)
+    for axis in (0, 1):
+        step = np.abs(np.diff(image, axis=axis)).max(axis=2) > CONTRAST
+        low = [slice(None), slice(None)]
+        high = [slice(None), slice(None)]
+        low[axis], high[axis] = slice(None, -1), slice(1, None)
+        found[tuple(low)] |= step
+        found[tuple(high)] |= step
+    return found
+
+
+def _shade(
+    model: mujoco.MjModel,
+    data: mujoco.MjData,
+    world: World,
+    camera: str,
+    x: Floats,
+    y: Floats,
+    size: tuple[int, int],
+) -> Floats:
+    """Colours in [0, 1] of points of the picture, in pixels from the upper left corner's centre."""
     number = model.camera(camera).id
-    origin = np.array(data.cam_xpos[number])
-    rays = _rays(np.array(data.cam_xmat[number]).reshape(3, 3), model.cam_fovy[number], width, height)
+    origin, axes = np.array(data.cam_xpos[number]), np.array(data.cam_xmat[number]).reshape(3, 3)
+    rays = _rays(axes, model.cam_fovy[number], x, y, size)
     geom, distance, normal = _cast(model, data, origin, rays)
     hit = geom >= 0
-    points = origin + rays * np.where(hit, distance, 0.0)[:, None]
+    points, normal = origin + rays[hit] * distance[hit, None], normal[hit]
     colour = _sky(rays)
-    colour[hit] = _surface(model, data, world, geom[hit], points[hit])
-    lamp = points[hit] + normal[hit] * BIAS
-    lit = _lit(model, data, lamp)
-    facing = np.clip(-(normal[hit] @ _unit(np.array(LAMP_DIRECTION))), 0.0, 1.0) * lit
-    head = np.clip(normal[hit] @ np.array(data.cam_xmat[number]).reshape(3, 3)[:, 2], 0.0, 1.0)
-    colour[hit] *= (AMBIENT + HEADLIGHT * head + LAMP * facing)[:, None]
-    return (np.clip(colour, 0.0, 1.0) * 255 + 0.5).astype(np.uint8).reshape(height, width, 3)
+    surface = _surface(model, data, world, geom[hit], points)
+    lit = _lit(model, data, points + normal * BIAS)
+    lamp = np.clip(-(normal @ _unit(np.array(LAMP_DIRECTION))), 0.0, 1.0) * lit
+    head = np.clip(normal @ axes[:, 2], 0.0, 1.0)
+    colour[hit] = surface * (AMBIENT + HEADLIGHT * head + LAMP * lamp)[:, None]
+    return np.clip(colour, 0.0, 1.0)
 
 
 def _unit(vector: Floats) -> Floats:
@@ -49,13 +83,11 @@ def _unit(vector: Floats) -> Floats:
     return unit
 
 
-def _rays(axes: Floats, fovy: float, width: int, height: int) -> Floats:
-    """Unit directions through the middle of every pixel, row by row."""
-    reach = math.tan(math.radians(fovy) / 2)
-    x = (np.arange(width) + 0.5 - width / 2) / (height / 2) * reach
-    y = (height / 2 - np.arange(height) - 0.5) / (height / 2) * reach
-    grid = np.stack([*np.meshgrid(x, y), np.full((height, width), -1.0)], axis=-1).reshape(-1, 3)
-    turned: Floats = grid @ axes.T
+def _rays(axes: Floats, fovy: float, x: Floats, y: Floats, size: tuple[int, int]) -> Floats:
+    """Unit directions through points of the picture."""
+    scale = math.tan(math.radians(fovy) / 2) / (size[1] / 2)
+    across, up = (x + 0.5 - size[0] / 2) * scale, (size[1] / 2 - y - 0.5) * scale
+    turned: Floats = np.stack([across, up, np.full_like(x, -1.0)], axis=-1) @ axes.T
     return _unit(turned)
 
 

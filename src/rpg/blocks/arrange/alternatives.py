@@ -24,6 +24,7 @@ from rpg.ir.relations import (
     OnTable,
     RightOf,
     Stayed,
+    Touching,
 )
 from rpg.ir.walk import instances
 
@@ -62,6 +63,9 @@ def alternatives(goal: g.Goal, world: World, wanted: bool = True) -> Iterator[Co
             yield from _count(goal, world, wanted)
         case On() if wanted:
             yield from _pairings(goal)
+        case Touching() if wanted:
+            yield (Literal(goal),)
+            yield from _stacked(goal)
         case Between() if wanted:
             yield (Literal(goal),)
             yield from _sandwiched(goal, world)
@@ -162,6 +166,14 @@ def _spoilt(atom: Clear | Empty | OnTable, world: World) -> Iterator[Conjunction
     for name in members(atom.a):
         pairs = (((name,), (other,)) if isinstance(atom, OnTable) else ((other,), (name,)) for other in world.blocks)
         yield from ((Literal(On(a=a, b=b)),) for a, b in pairs if a != b)
+
+
+def _stacked(touching: Touching) -> Iterator[Conjunction]:
+    """Touching by lying one on the other."""
+    a, b = touching.a, touching.b
+    if not any(isinstance(end, Lowest | Highest) or len(end) > 1 for end in (a, b)):
+        yield Literal(touching), Literal(On(a=a, b=b))
+        yield Literal(touching), Literal(On(a=b, b=a))
 
 
 def _sandwiched(between: Between, world: World) -> Iterator[Conjunction]:

@@ -32,6 +32,8 @@ STRUCTURES = frozenset(
 OPEN = STRUCTURES | {"clear", "empty", "facing"}
 """Atoms that other blocks can break: judged again whenever something is placed."""
 
+TIGHT = {"touching": 5, "adjacent": 3, "distance": 3, "beside": 2}
+"""How much conditions on a place press for it to be taken before others."""
 WIDTH = 6
 """Candidates that are followed at each piece."""
 PROPOSALS = 24
@@ -164,8 +166,8 @@ class Search:
     def _urgency(self, piece: Piece) -> tuple[bool, int, int, int]:
         """Fixed pieces come first, then those that complete most conditions, then the most bound and the largest."""
         wanted = [r for r in self.touching[id(piece)] if r.holds and r.per_place]
-        anchored = sum(all(n in self.position or n in piece.position for n in r.blocks) for r in wanted)
-        return piece.fixed, anchored, len(wanted), len(piece.position)
+        ready = [r for r in wanted if all(n in self.position or n in piece.position for n in r.blocks)]
+        return piece.fixed, _tightness(ready), _tightness(wanted), len(piece.position)
 
     def _put(self, piece: Piece, origin: Origin) -> None:
         self.origins[id(piece)] = origin
@@ -291,6 +293,10 @@ class Search:
             position[name] = (round(x, 4), round(y, 4), round(z, 6))
         orientation = {name: _rounded(self.state.orientation[name]) for name in self.world.blocks}
         return BlockState(self.world, position, orientation, start=self.state.start)
+
+
+def _tightness(rules: list[Rule]) -> int:
+    return sum(TIGHT.get(rule.atom.kind, 1) for rule in rules)
 
 
 def _rounded(quat: Quat) -> Quat:

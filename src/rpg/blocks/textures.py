@@ -99,8 +99,7 @@ def _draw_symbol(draw: ImageDraw.ImageDraw, symbol: str, side: int, ink: tuple[i
 
 def face_pixels(block: Block, face: Face) -> NDArray[np.uint8]:
     """RGB pixels of an upright face, row 0 at the glyph's top."""
-    symbol = block.symbol(face) if isinstance(block, SemanticCube) else ""
-    return np.asarray(face_image(symbol, block.color))
+    return np.asarray(face_image(_symbol(block, face), block.color))
 
 
 def cube_files(block: Block) -> dict[str, bytes]:
@@ -109,15 +108,24 @@ def cube_files(block: Block) -> dict[str, bytes]:
     for face in CUBE_FACES:
         name = face_file(block, face)
         if name not in files:
-            turned = np.rot90(face_pixels(block, face), QUARTER_TURNS[face])
+            turned = np.rot90(face_pixels(block, face), _turns(block, face))
             buffer = io.BytesIO()
-            Image.fromarray(np.ascontiguousarray(turned)).save(buffer, "PNG")
+            Image.fromarray(np.ascontiguousarray(turned)).save(buffer, "PNG", compress_level=1)
             files[name] = buffer.getvalue()
     return files
 
 
 def face_file(block: Block, face: Face) -> str:
     """Name of the PNG file with the picture of a face, turned as the cube texture needs it."""
-    symbol = block.symbol(face) if isinstance(block, SemanticCube) else ""
+    symbol = _symbol(block, face)
     shown = {"+": "plus", "-": "minus", "*": "times", "/": "divide", "=": "equals", "": "plain"}.get(symbol, symbol)
-    return f"{block.color}_{shown}_{QUARTER_TURNS[face]}.png"
+    return f"{block.color}_{shown}_{_turns(block, face)}.png"
+
+
+def _symbol(block: Block, face: Face) -> str:
+    return block.symbol(face) if isinstance(block, SemanticCube) else ""
+
+
+def _turns(block: Block, face: Face) -> int:
+    """Quarter turns of a face's picture; a blank face looks the same however it is turned."""
+    return QUARTER_TURNS[face] % 4 if _symbol(block, face) else 0

@@ -57,11 +57,20 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
             yield Coord(op="xor", items=whole, span=p.span(i, k)), k
         if joined:
-            yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=2 if now == "then" else 0), j
+            cost = 2 if now == "then" or _shares_head(items[-1], item) else 0
+            yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from _list(p, i, whole, j, now)
         else:
             yield Coord(op="and", items=whole, span=p.span(i, j), cost=1), j
             yield from _list(p, i, whole, j, op or "comma")
+
+
+def _shares_head(before: Meaning, item: Meaning) -> bool:
+    """ "the red and blue blocks": the plural noun stands for both, it is not "the red one and several blue blocks"."""
+    if not (isinstance(before, Noun) and isinstance(item, Noun)):
+        return False
+    bare = item.det == "bare" and item.plural and item.amount is None and item.head != "any" and item.traits.colors
+    return bool(bare and before.head == "any" and before.traits.colors)
 
 
 @rule
@@ -207,6 +216,8 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     if j > start and (marks.get("colors") or marks.get("size") or ranked or marks.get("edge")):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")
+        if several and _list_goes_on(p, j):
+            return
         yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1 if several else 0)
     counted = quantity.amount is not None and quantity.det in ("the", "bare", "other", "another", "both", "some")
     if counted and quantity.det == "bare" and start > i and p.tokens[start - 1].kind == "number":
@@ -221,6 +232,12 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
                 continue
             if held is not None and (len(labels) == 1 or quantity.det != "a"):
                 yield from _finish(p, i, k, quantity, "block", len(labels) > 1, held, cost=2 if digit else 1)
+
+
+def _list_goes_on(p: Parser, j: int) -> bool:
+    """Whether a list of colours continues behind j."""
+    k = p.opt(p.opt(j, ","), "and", "or", "&")
+    return k > j and k < p.end and p.words[k] in lexicon.COLOR
 
 
 def _goes_on(p: Parser, k: int) -> bool:

@@ -13,10 +13,10 @@ from PIL import Image
 from rpg.blocks import camera, opengl
 from rpg.blocks.initial import sample_start
 from rpg.blocks.picture import draw, pixels
-from rpg.blocks.scene import build_spec
+from rpg.blocks.scene import LOOK, build_spec
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.textures import RGB, face_image
-from rpg.ir.assets import ColoredCube, GoalPatch, SemanticCube
+from rpg.ir.assets import ColoredCube, Faces, GoalPatch, SemanticCube
 from rpg.ir.schema import InitialState
 from tests.scene.builders import about, at, lettered, plain, tower
 
@@ -96,6 +96,14 @@ def test_a_textured_scene_survives_being_saved_and_loaded() -> None:
     again = mujoco.MjModel.from_xml_string(xml, files)
     assert again.ntex == spec.compile().ntex
     assert again.body("A_block").mass[0] == pytest.approx(600 * 0.04**3)
+
+
+def test_cubes_with_the_same_letters_on_other_faces_look_different() -> None:
+    one = SemanticCube(name="one", labels=Faces(top="A", bottom="B", front="B", back="B", left="B", right="B"))
+    other = SemanticCube(name="other", labels=Faces(top="A", bottom="A", front="B", back="B", left="B", right="B"))
+    model = build_spec([one, other], textures=True).compile()
+    materials = {int(model.geom(name + LOOK).matid[0]) for name in ("one", "other")}
+    assert len(materials) == 2
 
 
 def test_the_camera_looks_along_x_and_down() -> None:

@@ -160,7 +160,8 @@ def _add_block(spec: mujoco.MjSpec, block: Block, textures: bool) -> None:
 def _material(spec: mujoco.MjSpec, block: Block) -> str:
     """The block's material, added when it is the first of its look."""
     files = [face_file(block, face) for face in CUBE_FACES]
-    name = "cube_" + "_".join(dict.fromkeys(file.rsplit("_", 1)[0] for file in files))
+    shown = [file.rsplit("_", 1)[0] for file in files]
+    name = "cube_" + "_".join(shown if len(set(shown)) > 1 else shown[:1])
     if spec.texture(name) is None:
         spec.assets.update(cube_files(block))
         spec.add_texture(name=name, type=mujoco.mjtTexture.mjTEXTURE_CUBE, cubefiles=files)

@@ -8,14 +8,15 @@ from random import Random
 
 from rpg.blocks.arrange.alternatives import alternatives
 from rpg.blocks.arrange.bounds import Contradiction
-from rpg.blocks.arrange.fit import oversize
+from rpg.blocks.arrange.fit import most_that_fit, oversize
 from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.english import clause
-from rpg.blocks.nouns import bare
+from rpg.blocks.nouns import bare, number
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.core.diagnostics import Diagnostic, Label, Refusal
 from rpg.ir import goal as g
+from rpg.ir.structures import Row
 from rpg.ir.walk import atoms, children
 
 MOST_CHECKS = 40
@@ -96,7 +97,7 @@ def _diagnostic(parts: list[g.Goal], world: World, start: BlockState | None) -> 
             origin="arrange",
         )
     if reason is not None:
-        return _does_not_fit(reason, texts, span, labels)
+        return _does_not_fit(reason, texts, span, labels, world)
     return Diagnostic(
         code="goal-contradiction",
         message=_contradiction(texts),
@@ -124,8 +125,17 @@ def _contradiction(texts: list[str]) -> str:
     return f"{', and '.join(texts)}: these cannot hold together"
 
 
+def _what_fits(reason: Contradiction, world: World) -> str:
+    """How many blocks of a row would fit; for other structures, what to change."""
+    rows = [atom for atom in reason.atoms if isinstance(atom, Row)]
+    count = most_that_fit(rows[0], world) if len(rows) == len(reason.atoms) == 1 else 0
+    if count < 2:
+        return "use fewer or smaller blocks, or closer spacing"
+    return f"a row of {number(count)} such blocks fits"
+
+
 def _does_not_fit(
-    reason: Contradiction, texts: list[str], span: tuple[int, int] | None, labels: tuple[Label, ...]
+    reason: Contradiction, texts: list[str], span: tuple[int, int] | None, labels: tuple[Label, ...], world: World
 ) -> Diagnostic:
     needed, available = round(reason.needed or 0.0, 3), round(reason.available, 3)
     what = f"this takes {needed * 100:g} cm {AXES[reason.axis]}, and the workspace has {available * 100:g} cm"
@@ -134,7 +144,7 @@ def _does_not_fit(
         message=f"{what}: {'; '.join(texts)}" if texts else what,
         span=span,
         labels=labels,
-        hint="use fewer or smaller blocks, or closer spacing",
+        hint=_what_fits(reason, world),
         facts={"needed_m": needed, "available_m": available, "axis": "xy"[reason.axis]},
         origin="arrange",
     )

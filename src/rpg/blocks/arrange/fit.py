@@ -13,6 +13,7 @@ from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import World
 from rpg.ir import goal as g
 from rpg.ir.assets import GoalPatch
+from rpg.ir.order import Order
 from rpg.ir.structures import Row
 
 SHRUNK = (0.75, 0.5, 0.25)
@@ -57,6 +58,15 @@ def _long_row(row: Row, world: World) -> Contradiction | None:
     axis = 0 if row.axis == "x" else 1
     needed = _side_by_side(row, world)
     return Contradiction((row,), axis, needed, LENGTHS[axis]) if needed > LENGTHS[axis] else None
+
+
+def most_that_fit(row: Row, world: World) -> int:
+    """How many of a row's blocks would still stand side by side within the workspace."""
+    for count in range(len(row.blocks) - 1, 1, -1):
+        shorter = row.model_copy(update={"blocks": row.blocks[:count], "order": Order()})
+        if next(PREDICATES["row"].build(shorter, world, Random(0)), None) is not None:
+            return count
+    return 0
 
 
 def _side_by_side(row: Row, world: World) -> float:

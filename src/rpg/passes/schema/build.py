@@ -76,14 +76,16 @@ def _same(a: TaskSchema, b: TaskSchema) -> bool:
 
 def _bare(schema: TaskSchema) -> str:
     data = schema.model_dump(exclude={"name", "assumptions", "paraphrases"}, mode="json")
-    return repr(_unspanned(data))
+    return repr(_unspanned(data, len(schema.blocks)))
 
 
-def _unspanned(data: object) -> object:
+def _unspanned(data: object, blocks: int) -> object:
+    """Without spans, and without "exact" for a stack of every block there is: nothing else could be in it."""
     if isinstance(data, dict):
-        return {k: _unspanned(v) for k, v in data.items() if k != "span"}
+        whole = data.get("kind") == "stack" and len(data["blocks"]) == blocks
+        return {k: _unspanned(v, blocks) for k, v in data.items() if k != "span" and not (whole and k == "exact")}
     if isinstance(data, list):
-        return [_unspanned(v) for v in data]
+        return [_unspanned(v, blocks) for v in data]
     return data
 
 

@@ -64,7 +64,7 @@ def remove(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in (*REMOVE, "without", "no more", "no"):
         if j := p.seq(i, phrase):
             for theme, k in things(p, j):
-                end = longest(p, k, ("away", "out", "off", "again")) or k
+                end = longest(p, k, "away | out | off | again") or k
                 if from_ := longest(p, end, ("from", "out of", "off")):
                     for whole, stop in simple(p, from_):
                         if isinstance(whole, m.Structure | m.Pronoun | m.TableTop):

@@ -34,7 +34,9 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield from _to(p, i, j, theme)
         yield from _by(p, i, j, theme)
     if j := longest(
-        p, i, ("use", "with", "have", "only use", "use only", "just use", "make it with", "build it with", "do it with")
+        p,
+        i,
+        "use | with | have | only use | use only | just use | make it with | build it with | do it with",
     ):
         j = p.opt(j, "only", "just")
         for n, k in count(p, j):
@@ -50,10 +52,10 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
     """Phrases such as "make the tower", "it should be", "change the number of blocks to"."""
-    if j := longest(p, i, ("make", "have", "build", "let", "change", "extend", "turn")):
+    if j := longest(p, i, "make | have | build | let | change | extend | turn"):
         for theme, k in simple(p, j):
             if isinstance(theme, m.Structure | m.Pronoun):
-                yield theme, longest(p, k, ("to be", "to", "be", "into", "out of", "from", "with")) or k
+                yield theme, longest(p, k, "to be | to | be | into | out of | from | with") or k
         for phrase in (
             "the number of blocks",
             "the number of cubes",
@@ -64,11 +66,11 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
         ):
             if (k := p.seq(j, phrase)) and (end := longest(p, k, ("to", "be"))):
                 yield None, end
-        if k := longest(p, j, ("the base", "its base", "the bottom layer", "the square", "the sides")):
-            yield None, longest(p, k, ("to be", "to", "be", "into")) or k
+        if k := longest(p, j, "the base | its base | the bottom layer | the square | the sides"):
+            yield None, longest(p, k, "to be | to | be | into") or k
     for theme, k in simple(p, i):
         if isinstance(theme, m.Structure | m.Pronoun) and (
-            end := longest(p, k, ("should be", "must be", "should have", "needs to be", "has", "must have"))
+            end := longest(p, k, "should be | must be | should have | needs to be | has | must have")
         ):
             yield theme, end
 
@@ -77,7 +79,7 @@ def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
     for n, k in count(p, j):
         for units, what in ((_TALL, "height"), (_LONG, "length"), (_BLOCKS, "blocks")):
             if end := longest(p, k, units):
-                end = _instead_of(p, longest(p, end, ("tall", "high", "long", "wide")) or end)
+                end = _instead_of(p, longest(p, end, "tall | high | long | wide") or end)
                 yield r.Recount(theme=theme, amount=n, what=what, span=p.span(i, end)), end
     start = longest(p, j, ("a", "an")) or j
     for dims, k in dimensions(p, start):
@@ -85,7 +87,7 @@ def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
             longest(
                 p,
                 k,
-                ("square", "grid", "base", "cube", "wall", "rectangle", "pyramid", "one", "at the base", "block base"),
+                "square | grid | base | cube | wall | rectangle | pyramid | one | at the base | block base",
             )
             or k
         )
@@ -93,11 +95,18 @@ def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
 
 
 def _by(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
-    start = longest(p, j, ("one block", "a block", "one level", "a level", "one layer", "a layer", "one step")) or j
+    start = (
+        longest(
+            p,
+            j,
+            "one block | a block | one level | a level | one layer | a layer | one step",
+        )
+        or j
+    )
     amount = 1
     if start == j:
         for n, k in count(p, j):
-            start, amount = longest(p, k, ("blocks", "levels", "layers", "cubes", "steps", "block")) or k, n
+            start, amount = longest(p, k, "blocks | levels | layers | cubes | steps | block") or k, n
     word = p.words[start] if start < p.end else ""
     if word in _MORE and (start > j or word not in ("bigger", "smaller")):
         for n, end in _by_so_many(p, start + 1):
@@ -107,7 +116,7 @@ def _by(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
 def _by_so_many(p: Parser, i: int) -> Iterator[tuple[int, int]]:
     if j := p.one(i, "by"):
         for n, k in count(p, j):
-            yield n, longest(p, k, ("blocks", "block", "levels", "cubes", "level", "layers", "layer", "more")) or k
+            yield n, longest(p, k, "blocks | block | levels | cubes | level | layers | layer | more") or k
         return
     yield 1, i
 
@@ -169,14 +178,8 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 longest(
                     p,
                     k,
-                    (
-                        "between the blocks",
-                        "between them",
-                        "between blocks",
-                        "between neighbors",
-                        "between neighbours",
-                        "of the row",
-                    ),
+                    "between the blocks | between them | between blocks | between neighbors | between "
+                    "neighbours | of the row",
                 )
                 or k
             )
@@ -184,44 +187,21 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if j := longest(
         p,
         i,
-        (
-            "be more precise",
-            "be stricter",
-            "make it stricter",
-            "make it more precise",
-            "be more exact",
-            "make it tighter",
-            "make it harder",
-        ),
+        "be more precise | be stricter | make it stricter | make it more precise | be more "
+        "exact | make it tighter | make it harder",
     ):
         yield r.Loosen(what="tolerance", factor=0.5, span=p.span(i, j)), j
     if j := longest(
         p,
         i,
-        (
-            "be less strict",
-            "be more lenient",
-            "make it looser",
-            "make it less strict",
-            "be less precise",
-            "make it more lenient",
-            "be more forgiving",
-            "make it easier",
-        ),
+        "be less strict | be more lenient | make it looser | make it less strict | be less "
+        "precise | make it more lenient | be more forgiving | make it easier",
     ):
         yield r.Loosen(what="tolerance", factor=2.0, span=p.span(i, j)), j
     if j := longest(
         p,
         i,
-        (
-            "to within",
-            "within",
-            "with a tolerance of",
-            "allow a tolerance of",
-            "with tolerance",
-            "allow an error of",
-            "allow",
-        ),
+        "to within | within | with a tolerance of | allow a tolerance of | with tolerance | allow an error of | allow",
     ):
         for metres, k in length(p, j):
             yield r.Loosen(what="tolerance", value=metres, span=p.span(i, k), cost=1), k
@@ -239,7 +219,7 @@ _APART = {
 
 def _valued(p: Parser, i: int, k: int, what: str, factor: float) -> Iterator[tuple[r.Request, int]]:
     """A new value, or a factor where none is given."""
-    if n := longest(p, k, ("to", "of", "be", "at", "a")):
+    if n := longest(p, k, "to | of | be | at | a"):
         for metres, end in length(p, n):
             yield r.Loosen(what=what, value=metres, span=p.span(i, end)), end
     for phrase, change in _CHANGES.items():
@@ -259,10 +239,14 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if j := longest(
         p,
         i,
-        ("space", "spread", "move", "put", "place", "make", "keep", "set", "bring", "push", "leave", "have", "arrange"),
+        "space | spread | move | put | place | make | keep | set | bring | push | leave | have | arrange",
     ):
         starts += [j, *(k for _, k in simple(p, j))]
-    if j := longest(p, i, ("they should be", "the blocks should be", "they must be", "with", "leave", "they are")):
+    if j := longest(
+        p,
+        i,
+        "they should be | the blocks should be | they must be | with | leave | they are",
+    ):
         starts.append(j)
     for start in starts:
         start = p.opt(start, "out")
@@ -272,30 +256,15 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if k := longest(
             p,
             start,
-            (
-                "evenly",
-                "equally",
-                "evenly spaced",
-                "equally spaced",
-                "at equal distances",
-                "with equal gaps",
-                "evenly apart",
-                "evenly spaced out",
-            ),
+            "evenly | equally | evenly spaced | equally spaced | at equal distances | with equal "
+            "gaps | evenly apart | evenly spaced out",
         ):
             yield r.Loosen(what="even", span=p.span(i, k)), k
         if k := longest(
             p,
             start,
-            (
-                "touching",
-                "touching each other",
-                "without gaps",
-                "with no gaps",
-                "with no gaps between them",
-                "so that they touch",
-                "touch each other",
-            ),
+            "touching | touching each other | without gaps | with no gaps | with no gaps between "
+            "them | so that they touch | touch each other",
         ):
             yield r.Loosen(what="touching", span=p.span(i, k)), k
         for low, high, what, k in _apart(p, start):
@@ -306,15 +275,17 @@ def _apart(p: Parser, i: int) -> Iterator[tuple[float | None, float | None, str,
     """Phrases such as "6 cm apart", "with gaps of 2 cm"."""
     for (low, high), j in bounds(p, i):
         if k := longest(
-            p, j, ("apart", "apart from each other", "from each other", "between centers", "between centres")
+            p,
+            j,
+            "apart | apart from each other | from each other | between centers | between centres",
         ):
             yield low, high, "spacing", k
         if k := longest(
             p,
             j,
-            ("gaps", "gap", "between them", "between the blocks", "of space between them", "of space", "between each"),
+            "gaps | gap | between them | between the blocks | of space between them | of space | between each",
         ):
             yield low, high, "gap", k
-    if j := longest(p, i, ("with gaps of", "with a gap of", "gaps of", "a gap of", "leaving a gap of")):
+    if j := longest(p, i, "with gaps of | with a gap of | gaps of | a gap of | leaving a gap of"):
         for (low, high), k in bounds(p, j):
             yield low, high, "gap", longest(p, k, ("between them", "between the blocks", "between each")) or k

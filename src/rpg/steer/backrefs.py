@@ -108,12 +108,14 @@ def _undo(p: Parser, i: int) -> Iterator[tuple[Reference, int]]:
 
 
 def _times(p: Parser, i: int) -> Iterator[tuple[int, int]]:
-    if j := longest(p, i, ("twice", "two times", "both", "again and again")):
+    if j := longest(p, i, "twice | two times | both | again and again"):
         yield 2, j
     if j := longest(p, i, ("the last", "my last", "the previous")) or i:
         for n, k in count(p, j):
             if end := longest(
-                p, k, ("times", "steps", "changes", "edits", "versions", "step", "change", "edit", "version", "turns")
+                p,
+                k,
+                "times | steps | changes | edits | versions | step | change | edit | version | turns",
             ):
                 yield n, longest(p, end, ("back", "ago")) or end
     yield 1, i
@@ -145,16 +147,7 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
         if end := longest(
             p,
             k,
-            (
-                "versions ago",
-                "steps back",
-                "versions back",
-                "steps ago",
-                "edits ago",
-                "changes ago",
-                "version ago",
-                "step back",
-            ),
+            "versions ago | steps back | versions back | steps ago | edits ago | changes ago | version ago | step back",
         ):
             yield Reference(span=p.span(i, end), steps=n), end
     yield from _before(p, i, j)
@@ -166,17 +159,16 @@ def _before(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:
     k = longest(
         p,
         j,
-        phrases(
-            "before i added | before we added | before adding | the version before i added | before you added | "
-            "the version before adding | the one before i added | the one without | the version without | when "
-            "there was no | before there was | when there were no"
-        ),
+        "before i added | before we added | before adding | the version before i added | "
+        "before you added | the version before adding | the one before i added | the one "
+        "without | the version without | when there was no | before there was | when there "
+        "were no",
     )
     for phrase, end in noun_phrase(p, k) if k else ():
         yield Reference(span=p.span(i, end), description=(phrase,), without=True), end
     if k := p.one(j, "before"):
         for phrase, end in noun_phrase(p, k):
-            if stop := longest(p, end, ("was added", "were added", "came in", "was there", "got added")):
+            if stop := longest(p, end, "was added | were added | came in | was there | got added"):
                 yield Reference(span=p.span(i, stop), description=(phrase,), without=True), stop
 
 
@@ -184,7 +176,7 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
     """Phrases such as "when it was just red and blue", "the letter version", "the version with the purple block"."""
     for phrase in _WHEN:
         if k := p.seq(j, phrase):
-            n = longest(p, k, ("just", "only", "simply", "still just", "still only")) or k
+            n = longest(p, k, "just | only | simply | still just | still only") or k
             for (listed, _), end in colors(p, n):
                 yield (
                     Reference(span=p.span(i, end), marks=(m.Traits(colors=listed),), only=n > k),
@@ -196,18 +188,8 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
         longest(
             p,
             j,
-            (
-                "the earlier",
-                "the previous",
-                "the old",
-                "the last",
-                "the first",
-                "an earlier",
-                "that",
-                "our",
-                "the original",
-                "my earlier",
-            ),
+            "the earlier | the previous | the old | the last | the first | an earlier | that | "
+            "our | the original | my earlier",
         )
         or p.one(j, "the")
         or 0
@@ -223,17 +205,7 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
             n := longest(
                 p,
                 k,
-                (
-                    "with",
-                    "that had",
-                    "that has",
-                    "which had",
-                    "where it was",
-                    "where there was",
-                    "of",
-                    "using",
-                    "that used",
-                ),
+                "with | that had | that has | which had | where it was | where there was | of | using | that used",
             )
         ):
             n = longest(p, n, ("just", "only")) or n

@@ -23,7 +23,9 @@ def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             continue
         for theme, k in _themes(p, j):
             n = longest(
-                p, k, ("back to", "to be", "back into", "into", "to", "as", "in", "be", "become", "for", "with")
+                p,
+                k,
+                "back to | to be | back into | into | to | as | in | be | become | for | with",
             )
             linked = bool(n)
             for found, end in _becomes(p, i, n or k, theme):
@@ -33,17 +35,8 @@ def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if n := longest(
             p,
             k,
-            (
-                "should become",
-                "should be",
-                "must be",
-                "becomes",
-                "is now",
-                "are now",
-                "should all be",
-                "need to be",
-                "needs to be",
-            ),
+            "should become | should be | must be | becomes | is now | are now | should all be | "
+            "need to be | needs to be",
         ):
             yield from _becomes(p, i, n, theme, cost=1)
 
@@ -68,9 +61,7 @@ def _themes(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
         if j := p.seq(i, phrase):
             yield from noun_phrase(p, j)
     for theme, j in noun_phrase(p, i):
-        if (k := p.one(j, "'s")) and (
-            end := longest(p, k, ("color", "colour", "letter", "label", "size", "number", "symbol"))
-        ):
+        if (k := p.one(j, "'s")) and (end := longest(p, k, "color | colour | letter | label | size | number | symbol")):
             yield theme, end
 
 
@@ -81,9 +72,7 @@ def _becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) 
     for marks, k in adjectives(p, start):
         if marks and not set(marks) & {"rank", "extra", "target", "matching", "empty", "shape", "long"}:
             yield r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost), k
-    for (labels, _), k in label_list(
-        p, longest(p, n, ("the letter", "the number", "letter", "number", "a", "an")) or n, True
-    ):
+    for (labels, _), k in label_list(p, longest(p, n, "the letter | the number | letter | number | a | an") or n, True):
         yield r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, k), cost=cost + 1), k
     text = literal(p, n)
     if text is not None and len(text) > 1 and isinstance(theme, m.Structure | m.Pronoun):
@@ -132,7 +121,11 @@ def arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in _FORM:
         j = p.seq(i, phrase)
         for theme, k in noun_phrase(p, j) if j else ():
-            n = longest(p, k, ("so that they form", "in the shape of", "in", "into", "as", "to form", "up as", "up in"))
+            n = longest(
+                p,
+                k,
+                "so that they form | in the shape of | in | into | as | to form | up as | up in",
+            )
             for shape, end in noun_phrase(p, n) if n else ():
                 if isinstance(shape, m.Structure) and not isinstance(theme, m.Structure) and not fresh(theme):
                     yield r.Reshape(structure=shape, theme=theme, span=p.span(i, end)), end
@@ -178,9 +171,7 @@ def paint(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if j := p.one(i, frozenset({"relabel", "label", "rename"})):
         for theme, k in noun_phrase(p, j):
             k = longest(p, k, ("as", "to", "with")) or k
-            for (labels, _), end in label_list(
-                p, longest(p, k, ("the letter", "letter", "number", "a", "an")) or k, True
-            ):
+            for (labels, _), end in label_list(p, longest(p, k, "the letter | letter | number | a | an") or k, True):
                 yield r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, end)), end
 
 

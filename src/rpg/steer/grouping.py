@@ -37,11 +37,18 @@ def mixture(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for verb in ("change", "turn", "make", "convert", "switch", "transform"):
         if j := p.seq(i, verb):
             for theme, k in noun_phrase(p, j):
-                starts.append((theme, longest(p, k, ("to", "into", "be", "to be")) or k))
-    if j := longest(p, i, ("use", "take", "with", "mix in", "have")):
+                starts.append((theme, longest(p, k, "to | into | be | to be") or k))
+    if j := longest(p, i, "use | take | with | mix in | have"):
         starts.append((None, j))
     for about, j in starts:
-        start = longest(p, j, ("a mix of", "a mixture of", "mixed", "a combination of", "a mixed set of", "some")) or j
+        start = (
+            longest(
+                p,
+                j,
+                "a mix of | a mixture of | mixed | a combination of | a mixed set of | some",
+            )
+            or j
+        )
         kinds, k = _kinds(p, start)
         if len(kinds) > 1:
             yield r.Kinds(kinds=kinds, theme=about, span=p.span(i, k)), k
@@ -54,10 +61,17 @@ def _kinds(p: Parser, i: int) -> tuple[tuple[str, ...], int]:
     while at < p.end and p.words[at] in KINDS:
         found.append(KINDS[p.words[at]])
         end = p.reach(at + 1)
-        end = longest(p, end, ("blocks", "cubes", "block", "cube", "ones")) or end
+        end = longest(p, end, "blocks | cubes | block | cube | ones") or end
         at = p.opt(end, ",")
-        at = longest(p, at, ("and", "plus", "as well as", "&")) or at
-    end = longest(p, end, ("mixed together", "mixed up", "mixed", "all mixed up", "all mixed", "in a mix")) or end
+        at = longest(p, at, "and | plus | as well as | &") or at
+    end = (
+        longest(
+            p,
+            end,
+            "mixed together | mixed up | mixed | all mixed up | all mixed | in a mix",
+        )
+        or end
+    )
     return tuple(dict.fromkeys(found)), end
 
 
@@ -94,7 +108,7 @@ def group(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 def _by(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
-    j = longest(p, i, ("by their", "by the", "by", "according to their", "according to"))
+    j = longest(p, i, "by their | by the | by | according to their | according to")
     word = p.words[j] if j and j < p.end else ""
     if word in _BY:
         yield _BY[word], p.reach(j + 1)
@@ -103,12 +117,23 @@ def _by(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
 
 def outliers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap one block from each pile into another so each has one outlier"."""
-    j = longest(p, i, ("swap", "move", "exchange", "switch", "trade", "put", "mix"))
+    j = longest(p, i, "swap | move | exchange | switch | trade | put | mix")
     if not j:
         return
     for n, k in _counts(p, j):
-        k = longest(p, k, ("block", "blocks", "cube", "cubes", "item", "items", "member", "members", "of them")) or k
-        of = longest(p, k, ("from each", "of each", "from every", "of every", "in each", "between the", "between"))
+        k = (
+            longest(
+                p,
+                k,
+                "block | blocks | cube | cubes | item | items | member | members | of them",
+            )
+            or k
+        )
+        of = longest(
+            p,
+            k,
+            "from each | of each | from every | of every | in each | between the | between",
+        )
         group = p.one(of, _GROUPS) if of else 0
         if not group:
             continue
@@ -134,27 +159,17 @@ def _counts(p: Parser, i: int) -> Iterator[tuple[int, int]]:
 
 def _so_each(p: Parser, i: int, n: int) -> int:
     """The position after "so that each has one outlier"."""
-    j = longest(p, i, ("so that", "such that", "so", ", so that", ", so"))
+    j = longest(p, i, "so that | such that | so | , so that | , so")
     j = (
         longest(
             p,
             j,
-            (
-                "each pile",
-                "each group",
-                "each one",
-                "each",
-                "every pile",
-                "every group",
-                "every one",
-                "all of them",
-                "they",
-            ),
+            "each pile | each group | each one | each | every pile | every group | every one | all of them | they",
         )
         if j
         else 0
     )
-    j = longest(p, j, ("has", "have", "contains", "will have", "gets", "ends up with")) if j else 0
+    j = longest(p, j, "has | have | contains | will have | gets | ends up with") if j else 0
     if not j:
         return i
     j = p.opt(j, "exactly")
@@ -162,17 +177,8 @@ def _so_each(p: Parser, i: int, n: int) -> int:
         k = longest(
             p,
             k,
-            (
-                "outlier",
-                "outliers",
-                "odd one out",
-                "stranger",
-                "strangers",
-                "misfit",
-                "wrong block",
-                "foreign block",
-                "different block",
-            ),
+            "outlier | outliers | odd one out | stranger | strangers | misfit | wrong block | "
+            "foreign block | different block",
         )
         if k and found == n:
             return k

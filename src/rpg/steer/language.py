@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import cache
 
 from rpg.passes.schema import lexicon
@@ -24,9 +23,20 @@ def phrases(text: str) -> tuple[str, ...]:
     return tuple(phrase.strip() for phrase in text.split("|"))
 
 
-def longest(p: Parser, i: int, phrases: Iterable[str]) -> int:
-    """The position after the longest of `phrases` that stands at i, or 0."""
-    return max((p.seq(i, phrase) for phrase in phrases), default=0)
+def longest(p: Parser, i: int, table: str | tuple[str, ...]) -> int:
+    """The position after the longest phrase of a table that stands at i, or 0."""
+    if i >= p.end:
+        return 0
+    return max((p.seq(i, phrase) for phrase in _by_first_word(table).get(p.words[i], ())), default=0)
+
+
+@cache
+def _by_first_word(table: str | tuple[str, ...]) -> dict[str, tuple[str, ...]]:
+    found: dict[str, tuple[str, ...]] = {}
+    for phrase in phrases(table) if isinstance(table, str) else table:
+        first = phrase.split()[0]
+        found[first] = (*found.get(first, ()), phrase)
+    return found
 
 
 __all__ = [

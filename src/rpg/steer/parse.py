@@ -50,7 +50,7 @@ def _openings(p: Parser) -> list[tuple[Reference | None, int]]:
     found: list[tuple[Reference | None, int]] = []
     start = skip(p, 0)
     for reference, j in references(p, start):
-        k = longest(p, j, (", but", "but", ", and", "and", ", then", "then", ",", ":", ".", ";")) or j
+        k = longest(p, j, ", but | but | , and | and | , then | then | , | : | . | ;") or j
         found.append((reference, skip(p, k)))
     found.append((None, 0))
     return found
@@ -92,19 +92,7 @@ def _join(p: Parser, i: int) -> int:
         longest(
             p,
             j,
-            (
-                "and then",
-                "and also",
-                "and",
-                "then",
-                "but also",
-                "but",
-                "also",
-                "while",
-                "plus",
-                "afterwards",
-                "after that",
-            ),
+            "and then | and also | and | then | but also | but | also | while | plus | afterwards | after that",
         )
         or j
     )

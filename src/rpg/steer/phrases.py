@@ -12,7 +12,7 @@ def things(p: Parser, i: int) -> Iterator[tuple[m.Meaning, int]]:
     """Noun phrases, symbols before what describes their cube, and distractors by that name alone."""
     yield from noun_phrase(p, i)
     yield from _symbol_first(p, i)
-    j = longest(p, i, ("all the", "the", "all", "any", "these", "those")) or i
+    j = longest(p, i, "all the | the | all | any | these | those") or i
     number = 1 if p.one(i, frozenset({"a", "an"})) else p.number(i)
     k = j if j > i else i + 1 if number is not None else i
     k = longest(p, k, ("more", "extra", "random")) or k

@@ -57,7 +57,9 @@ def place(p: Parser, i: int) -> Results[Place]:
     """One place."""
     start = (
         longest(
-            p, i, ("that is", "which is", "that goes", "sitting", "placed", "standing", "directly", "right", "also")
+            p,
+            i,
+            "that is | which is | that goes | sitting | placed | standing | directly | right | also",
         )
         or i
     )

@@ -42,20 +42,8 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         longest(
             p,
             i,
-            (
-                "use",
-                "add",
-                "put",
-                "have",
-                "make it with",
-                "make them with",
-                "with",
-                "do it with",
-                "try",
-                "build it with",
-                "take",
-                "make it from",
-            ),
+            "use | add | put | have | make it with | make them with | with | do it with | try | "
+            "build it with | take | make it from",
         )
         or i
     )
@@ -70,7 +58,7 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k
     if (j := p.seq(i, "instead of")) or (j := p.seq(i, "rather than")):
         for old, k in _old(p, j):
-            n = longest(p, k, (", use", "use", ", put", ",", ", i want"))
+            n = longest(p, k, ", use | use | , put | , | , i want")
             for new, end in noun_phrase(p, n) if n else ():
                 yield r.Replace(old=old, new=new, span=p.span(i, end)), end
 
@@ -78,7 +66,11 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def _old(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
     """What is given up: blocks of the task, or only their colours."""
     yield from noun_phrase(p, i)
-    if j := longest(p, i, ("the colors", "colors", "color", "the color", "colours", "colored", "plain", "the colours")):
+    if j := longest(
+        p,
+        i,
+        "the colors | colors | color | the color | colours | colored | plain | the colours",
+    ):
         yield m.Noun(head="block", det="all", plural=True, traits=m.Traits(kind="plain"), span=p.span(i, j)), j
 
 
@@ -122,19 +114,17 @@ def keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     j = longest(
         p,
         i,
-        phrases(
-            "keep | keeping | leave | leaving | except for | except | apart from | other than | without moving | "
-            "without touching | do not move | do not touch | do not change | without changing"
-        ),
+        "keep | keeping | leave | leaving | except for | except | apart from | other than | "
+        "without moving | without touching | do not move | do not touch | do not change | "
+        "without changing",
     )
     for theme, k in noun_phrase(p, j) if j else ():
         end = longest(
             p,
             k,
-            phrases(
-                "where it is | where they are | as it is | as they are | as is | in place | the same | unchanged | in "
-                "its place | alone | fixed | there | untouched | still | the way it is | the way they are"
-            ),
+            "where it is | where they are | as it is | as they are | as is | in place | the same "
+            "| unchanged | in its place | alone | fixed | there | untouched | still | the way it "
+            "is | the way they are",
         )
         if end:
             yield r.Keep(theme=theme, span=p.span(i, end)), end

@@ -81,12 +81,15 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield from _upside(p, i, j, "reverse", noun_phrase(p, j), wanted=phrase == "turn")
         if phrase != "turn" and (k := longest(p, j, ("everything", "things", "all"))):
             yield r.Reorder(how="reverse", span=p.span(i, k)), k
-    if j := longest(p, i, phrases(
-        "do it in reverse order | in reverse order | the other way around | the other way round | make it the "
-        "other way around | do it the other way around | make it the other way round | upside down | in "
-        "reverse | turn it upside down | in the opposite order | put them in reverse order | the opposite "
-        "order | use the opposite order | use the reverse order | backwards"
-    )):  # fmt: skip
+    if j := longest(
+            p,
+            i,
+            "do it in reverse order | in reverse order | the other way around | the other way "
+            "round | make it the other way around | do it the other way around | make it the "
+            "other way round | upside down | in reverse | turn it upside down | in the opposite "
+            "order | put them in reverse order | the opposite order | use the opposite order | "
+            "use the reverse order | backwards",
+        ):  # fmt: skip
         yield r.Reorder(how="reverse", span=p.span(i, j)), j
 
 
@@ -96,7 +99,7 @@ def _upside(
     for theme, k in themes:
         if isinstance(theme, m.Noun) and not theme.plural:
             continue
-        end = longest(p, k, ("upside down", "around", "over", "the other way around")) or (k if not wanted else 0)
+        end = longest(p, k, "upside down | around | over | the other way around") or (k if not wanted else 0)
         if end:
             yield r.Reorder(how=how, theme=theme, span=p.span(i, end)), end
 
@@ -112,16 +115,21 @@ def _mirror(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     ):
         if j := p.seq(i, phrase):
             for theme, k in simple(p, j):
-                end = longest(p, k, ("left to right", "horizontally", "left and right", "sideways")) or k
+                end = longest(p, k, "left to right | horizontally | left and right | sideways") or k
                 yield r.Reorder(how="mirror", theme=theme, span=p.span(i, end)), end
             if k := longest(
-                p, j, ("everything", "the whole thing", "the arrangement", "the scene", "the goal", "the task")
+                p,
+                j,
+                "everything | the whole thing | the arrangement | the scene | the goal | the task",
             ):
                 yield r.Reorder(how="mirror", span=p.span(i, k)), k
-    if j := longest(p, i, phrases(
-        "swap left and right | exchange left and right | switch left and right | make it mirrored left to "
-        "right | flip left and right | flip it horizontally | flip it left to right | mirror left and right"
-    )):  # fmt: skip
+    if j := longest(
+            p,
+            i,
+            "swap left and right | exchange left and right | switch left and right | make it "
+            "mirrored left to right | flip left and right | flip it horizontally | flip it left "
+            "to right | mirror left and right",
+        ):  # fmt: skip
         yield r.Reorder(how="mirror", span=p.span(i, j)), j
 
 
@@ -132,7 +140,7 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if j := p.seq(i, phrase):
             starts.append((None, j))
             starts += [(theme, k) for theme, k in noun_phrase(p, j) if not isinstance(theme, m.Coord)]
-            if k := longest(p, j, ("the letters", "the numbers", "the colors", "the order")):
+            if k := longest(p, j, "the letters | the numbers | the colors | the order"):
                 starts.append((None, k))
     for phrase in (
         "change the order to",
@@ -148,7 +156,7 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         starts.append((None, i))
     for theme, j in starts:
         j = p.opt(j, "now", "so", "to")
-        j = longest(p, j, ("be sorted", "be ordered", "be arranged", "sorted", "ordered", "be")) or j
+        j = longest(p, j, "be sorted | be ordered | be arranged | sorted | ordered | be") or j
         yield from _orders(p, i, j, theme)
 
 
@@ -192,10 +200,12 @@ def _first(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
 
 def _swap_them(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap them", "exchange the two": for two blocks, the reverse order."""
-    j = longest(p, i, ("swap", "exchange", "switch", "interchange", "swap around", "swap round"))
+    j = longest(p, i, "swap | exchange | switch | interchange | swap around | swap round")
     k = (
         longest(
-            p, j, ("them", "the two", "the two blocks", "both", "both blocks", "them around", "the blocks", "those two")
+            p,
+            j,
+            "them | the two | the two blocks | both | both blocks | them around | the blocks | those two",
         )
         if j
         else 0
@@ -209,11 +219,10 @@ def _no_matter(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     j = longest(
         p,
         i,
-        phrases(
-            "the order does not matter | the order does not matter any more | in any order | ignore the order | "
-            "drop the order | forget the order | remove the order | any order is fine | the order no longer "
-            "matters | order does not matter | let the order be free | any order will do | in no particular order"
-        ),
+        "the order does not matter | the order does not matter any more | in any order | "
+        "ignore the order | drop the order | forget the order | remove the order | any order "
+        "is fine | the order no longer matters | order does not matter | let the order be "
+        "free | any order will do | in no particular order",
     )
     if j:
         yield r.Reorder(how="any", span=p.span(i, j)), longest(p, j, ("any more", "anymore")) or j

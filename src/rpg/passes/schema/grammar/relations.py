@@ -13,11 +13,11 @@ from rpg.passes.schema.meaning import Coord, Loc, Meaning, Noun, PartOf, Pronoun
 _SIMPLE = {
     "on top of": "on", "on the top of": "on", "atop of": "on", "atop": "on", "on top": "on", "onto": "on", "on to": "on", "upon": "on",
     "on": "on", "onto the top of": "on", "to the top of": "on", "over": "above", "above": "above", "over the top of": "above",
-    "on to the top of": "on", "at the top of": "on", "on the surface of": "on",
+    "on to the top of": "on", "at the top of": "on", "on the surface of": "on", "supported by": "on", "carried by": "on", "to rest on": "on",
     "in": "in", "inside": "in", "inside of": "in", "into": "in", "within": "in", "at": "in", "to": "in",
     "under": "under", "underneath": "under", "beneath": "under", "below": "under",
     "in front of": "front", "ahead of": "front", "to the front of": "front", "on the front side of": "front",
-    "at the front of": "front", "before": "front", "closer to me than": "front",
+    "at the front of": "front", "before": "front", "on the near side of": "front", "on the front of": "front", "nearer than": "front",
     "behind": "behind", "in back of": "behind", "to the back of": "behind", "at the back of": "behind", "to the rear of": "behind",
     "on the back side of": "behind", "beyond": "behind", "on the far side of": "behind", "at the rear of": "behind",
     "next to": "beside", "beside": "beside", "alongside": "beside", "by the side of": "beside", "at the side of": "beside",
@@ -77,22 +77,18 @@ def side_relation(p: Parser, i: int) -> Results[tuple[str, str]]:
 @rule
 def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
     """A relation that wants a landmark: (name, modifiers)."""
-    mods: tuple[str, ...] = ()
-    j = i
-    if p.words[j : j + 1] and p.words[j] in _DIRECT:
-        mods, j = ("directly",), p.reach(j + 1)
-    elif p.words[j : j + 1] and p.words[j] in _CLOSE:
-        mods, j = ("immediate",), p.reach(j + 1)
-    elif p.words[j : j + 1] and p.words[j] in _LOOSE:
-        mods, j = ("somewhere",), p.reach(j + 1)
-    j = p.opt(j, "and") if mods else j
-    for phrase, name in _SIMPLE.items():
-        if k := p.seq(j, phrase):
-            yield (name, mods), k
-    for (side, how), k in side_relation(p, j):
-        if not side.endswith("?"):
-            extra = {"immediate": ("immediate",), "direct": ("directly",)}.get(how, ())
-            yield (side, (*mods, *extra)), k
+    starts: list[tuple[tuple[str, ...], int]] = [((), i)]
+    for words, mod in ((_DIRECT, "directly"), (_CLOSE, "immediate"), (_LOOSE, "somewhere")):
+        if i < p.end and p.words[i] in words:
+            starts.append(((mod,), p.opt(p.reach(i + 1), "and")))
+    for mods, j in starts:
+        for phrase, name in _SIMPLE.items():
+            if k := p.seq(j, phrase):
+                yield (name, mods), k
+        for (side, how), k in side_relation(p, j):
+            if not side.endswith("?"):
+                extra = {"immediate": ("immediate",), "direct": ("directly",)}.get(how, ())
+                yield (side, (*mods, *extra)), k
 
 
 @rule
@@ -141,6 +137,8 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
     """"to the left or to the right of", "left of and behind": two relations with one landmark."""
     start = p.one(i, "either") or i
     firsts = [(name, j) for (name, _), j in relation(p, start)] + [(s.rstrip("?"), j) for (s, _), j in side_relation(p, start)]
+    if p.words[start : start + 1] in (["left"], ["right"]):
+        firsts.append((p.words[start], p.reach(start + 1)))
     for first, j in firsts:
         k = p.one(j, frozenset({"or", "and"}))
         op = p.words[j] if k else ""
@@ -259,12 +257,16 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
             factor = metres / (p.figure(after) or 1.0)
             yield (round(float(low or 0) * factor, 6), metres), k
     for metres, k in length(p, i):
+        if end := p.any_of(k, ("or more", "or farther", "or further", "and more")):
+            yield (metres, None), end
+        if end := p.any_of(k, ("or less", "or closer", "or nearer")):
+            yield (None, metres), end
         yield (round(max(0.0, metres - 0.01), 6), round(metres + 0.01, 6)), k
 
 
 def _measured(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm from the red block", "at least 10 cm to the left of it", "within 3 cm of ..."."""
-    start = p.any_of(i, ("at a distance of", "with a distance of", "a distance of", "at")) or i
+    start = p.any_of(i, ("at a distance of", "with a distance of", "a distance of")) or (i + 1 if p.words[i] == "at" and p.words[i + 1] not in ("least", "most") else i)
     for (low, high), j in bounds(p, start):
         if k := p.any_of(j, ("away from", "from", "of", "apart from", "far from", "distance from")):
             for landmark, end in noun_phrase(p, k):

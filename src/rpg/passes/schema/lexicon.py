@@ -65,7 +65,7 @@ STRUCTURES = {
     "plus": "plus cross",
     "pile": "pile heap bunch cluster group bundle clump",
     "word": "word",
-    "equation": "equation sum formula",
+    "equation": "equation sum formula multiplication addition subtraction division calculation",
     "set": "set collection bunch_of",
 }
 SHAPE_ADJECTIVES = {
@@ -81,15 +81,15 @@ BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 
 VERBS = {
     "place": "put place move set position lay bring transfer relocate drop push slide shift carry get deliver locate "
-    "seat rest insert nudge drag pull deposit",
+    "seat rest insert nudge drag pull deposit hide balance tuck perch settle stick sandwich stand mount",
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap",
     "build": "build make create construct form assemble erect produce compose draw",
-    "arrange": "arrange align order organize organise line lay distribute spread position set rearrange",
+    "arrange": "alphabetize space arrange align order organize organise line lay distribute spread position set rearrange",
     "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch",
     "spell": "spell write",
     "turn": "rotate turn flip spin face orient point tip",
-    "swap": "swap exchange switch interchange",
+    "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",
     "unstack": "unstack dismantle disassemble topple destack",
     "use": "use take",
@@ -102,12 +102,13 @@ PAST = {
     "get": "got", "take": "taken", "stack": "stacked", "pile": "piled", "build": "built", "make": "made", "form": "formed",
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
     "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
-    "transfer": "transferred", "drag": "dragged",
+    "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped", "grab": "grabbed", "carry": "carried",
+    "classify": "classified", "empty": "emptied", "slide": "slid", "stand": "stood",
 }  # fmt: skip
 DOUBLED = {
     "put": "putting", "set": "setting", "get": "getting", "split": "splitting", "swap": "swapping", "flip": "flipping",
     "spin": "spinning", "tip": "tipping", "transfer": "transferring", "drag": "dragging", "drop": "dropping",
-    "grab": "grabbing",
+    "grab": "grabbing", "sit": "sitting",
 }  # fmt: skip
 POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying stays stay "

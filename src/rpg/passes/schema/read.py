@@ -82,7 +82,7 @@ def read_sentence(tokens: list[Token]) -> Sentence:
     start = p.opt(0, ",", ":")
     link = "and"
     for phrase in _THEN:
-        if j := p.seq(start, phrase):
+        if (j := p.seq(start, phrase)) and not (phrase == "next" and p.words[j] == "to"):
             link, start = "then", p.opt(j, ",", ":")
             break
     try:

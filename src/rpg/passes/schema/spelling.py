@@ -18,6 +18,8 @@ GRAMMAR = ("amounts", "adjectives", "adjuncts", "clauses", "frames", "labels", "
 LONG_WORD = 7
 """From this length on, two slips are still taken for a misspelling."""
 _SPELLERS = frozenset({"spell", "spells", "spelling", "spelled", "spelt"})
+_WRITERS = frozenset({"write", "writes", "read", "reads", "say", "says", "writing", "reading", "saying"})
+_SPELT = frozenset({"spelled", "spelt", "written"})
 _WORD_LEADS = frozenset({"word", "name"})
 _NOT_LITERAL = frozenset(
     {
@@ -112,11 +114,20 @@ def _one_match(word: str) -> str | None:
         return None
     for limit in (1, 2) if len(word) >= LONG_WORD else (1,):
         close = _families(k for k in nearest(word, limit) if len(k) > 2)
-        if len(close) == 1:
-            return close[0]
+        if len(close) > 1:
+            close = _likeliest(word, close)
         if close:
-            return None
+            return close[0] if len(close) == 1 else None
     return None
+
+
+def _likeliest(word: str, close: list[str]) -> list[str]:
+    """Of several near words those with the very letters of `word`, then those that begin like it."""
+    for same in (lambda k: sorted(set(k)) == sorted(set(word)), lambda k: k[0] == word[0]):
+        kept = [k for k in close if same(k)]
+        if kept:
+            close = kept
+    return close
 
 
 def _families(words: Iterable[str]) -> list[str]:
@@ -163,7 +174,11 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
         )
     if before in _SPELLERS or (before == "out" and two in _SPELLERS):
         return word not in _NOT_LITERAL and (word not in known or not tokens[index].raw.islower() or True)
-    return False
+    if word in known or len(word) < 2:
+        return False
+    after = tokens[index + 1].word if index + 1 < len(tokens) else ""
+    behind = tokens[index + 2].word if index + 2 < len(tokens) else ""
+    return before in _WRITERS or after in _SPELT or (after == "," and behind in _SPELT)
 
 
 def unknown(token: Token) -> Diagnostic:

@@ -24,7 +24,7 @@ EMPTY = Marks()
 _PLAIN = {
     "empty": ("empty", True), "free": ("empty", True), "vacant": ("empty", True), "unoccupied": ("empty", True),
     "long": ("long", True), "elongated": ("long", True), "plain": ("kind", "plain"), "ordinary": ("kind", "plain"),
-    "semantic": ("kind", "symbol"), "extra": ("extra", True), "distractor": ("extra", True),
+    "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"), "symbols": ("kind", "symbol"), "extra": ("extra", True), "distractor": ("extra", True),
     "additional": ("extra", True), "matching": ("matching", True), "corresponding": ("matching", True), "respective": ("matching", True),
     "even": ("quality", "even"), "odd": ("quality", "odd"), "vowel": ("quality", "vowel"), "consonant": ("quality", "consonant"),
     "alphabet": ("kind", "letter"), "alphabetic": ("kind", "letter"), "lettered": ("kind", "letter"),
@@ -95,9 +95,11 @@ def clash(traits: Traits, update: Mapping[str, Any]) -> bool:
 def adjectives(p: Parser, i: int) -> Results[Marks]:
     """Every run of adjectives from i on, the empty one included, longest first."""
     for update, j in adjective(p, i):
-        j = p.opt(j, ",") if any(True for _ in adjective(p, p.opt(j, ","))) else j
-        for rest, k in adjectives(p, j):
-            both = merge(update, rest)
+        comma = p.opt(j, ",")
+        runs = [(rest, k) for rest, k in adjectives(p, comma) if rest] if comma > j else list(adjectives(p, j))
+        runs += [(EMPTY, j)] if comma > j else []
+        for rest, k in runs:
+            both = merge(update, rest) if not (update.get("colors") and rest.get("colors")) else None
             if both is not None:
                 yield both, k
     yield EMPTY, i

@@ -27,6 +27,7 @@ from rpg.passes.schema.meaning import (
     That,
     Toward,
     Using,
+    parts_of,
 )
 
 _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "forming", "making", "creating", "like", "to be", "so as to form",
@@ -69,6 +70,11 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
 
 
 def _into(p: Parser, i: int) -> Results[Meaning]:
+    if j := p.any_of(i, ("in another", "in the other", "in a second", "into another", "into the other", "in another one", "in the other one")):
+        yield Into(structure=Structure(kind="again", span=p.span(i, j)), span=p.span(i, j)), j
+    if j := p.any_of(i, ("so that the equation is right", "so that the equation is correct", "so that the equation is true", "so the equation is correct", "so that the equation holds",
+                         "so the equation is true", "so that the math is right", "so that the math is correct")):  # fmt: skip
+        yield Into(structure=Structure(kind="equation", span=p.span(i, j)), span=p.span(i, j)), j
     for lead in _INTO:
         if j := p.seq(i, lead):
             for target, k in simple(p, j):
@@ -83,8 +89,8 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
     for lead in _USING:
         if j := p.seq(i, lead):
             for members, k in noun_phrase(p, j):
-                if not isinstance(members, Structure):
-                    yield Using(members=members, span=p.span(i, k), cost=1 if lead == "with" else 0), k
+                if not any(isinstance(part, Structure) for part in parts_of(members)):
+                    yield Using(members=members, span=p.span(i, k), cost=1), k
 
 
 def _absolute(p: Parser, i: int) -> Results[Meaning]:
@@ -110,6 +116,8 @@ def sided(p: Parser, i: int) -> Results[Meaning]:
     for found, j in _absolute(p, i):
         parts = found.items if isinstance(found, Coord) else (found,)
         if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At) for x in parts):
+            if isinstance(found, Coord):
+                found = replace(found, items=tuple(replace(x, cost=0) for x in parts))
             yield replace(found, cost=0), j
 
 
@@ -308,6 +316,11 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
 
 
 _LITTLE = (
+    ("with exactly one outlier in each pile", "outliers", 1.0), ("with exactly one outlier in each group", "outliers", 1.0), ("so that each group has exactly one stranger", "outliers", 1.0),
+    ("so that each pile has exactly one outlier", "outliers", 1.0), ("so that each group has exactly one outlier", "outliers", 1.0), ("with one outlier in each pile", "outliers", 1.0), ("with one outlier in each group", "outliers", 1.0),
+    ("with one outlier each", "outliers", 1.0), ("with exactly one outlier each", "outliers", 1.0), ("so that each pile has one outlier", "outliers", 1.0), ("with exactly one stranger in each group", "outliers", 1.0),
+    ("with exactly one stranger in each pile", "outliers", 1.0), ("so each has one outlier", "outliers", 1.0), (", with exactly one outlier in each pile", "outliers", 1.0), (", with exactly one outlier in each group", "outliers", 1.0),
+    ("with exactly two outliers in each group", "outliers", 2.0), ("with two outliers in each group", "outliers", 2.0),
     ("but not both", "xor", None), (", but not both", "xor", None), (", not both", "xor", None), ("but not on both", "xor", None),
     ("first", "time", 1.0), ("second", "time", 2.0), ("third", "time", 3.0), ("last", "time", 99.0), ("finally", "time", 99.0), ("afterwards", "time", 50.0), ("initially", "start", None),
     ("at the start", "start", None), ("at the beginning", "start", None), ("at first", "start", None), ("in the beginning", "start", None), ("to begin with", "start", None), ("originally", "start", None),

@@ -185,6 +185,8 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
             (FIRST, mode),
         ):
             for j in table.matches(p, start):
+                if p.words[j - 1] == "next" and p.words[j] == "to":
+                    continue
                 j = p.opt(j, ",") if table in (FIRST, START_FRAMES) else j
                 if j not in seen and len(found) < 40:
                     seen.add(j)
@@ -192,22 +194,37 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     return found
 
 
+_GAPS = (("gap", "faces"), ("space", "faces"), ("distance", "centres"), ("spacing", "centres"), ("separation", "centres"))
+
+
 @rule
 def _gap(p: Parser, i: int) -> Results[Meaning]:
-    """"leave a gap of 6 cm between the red and the green block", "a distance of at least 15 cm between ..."."""
-    j = p.any_of(i, ("leave", "keep", "have", "put", "make", "maintain", "there should be", "there must be", "there is")) or i
+    """"leave a gap of 6 cm between the red and the green block", "the distance between A and B should be 12 cm"."""
+    j = p.any_of(i, ("leave", "keep", "have", "put", "make", "maintain", "there should be", "there must be", "there is", "there has to be", "there needs to be", "leaving")) or i
     j = p.opt(j, "a", "an", "the")
     spans: list[tuple[Any, int, str]] = []
-    for noun, measure in (("gap", "faces"), ("space", "faces"), ("distance", "centres"), ("spacing", "centres"), ("separation", "centres")):
+    for noun, measure in _GAPS:
         if (k := p.one(j, noun)) and (k := p.one(k, "of")):
             spans += [(b, e, measure) for b, e in bounds(p, k)]
         spans += [(b, e, measure) for b, k in bounds(p, j) if (e := p.any_of(k, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}")))]
+        if (k := p.one(j, noun)) and (k := p.one(k, "between")):
+            for theme, end in noun_phrase(p, k):
+                end = p.any_of(end, ("is", "should be", "must be", "has to be", "shall be", "be"))
+                for (low, high), last in bounds(p, end) if end else ():
+                    yield _far_apart(p, i, last, theme, low, high, measure), last
+    spans += [(b, e, "faces") for b, e in bounds(p, j)]
     for (low, high), k, measure in spans:
         if m := p.one(k, "between"):
+            if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):
+                m, measure = centres, "centres"
             for theme, end in noun_phrase(p, m):
-                each = Pronoun(word="each other", span=p.span(i, m))
-                far = Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, m))
-                yield Clause(verb="be", theme=theme, adjuncts=(far,), span=p.span(i, end)), end
+                yield _far_apart(p, i, end, theme, low, high, measure), end
+
+
+def _far_apart(p: Parser, i: int, end: int, theme: Meaning, low: float | None, high: float | None, measure: str) -> Clause:
+    span = p.span(i, end)
+    far = Loc(rel="distance", landmark=Pronoun(word="each other", span=span), low=low, high=high, measure=measure, span=span)
+    return Clause(verb="be", theme=theme, adjuncts=(far,), span=span)
 
 
 @rule
@@ -223,6 +240,8 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
             for found, end in _state(p, k, "goal"):
                 if isinstance(found, Clause):
                     yield _ever(replace(found, negated=True, span=p.span(i, end)), never), end
+    if i > 0 and p.words[i - 1] == "by":
+        yield from verb_phrase(p, i, ("ing",))
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
         yield _ever(replace(found, negated=negated, span=p.span(i, k)), never), k
 
@@ -401,7 +420,7 @@ def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, ne
         lasting = p.words[k] in ("stays", "stay", "remains", "remain", "staying", "remaining")
         readings = list(_predicate(p, i, p.reach(k + 1), theme, mode, negated))
         return [(_stays(c) if lasting and isinstance(c, Clause) else c, e) for c, e in readings]
-    if any(True for _ in manner(p, k)) or p.words[k - 1 : k] in (["always"], ["never"]):
+    if p.words[k - 1 : k] == ["up"] or any(True for _ in manner(p, k)) or p.words[k - 1 : k] in (["always"], ["never"]):
         return list(_predicate(p, i, k, theme, mode, negated))
     return []
 
@@ -476,6 +495,8 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
                 ]
             for found, end in readings:
                 yield replace(found, adjuncts=(using, *found.adjuncts), negated=negated, mode=mode), end
+    if (j := p.any_of(k, ("swap places", "swap positions", "trade places", "change places", "exchange places", "switch places", "be swapped", "exchange positions", "swap", "switch positions"))) and not negated:
+        yield Clause(verb="swap", lemma="swap", theme=theme, mode=mode, span=p.span(i, j)), j
     if j := p.one(k, frozenset({"touch", "touches"})):
         for other, end in noun_phrase(p, j):
             touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
@@ -492,7 +513,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
                 Clause(verb="be", theme=theme, adjuncts=(faced,), negated=negated, mode=mode, span=p.span(i, end)),
                 end,
             )
-    if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says"})):
+    if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says", "spell", "spells"})):
         yield from _reads(p, i, j, theme, mode)
     if j := p.one(k, frozenset({"have", "has"})):
         for traits, end in ((m, e) for m, e in of_quality(p, j - 1, "block")):
@@ -557,7 +578,8 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
         shaped = isinstance(theme, Structure) or (isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items))
         for found, k in adjuncts(p, j):
             if found or shaped:
-                yield Clause(verb="build" if shaped else "be", theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), cost=1), k
+                cost = 2 if found and isinstance(found[0], At) else 1
+                yield Clause(verb="build" if shaped else "be", theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), cost=cost), k
         colon = p.opt(p.opt(j, ",", ":"), "all")
         for apposed, k in noun_phrase(p, colon) if colon > j else ():
             if isinstance(apposed, Structure) and apposed.members is None and not shaped:

@@ -24,6 +24,7 @@ class Phrases:
 
 
 COMMAND_FRAMES = Phrases(
+    "the agent must", "the agent should", "the agent has to", "the agent needs to", "the manipulator should", "the machine should", "agent", "build me", "the gripper should", "the robot arm should", "the robot arm must", "for this task ,", "in this task ,", "in this task",
     "please", "kindly", "can you", "could you", "would you", "will you", "can you please", "could you please", "would you please", "would you mind",
     "i want you to", "i would like you to", "i need you to", "i want to", "i would like to", "i would love to", "we want to", "we need to", "i need to",
     "you should", "you must", "you need to", "you have to", "you can", "you are to", "the robot should", "the robot must", "the robot has to", "the robot needs to", "the robot can",
@@ -38,6 +39,7 @@ COMMAND_FRAMES = Phrases(
     "use the robot to", "using the robot arm ,", "using the robot ,", "with the robot arm ,", "use the robot arm to", "use your gripper to", "use the gripper to", "using the gripper ,",
 )  # fmt: skip
 STATE_FRAMES = Phrases(
+    "make", "show", "build me", "make me", "give", "i want to get", "i want you to have", "i want to find", "see", "we see", "i see", "you see", "there goes", "what i want is", "what we want is", "all i want is",
     "i want to see", "i would like to see", "i want", "i would like", "i would like to have", "i need", "we want", "we need", "show me", "make sure that", "make sure", "ensure that", "ensure", "see to it that",
     "give me", "please ensure", "let", "in the end", "at the end", "in the final state", "the goal is", "the goal is that", "the goal is to have", "the final state is", "the final state should be", "the result should be",
     "the result is", "i expect", "i want to have", "the final arrangement should be", "the desired state is", "the target is", "the final configuration is", "have", "get", "finally", "it should be that", "i want there to be", "the goal state is",
@@ -53,6 +55,8 @@ START_FRAMES = Phrases(
     "at the beginning ,", "assume initially", "the starting state is", "the starting state has", "in the starting state", "the starting configuration is", "the initial configuration is", "beginning from", "from a start with", "from a state where", "starting from a state where",
 )  # fmt: skip
 FIRST = Phrases(
+    "start by", "begin by", "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :", "first :", "1 :", "2 :", "3 :", "picture this", "like this", "as follows", "put it all like this", "put everything like this",
+    "arrange it like this", "do this", "do the following", "it goes like this", "arrange everything like this", "make it so that", "make it so",
     "first", "firstly", "to begin", "second", "secondly", "third", "thirdly", "step one", "step two", "step three", "step 1", "step 2", "step 3", "first of all", "at first", "first ,",
 )  # fmt: skip
 THEN = (

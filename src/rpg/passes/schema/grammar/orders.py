@@ -194,6 +194,17 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
     yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in listed(p, j))
 
 
+_INTO_ATTRIBUTES = tuple(
+    (f"into {one} and {two}", attribute)
+    for firsts_, seconds, attribute in (
+        (("vowels", "vowel"), ("consonants", "consonant"), "vowel"), (("consonants",), ("vowels",), "vowel"), (("odd", "odds", "odd numbers", "odd ones"), ("even", "evens", "even numbers", "even ones"), "parity"),
+        (("even", "evens", "even numbers", "even ones"), ("odd", "odds", "odd numbers", "odd ones"), "parity"), (("letters",), ("numbers", "digits"), "kind"), (("numbers", "digits"), ("letters",), "kind"),
+        (("an odd group",), ("an even group",), "parity"), (("an even group",), ("an odd group",), "parity"), (("a vowel group", "a group of vowels"), ("a consonant group", "a group of consonants"), "vowel"),
+        (("a group of letters",), ("a group of numbers", "a group of digits"), "kind"), (("an odd pile",), ("an even pile",), "parity"),
+    )
+    for one in firsts_
+    for two in seconds
+)  # fmt: skip
 _ATTRIBUTES = {
     "color": "color", "colour": "color", "colors": "color", "letter": "label", "label": "label", "number": "label", "kind": "kind",
     "type": "kind", "size": "size", "symbol": "label", "letters": "label", "parity": "parity", "value": "label", "shade": "color", "category": "kind",
@@ -202,7 +213,10 @@ _ATTRIBUTES = {
 
 def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
     """ "by colour", "according to size", "by even and odd", "into vowels and consonants"."""
-    j = p.any_of(i, ("by", "according to", "based on", "by their", "according to their", "by the", "depending on", "on the basis of", "based on their",
+    for phrase, attribute in _INTO_ATTRIBUTES:
+        if k := p.seq(i, phrase):
+            yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, k)), k
+    j = p.any_of(i, ("by", "according to", "based on", "by their", "according to their", "by the", "depending on", "by whether they are", "according to whether they are", "on the basis of", "based on their",
                      "by same", "by different", "by block"))  # fmt: skip
     if j:
         word = p.words[j] if j < p.end else ""

@@ -181,9 +181,10 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             continue
         if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
             continue
+        operator = before.operator or (_OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
         base = Structure(
             kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
-            traits=Traits(**before.marks), filled=before.filled, upright=before.upright, letter=before.operator, details=before.details,
+            traits=Traits(**before.marks), filled=before.filled, upright=before.upright, letter=operator, details=before.details,
             span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
         )  # fmt: skip
         yield from _tail(p, i, k, base)

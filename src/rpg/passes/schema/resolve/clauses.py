@@ -622,7 +622,7 @@ def _sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         node = s.GroupBy(groups=(theme.names,), span=clause.span)
         ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
         return [node, *_places(ref, spec, scene, scope, clause.span)]
-    if clause.lemma in ("separate", "split", "divide") and attribute is None:
+    if clause.lemma in ("separate", "split", "divide") and attribute is None and (apart is not None or len(theme.parts) == 2):
         return _separate(theme, apart, spec, scene, scope, clause)
     shape = _pile_target(spec)
     attribute = attribute_of(spec)

@@ -34,6 +34,12 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
     return sort_into(members, attribute, shape, spec, scene, scope, shape.span)
 
 
+def outliers_of(spec: Spec) -> int:
+    """How many strangers each group is to have."""
+    found = spec.manner("outliers")
+    return int(float(found.value or 0)) if found is not None else 0
+
+
 def attribute_of(spec: Spec) -> str | None:
     """What blocks are sorted by, if it was said."""
     found = next((o for o in spec.orders if o.by == "attribute"), None)
@@ -103,7 +109,7 @@ def sort_into(
     groups = tuple(tuple(v) for v in keyed.values())
     spec.places = [p for p in spec.places if getattr(p, "rel", "") not in ("apart",)]
     built = [scene.add_built("pile", v, False, span) for v in groups]
-    return built, [s.GroupBy(groups=groups, by=attribute, span=span)]  # type: ignore[arg-type]
+    return built, [s.GroupBy(groups=groups, by=attribute, outliers=outliers_of(spec), span=span)]  # type: ignore[arg-type]
 
 
 def _guess(things: list[Thing], scene: Scene) -> str:

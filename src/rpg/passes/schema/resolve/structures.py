@@ -79,6 +79,8 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     _known_sizes(shape)
+    if shape.kind == "again":
+        shape = replace(shape, kind=scene.built[-1].kind if scene.built else "pile")
     maker = MAKERS.get(shape.kind)
     if maker is None:
         raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)

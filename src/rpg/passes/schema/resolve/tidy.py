@@ -28,10 +28,20 @@ def _stack_patches(goal: g.Goal) -> g.Goal:
                     goals[goals.index(stack)] = stack.model_copy(update={"patch": on.patch})
                     goals.remove(on)
                     break
-        goals = _tower_patches(goals)
+        goals = _one_grouping(_tower_patches(goals))
         return goals[0] if len(goals) == 1 else node.model_copy(update={"goals": tuple(goals)})
 
     return transform(goal, change)
+
+
+def _one_grouping(goals: list[g.Goal]) -> list[g.Goal]:
+    """Piles named one by one are groups that lie apart."""
+    piles = [x for x in goals if isinstance(x, s.GroupBy) and len(x.groups) == 1 and x.inner_edges == 2.0]
+    named = [n for x in piles for n in x.groups[0]]
+    if len(piles) < 2 or len(set(named)) < len(named):
+        return goals
+    whole = piles[0].model_copy(update={"groups": tuple(x.groups[0] for x in piles)})
+    return [whole if x is piles[0] else x for x in goals if x is piles[0] or x not in piles]
 
 
 def _tower_patches(goals: list[g.Goal]) -> list[g.Goal]:

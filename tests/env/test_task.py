@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import subprocess
 import sys
@@ -155,6 +156,23 @@ def test_a_goal_scene_is_reached_by_its_waypoints_and_stays_reached() -> None:
         assert task.judge().success
     assert task.state().start is not None
     assert task.state().start.position["red_block"] == AWAY
+
+
+@pytest.mark.parametrize("axis", [1, 2])
+def test_a_block_placed_on_its_edge_falls_however_exactly_it_is_placed(axis: int) -> None:
+    class Balanced(RedOnYellow):
+        def _on_reset(self) -> None:
+            quat = [math.cos(math.pi / 8), 0.0, 0.0, 0.0]
+            quat[axis] = math.sin(math.pi / 8)
+            self.place(
+                "red_block", (0.5, 0.0, TABLE_Z + 0.02 * math.sqrt(2)), quat=(quat[0], quat[1], quat[2], quat[3])
+            )
+            self.place("yellow_block", (0.6, 0.1, LOW))
+
+    task = Balanced()
+    start = task.reset(0)
+    task.step(50)
+    assert math.dist(task.state().position["red_block"], start.position["red_block"]) > 0.01
 
 
 def test_placing_only_some_blocks_is_an_error() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
 from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.goal import Goal
@@ -59,10 +61,13 @@ class Setup:
         self._vacant.append(Vacancy(origin=origin, size=size, before=before))
 
     def place(self, name: str, position: Vec3, *, yaw: float = 0.0, quat: Quat | None = None) -> None:
-        """Put a block exactly there: its centre in metres, turned by `yaw` radians or by a quaternion (w, x, y, z)."""
+        """Put a block exactly there: its centre in metres, turned by `yaw` radians or by a quaternion (w, x, y, z).
+
+        Quaternions count to six decimals, as nothing real is balanced more exactly.
+        """
         self._known((name,))
         x, y, z = position
-        self._placed[name] = ((x, y, z), quat or yaw_quat(yaw))
+        self._placed[name] = ((x, y, z), yaw_quat(yaw) if quat is None else _rounded(quat))
 
     def waypoint(self) -> None:
         """The scene placed so far is one that the episode passes through: first its start, then stage by stage."""
@@ -93,3 +98,11 @@ class Setup:
             )
             for scene in scenes
         ]
+
+
+def _rounded(quat: Quat) -> Quat:
+    w, x, y, z = (round(part, 6) for part in quat)
+    length = math.sqrt(w * w + x * x + y * y + z * z)
+    if not 0.9 < length < 1.1:
+        raise ValueError(f"{quat} is not a unit quaternion (w, x, y, z)")
+    return (w / length, x / length, y / length, z / length)

@@ -12,6 +12,7 @@ from rpg.blocks.figures import NAMED, NEAREST, Ideal, flat_forms, ideals, uprigh
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.cells_build import layouts, resting
 from rpg.blocks.predicates.common import (
+    PAST_SHARE,
     Poses,
     centroid,
     flatness,
@@ -196,7 +197,8 @@ class CellsPredicate(Predicate[Cells]):
         length = math.hypot(dx, dy)
         ux, uy = (dx / length, dy / length) if length > 1e-6 else (0.0, 1.0)
         if len(node.blocks) > 3:
-            yield NearMiss(f"{far} out of its cell", shift(state, [far], 3.0 * edge * ux, 3.0 * edge * uy))
+            out = self._way_out(node, found, far, edge)
+            yield NearMiss(f"{far} out of its cell", shift(state, [far], out * ux, out * uy))
         if height and len(top) > 1:
             gone = state
             for name in top:
@@ -205,13 +207,24 @@ class CellsPredicate(Predicate[Cells]):
         if height == 0 and len(node.blocks) > 2:
             yield NearMiss(f"{far} a level higher", shift(state, [far], 0.0, 0.0, edge))
 
+    def _way_out(self, node: Cells, found: Found, name: str, edge: float) -> float:
+        """How far outwards a block must go to be past the tolerance after the figure has been fitted anew."""
+        cells = found.ideal.cells
+        cell = cells[found.blocks.index(name)]
+        square = sum(c.x * c.x + c.y * c.y for c in cells) or 1.0
+        stays = 1.0 - 1.0 / len(cells) - (cell.x * cell.x + cell.y * cell.y) / square
+        if stays < 0.25 or len(ideals(node, len(cells))) > 1:
+            return 3.0 * edge
+        return PAST_SHARE * node.fit_edges * edge / stays + found.fit.deviation
+
     def _turned(self, node: Cells, found: Found, state: BlockState) -> Iterator[NearMiss]:
         """The figure turned away from the direction that it must have, or so that its rows lie along x."""
         limit = found.ideal.limit
         assert limit is not None
         centre = centroid(state, node.blocks)
         if limit == NAMED:
-            yield NearMiss("the figure turned", spin(state, node.blocks, limit + 20.0, centre))
+            turn = PAST_SHARE * limit + abs(math.degrees(found.fit.turn))
+            yield NearMiss("the figure turned", spin(state, node.blocks, turn, centre))
         elif limit == NEAREST and not isinstance(node, Figure) and not self._same_when_turned(node, found):
             yield NearMiss("the figure turned", spin(state, node.blocks, 90.0, centre))
 

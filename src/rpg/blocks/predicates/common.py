@@ -17,6 +17,8 @@ BUILD_GAP = 0.01
 """Face gap in metres that is left between blocks that need not touch, so that a gripper can place them."""
 PAST = 0.004
 """How far past a tolerance near-misses lie, in metres."""
+PAST_SHARE = 1.35
+"""Where a near-miss lies at a multiple of a tolerance, this one."""
 TOUCH = 0.002
 """Faces at most this far apart (m) touch."""
 BORDER = 0.01

@@ -172,7 +172,7 @@ class GroupByPredicate(Predicate[GroupBy]):
             yield from self._between(node, groups, *pairs[0], state)
         nearest = separation(state, groups)
         if nearest is not None:
-            yield self._closer(groups, nearest, edge, state)
+            yield self._closer(node, groups, nearest, edge, state)
 
     def _between(
         self, node: GroupBy, groups: Groups, one: Sequence[str], two: Sequence[str], state: BlockState
@@ -194,12 +194,12 @@ class GroupByPredicate(Predicate[GroupBy]):
                     yield NearMiss(f"{a} and {b} exchanged", swap(state, a, b))
                     return
 
-    def _closer(self, groups: Groups, nearest: Link, edge: float, state: BlockState) -> NearMiss:
+    def _closer(self, node: GroupBy, groups: Groups, nearest: Link, edge: float, state: BlockState) -> NearMiss:
         """One of the two nearest groups moved towards the other until they are too near."""
         group = next(group for group in groups if nearest.a in group)
         (ax, ay, _), (bx, by, _) = state.position[nearest.a], state.position[nearest.b]
         length = math.hypot(bx - ax, by - ay)
-        step = nearest.gap - 0.9 * edge
+        step = nearest.gap - 0.85 * node.outer_edges * edge
         return NearMiss(
             "two groups too near", shift(state, group, step * (bx - ax) / length, step * (by - ay) / length)
         )

@@ -13,7 +13,8 @@ from rpg.blocks.traits import Traits
 from rpg.blocks.verdict import FALSE, Verdict, holds
 from rpg.blocks.visibility import reads
 
-HALF = math.sqrt(0.5)
+SLANT = 40.0
+"""Degrees by which a glyph is turned so that it is surely not upright: twice what is allowed."""
 ADJOINS_EDGES = 0.5
 """A block whose gap to a text is at most this many edges adjoins it, in any direction."""
 
@@ -77,10 +78,12 @@ def _reading_on(
 def unreadable(
     state: BlockState, names: Sequence[str], normal: Vec3, up: Vec3, excused: Iterable[str] = ()
 ) -> Iterator[NearMiss]:
-    """One symbol upside down, or lying on its side, to the reader at `normal`."""
+    """One symbol upside down, lying on its side, or slanting, to the reader at `normal`."""
     name = next((n for n in names if n not in excused and reads(state, n, normal, up)[0]), None)
     if name is None:
         return
-    for turn, what in (((0.0, *normal), "upside down"), ((HALF, *(HALF * c for c in normal)), "on its side")):
-        quat = product(turn, state.orientation.get(name, IDENTITY))  # type: ignore[arg-type]
+    for degrees, what in ((180.0, "upside down"), (90.0, "on its side"), (SLANT, "slanting")):
+        c, s = math.cos(math.radians(degrees / 2)), math.sin(math.radians(degrees / 2))
+        turn = (c, s * normal[0], s * normal[1], s * normal[2])
+        quat = product(turn, state.orientation.get(name, IDENTITY))
         yield NearMiss(f"{name} {what}", put(state, name, state.position[name], quat))

@@ -12,6 +12,7 @@ from rpg.blocks.geometry import footprint_gap
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.common import (
     BUILD_GAP,
+    PAST_SHARE,
     SPANS,
     TOUCH,
     centroid,
@@ -180,15 +181,12 @@ class RowPredicate(Predicate[Row]):
         if len(names) < 2:
             return
         line = best_line(state, names)
-        (ux, uy), edge = line.direction, largest_edge(state, names)
-        middle = line.sequence[len(names) // 2]
         if len(names) > 2:
-            out = 2.0 * edge
-            yield NearMiss(f"{middle} out of the line", shift(state, [middle], -uy * out, ux * out))
+            yield _out_of_line(node, line, state)
         yield gap_too_large(node, line, state)
         axis = axis_of(node)
         if axis is not None:
-            aslant = 25.0 + node.angle
+            aslant = PAST_SHARE * node.angle + angle_to(axis, line.direction)
             yield NearMiss("the row aslant", spin(state, names, aslant, centroid(state, names)))
         sequence = from_first(node.order, line.sequence)
         traits, either = Traits(state.world), node.order.first is None
@@ -212,6 +210,15 @@ def lay(node: Row, sequence: list[str], yaw: float, world: World) -> Cluster | N
         poses[name] = ((x, y, edges[k] / 2), None if name in node.excused else turn)
         offset += steps[k] if k < len(steps) else 0.0
     return Cluster(poses)
+
+
+def _out_of_line(node: Row, line: Line, state: BlockState) -> NearMiss:
+    """The middle block moved aside until, with the line fitted anew, it is past what is allowed."""
+    k = min(range(len(line.along)), key=lambda j: abs(line.along[j]))
+    hold = 1.0 / len(line.along) + line.along[k] ** 2 / sum(a * a for a in line.along)
+    out = PAST_SHARE * node.line_edges * largest_edge(state, line.sequence) / (1.0 - hold) + abs(line.off[k])
+    ux, uy = line.direction
+    return NearMiss(f"{line.sequence[k]} out of the line", shift(state, [line.sequence[k]], -uy * out, ux * out))
 
 
 def gap_too_large(node: Row, line: Line, state: BlockState) -> NearMiss:

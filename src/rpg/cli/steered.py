@@ -92,6 +92,7 @@ def print_proof(console: Console, proof: Proof) -> None:
         console.print(Text(f"  ~ {change.before} → {change.after}: {fields}", "yellow"))
     goals, positions = proof.goals, proof.positions
     figures = f"{goals.states} states: {goals.both} both, {goals.only_old} old only, {goals.only_new} new only"
+    figures += f"; {goals.edge} of these at the edge of tolerances" if goals.edge else ""
     console.print(Text.assemble(("  goals: ", "bold"), f"{RELATIONS[goals.relation]} ", (f"({figures})", "dim")))
     if positions.blocks:
         told = f"the same for {positions.identical} of {positions.seeds} seeds"

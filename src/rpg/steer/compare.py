@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from rpg.blocks.evaluate import satisfied, settled
+from rpg.blocks.evaluate import evaluate, satisfied, settled
 from rpg.blocks.state import BlockState
 from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.ir import goal as g
@@ -15,6 +15,10 @@ from rpg.steer.identity import Identity
 
 Relation = Literal["equal", "implies", "implied by", "overlaps", "disjoint"]
 """How the new goal relates to the old one: "implies" is that every state that satisfies the new one satisfies both."""
+
+
+LITTLE = 0.5
+"""A goal is decided by little where its margin is less than this part of a tolerance."""
 
 
 @dataclass(frozen=True)
@@ -28,13 +32,17 @@ class Witness:
 
 @dataclass(frozen=True)
 class Comparison:
-    """What the bank says. Counts of states: in all, accepted by both, by the old goal only, by the new goal only."""
+    """What the bank says. Counts of states: in all, accepted by both, by the old goal only, by the new goal only.
+
+    `edge`: states that speak against the relation, all of them where both goals are decided by little.
+    """
 
     relation: Relation
     states: int
     both: int
     only_old: int
     only_new: int
+    edge: int
     witnesses: tuple[Witness, ...]
 
 
@@ -57,6 +65,10 @@ class Judge:
         holds = any(satisfied(self.goal, rename_state(state, naming)) for naming in self.namings)
         return holds and settled(state).value
 
+    def margin(self, sample: Sample) -> float:
+        """By how much of its tolerances the goal holds, or fails, with its own blocks."""
+        return evaluate(self.goal, self.side.state(sample)).margin
+
 
 def compare(identity: Identity, bank: Bank) -> Comparison:
     """Judge every state of the bank by both goals."""
@@ -68,9 +80,10 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
         before, after = old(sample), new(sample)
         if before or after:
             (both if before and after else only_old if before else only_new).append(sample)
-    relation = _temporal(identity, _relation(len(both), len(only_old), len(only_new)))
+    relation, edge = _up_to_tolerance(_relation(len(both), len(only_old), len(only_new)), old, new, only_old, only_new)
+    relation = _temporal(identity, relation)
     witnesses = (*_witness("new", bank.new, only_new), *_witness("old", bank.old, only_old))
-    return Comparison(relation, len(bank.samples), len(both), len(only_old), len(only_new), witnesses)
+    return Comparison(relation, len(bank.samples), len(both), len(only_old), len(only_new), edge, witnesses)
 
 
 def _relation(both: int, only_old: int, only_new: int) -> Relation:
@@ -79,6 +92,28 @@ def _relation(both: int, only_old: int, only_new: int) -> Relation:
     if only_old and only_new:
         return "overlaps"
     return "implies" if only_old else "implied by" if only_new else "equal"
+
+
+def _up_to_tolerance(
+    relation: Relation, old: Judge, new: Judge, only_old: list[Sample], only_new: list[Sample]
+) -> tuple[Relation, int]:
+    """Goals that overlap only where tolerances of one make up for tolerances of the other imply one another otherwise.
+
+    A row of three, out of line by little, may be part of a row of four that is just in line.
+    """
+    if relation != "overlaps":
+        return relation, 0
+    against_old = sum(not _by_little(old, new, sample) for sample in only_old)
+    against_new = sum(not _by_little(new, old, sample) for sample in only_new)
+    if against_old and not against_new:
+        return "implies", len(only_new)
+    if against_new and not against_old:
+        return "implied by", len(only_old)
+    return relation, 0
+
+
+def _by_little(accepting: Judge, rejecting: Judge, sample: Sample) -> bool:
+    return accepting.margin(sample) < LITTLE and rejecting.margin(sample) > -LITTLE
 
 
 def _temporal(identity: Identity, relation: Relation) -> Relation:

@@ -28,7 +28,7 @@ from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace, restyle
 from rpg.steer.operations.tune import loosen, outliers
-from rpg.steer.parse import Parsed, parse
+from rpg.steer.parse import Parsed, is_edit, parse
 from rpg.steer.refer import resolve
 from rpg.steer.shape import same_structure
 
@@ -181,7 +181,8 @@ def _otherwise(
 ) -> Interpretation:
     """No edit grammar covers the request, or none could be carried out: an instruction, or a clause of one."""
     longest = next((reading for reading in readings if not reading.whole), None)
-    if refusals and not _about_new_things(request, history, read):
+    edits = is_edit(request)
+    if refusals and (edits or not _about_new_things(request, history, read)):
         raise refusals[0]
     reasons: list[Diagnostic] = []
     if longest is not None and (longest.requests or longest.reference):
@@ -189,8 +190,7 @@ def _otherwise(
             return _with_clause(request, longest, history, read)
         except Refusal as refusal:
             reasons += refusal.diagnostics
-    adds = Fresh.adds(request)
-    steps = (_clause, _standalone) if adds else (_standalone, _clause)
+    steps = (_clause,) if edits else (_clause, _standalone) if Fresh.adds(request) else (_standalone, _clause)
     for step in steps:
         try:
             return step(request, history, read)

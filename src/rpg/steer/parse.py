@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.steer import requests as r
 from rpg.steer.backrefs import Reference, references
 from rpg.steer.grammar import request, skip, tail
-from rpg.steer.language import Parser, TooMuchWork, longest, m, tokenize
+from rpg.steer.language import Parser, TooMuchWork, longest, m, phrases, tokenize
 
 MAX_REQUESTS = 8
 _STOPS = frozenset({".", ";", "!", "?", "…"})
@@ -39,6 +39,20 @@ def parse(text: str) -> tuple[Parsed, ...]:
         return ()
     found.sort(key=lambda each: (not each.whole, _left(each, text), each.cost))
     return tuple(found)
+
+
+_EDITS = phrases(
+    "add | include | insert | append | introduce | attach | remove | delete | discard | eliminate | omit | leave out | "
+    "take out | take away | take off | get rid of | do without | replace | substitute | change | convert | transform | "
+    "recolor | recolour | paint | relabel | resize | enlarge | shrink | swap | switch | exchange | undo | revert | "
+    "reverse | invert | mirror | tighten | loosen | relax | extend | shorten | lengthen | go back | instead | use"
+)
+
+
+def is_edit(text: str) -> bool:
+    """Whether a request begins with a verb that only makes sense of a task that is there."""
+    p = Parser(tokenize(text)[0])
+    return bool(longest(p, skip(p, 0), _EDITS))
 
 
 def _left(parsed: Parsed, text: str) -> int:

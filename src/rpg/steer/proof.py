@@ -30,13 +30,17 @@ class Positions(Record):
 
 
 class Goals(Record):
-    """The new goal against the old one on a bank of states; counts of states."""
+    """The new goal against the old one on a bank of states; counts of states.
+
+    `edge`: states that speak against the relation, where both goals are decided by little of their tolerances.
+    """
 
     relation: Relation
     states: int
     both: int
     only_old: int
     only_new: int
+    edge: int = 0
 
 
 class Proof(Record):
@@ -70,6 +74,7 @@ def _goals(found: Comparison) -> Goals:
         both=found.both,
         only_old=found.only_old,
         only_new=found.only_new,
+        edge=found.edge,
     )
 
 

@@ -296,8 +296,10 @@ def group(draft: Draft, request: r.Group) -> None:
         by = "kind" if len(kinds) > 1 else "label" if kinds != {"plain"} else "color"
     draft.note("group", by)
     groups = Traits(draft.view.world).by_value(tuple(members), by)  # type: ignore[arg-type]
-    if figure is not None and isinstance(figure.node, GroupBy) and figure.node.by == by:
-        if {frozenset(group) for group in figure.node.groups} == {frozenset(group) for group in groups.values()}:
+    wanted = {frozenset(group) for group in groups.values()}
+    if figure is not None and isinstance(figure.node, GroupBy):
+        now = {frozenset(group) for group in figure.node.groups}
+        if figure.node.by == by and now == wanted:
             return
     _group(draft, members, by, request.span, figure)
 

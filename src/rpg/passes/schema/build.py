@@ -19,6 +19,7 @@ from rpg.passes.schema.resolve import finish
 from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.premises import keep_premises
+from rpg.passes.schema.resolve.refer import matching
 from rpg.passes.schema.resolve.tidy import tidy
 from rpg.passes.schema.resolve.world import Scene, refuse, said
 
@@ -147,6 +148,10 @@ def _schema(**fields: Any) -> TaskSchema:
 
 def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
     """Every block that was spoken of must matter: one that no condition mentions was lost on the way."""
+    for traits, count, span in scene.closed:
+        there = len(matching(traits, scene, False))
+        if there != count:
+            raise refuse("count-mismatch", f"there are only {count} of these, but {there} are needed", span, f"say {there}, or use {count}", there=count, needed=there)
     told = set(names_in(goal)) | {n for x in scene.start_goals for n in names_in(x)} | {n for heap in scene.heaps for n in heap}
     for thing in scene.things.values():
         if thing.name in told or thing.extra or thing.declared or thing.name in scene.spare:

@@ -111,9 +111,8 @@ DOUBLED = {
     "grab": "grabbing", "sit": "sitting",
 }  # fmt: skip
 POSTURES = (
-    "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying stays stay "
-    "staying remains remain remaining ends end goes go located positioned placed put set arranged found situated lined "
-    "ending resides reside belong belongs stacked piled"
+    "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying stays stay staying remains remain remaining "
+    "ends end goes go located positioned placed put found situated ending resides reside belong belongs hidden"
 )
 
 FUNCTION_WORDS = """

@@ -185,6 +185,7 @@ class At(Meaning):
 
     side: str
     index: int | None = None
+    whole: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

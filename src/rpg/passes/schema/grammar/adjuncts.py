@@ -159,6 +159,8 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
 def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in loc(p, i):
         yield (found,), k
+        if isinstance(found, Loc):
+            yield from (((found, side), end) for side, end in at(p, k) if isinstance(side, At) and side.side in ("left", "right", "front", "back"))
     for found, k in at(p, i):
         yield (found,), k
     for phrase, side in (("below", "bottom"), ("underneath", "bottom"), ("beneath", "bottom"), ("above", "top"), ("under", "bottom")):

@@ -24,6 +24,8 @@ class Phrases:
 
 
 COMMAND_FRAMES = Phrases(
+    "pls", "plz", "please just", "also ,", "additionally ,", "the task :", "the goal :", "your task :", "requirement", "requirement :", "requirement -", "i would prefer you to",
+    "i 'd love you to", "i would love you to", "i would like to ask you to", "may i ask you to", "do me a favor and", "feel free to", "goal -", "task -", "and now", "first off", "first off ,",
     "the agent must", "the agent should", "the agent has to", "the agent needs to", "the manipulator should", "the machine should", "agent", "build me", "the gripper should", "the robot arm should", "the robot arm must", "for this task ,", "in this task ,", "in this task",
     "please", "kindly", "can you", "could you", "would you", "will you", "can you please", "could you please", "would you please", "would you mind",
     "i want you to", "i would like you to", "i need you to", "i want to", "i would like to", "i would love to", "we want to", "we need to", "i need to",
@@ -39,6 +41,8 @@ COMMAND_FRAMES = Phrases(
     "use the robot to", "using the robot arm ,", "using the robot ,", "with the robot arm ,", "use the robot arm to", "use your gripper to", "use the gripper to", "using the gripper ,",
 )  # fmt: skip
 STATE_FRAMES = Phrases(
+    "i 'd love", "i would love", "i 'd love to see", "i 'd like", "i 'd like to see", "i would prefer", "i prefer", "i imagine", "also", "also ,", "additionally", "requirement", "requirement :", "requirement -",
+    "the task :", "the goal :", "goal :", "goal -", "my wish is", "my wish is that", "could you make it so that", "make it so that", "make it so", "i 'd love to have", "i would love to have", "let it be that",
     "make", "show", "build me", "make me", "give", "i want to get", "i want you to have", "i want to find", "see", "we see", "i see", "you see", "there goes", "what i want is", "what we want is", "all i want is",
     "i want to see", "i would like to see", "i want", "i would like", "i would like to have", "i need", "we want", "we need", "show me", "make sure that", "make sure", "ensure that", "ensure", "see to it that",
     "give me", "please ensure", "let", "in the end", "at the end", "in the final state", "the goal is", "the goal is that", "the goal is to have", "the final state is", "the final state should be", "the result should be",

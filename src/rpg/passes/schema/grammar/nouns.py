@@ -32,6 +32,19 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
     for item, j in simple(p, i):
         yield item, j
         yield from _list(p, i, (item,), j, None)
+        yield from _apposed(p, i, item, j)
+
+
+def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
+    """"three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
+    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, ","):
+        return
+    for found, k in amounts.quantity(p, j + 1):
+        if found.partitive and (end := p.any_of(k, ("them", "these", "those", "which"))):
+            yield Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)), end
+    if k := p.any_of(j + 1, ("none", "all", "each", "both")):
+        det = {"none": "no"}.get(p.words[k - 1], p.words[k - 1])
+        yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
 
 
 def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord]:
@@ -53,6 +66,8 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
         return
     nxt = joined or comma
     for item, j in simple(p, nxt):
+        if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
+            continue
         whole = (*items, item)
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
             yield Coord(op="xor", items=whole, span=p.span(i, k)), k
@@ -232,7 +247,7 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
             if digit and (_goes_on(p, k) or quantity.det == "all"):
                 continue
             if held is not None and (len(labels) == 1 or quantity.det != "a"):
-                yield from _finish(p, i, k, quantity, "block", len(labels) > 1, held, cost=2 if digit else 1)
+                yield from _finish(p, i, k, quantity, "block", len(labels) > 1, held, cost=2 if digit or (len(labels) > 1 and "and" not in p.words[j:k] and "," in p.words[j:k]) else 1)
 
 
 def _list_goes_on(p: Parser, j: int) -> bool:

@@ -306,6 +306,9 @@ def spacing(p: Parser, i: int) -> Results[Meaning]:
         yield Spacing(kind="touching", span=p.span(i, j)), j
 
 
+_WHOLES = (("row", "row"), ("line", "row"), ("column", "row"), ("stack", "stack"), ("tower", "stack"), ("pile", "stack"), ("pyramid", "pyramid"))
+
+
 @rule
 def at(p: Parser, i: int) -> Results[Meaning]:
     """A place within the structure: "at the bottom", "on top", "in the middle", "on the left", "third from the left"."""
@@ -337,23 +340,11 @@ def at(p: Parser, i: int) -> Results[Meaning]:
                 p.reach(j + 1), "end", "side", "most", "layer", "layers", "position", "level", "hand", "block", "spot", "place"
             )
             k = p.opt(k, "side")
-            k = (
-                p.any_of(
-                    k,
-                    (
-                        "of it",
-                        "of the stack",
-                        "of the tower",
-                        "of the row",
-                        "of the line",
-                        "of the column",
-                        "of the pile",
-                        "of the pyramid",
-                    ),
-                )
-                or k
-            )
-            yield At(side=side, span=p.span(i, k)), k
+            wholes = (("row", "row"), ("line", "row"), ("column", "row")) if side in ("left", "right", "front", "back") else _WHOLES
+            for word_, whole in wholes:
+                if end := p.any_of(k, (f"of the {word_}", f"of this {word_}", f"of that {word_}")):
+                    yield At(side=side, whole=whole, span=p.span(i, end)), end
+            yield At(side=side, span=p.span(i, k)), p.any_of(k, ("of it",)) if side in ("top", "bottom", "middle") and p.seq(k, "of it") else k
         if word in ("first", "last", "second", "third", "fourth", "fifth") and (
             k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))
         ):

@@ -334,7 +334,9 @@ def _listed_cost(landmark: Meaning) -> int:
     """A list as a landmark is less natural than a clause that begins with its last item."""
     if isinstance(landmark, Coord):
         return 1 if landmark.op == "and" else 0
-    return 1 if isinstance(landmark, Noun) and landmark.head == "any" and len(landmark.traits.colors) > 1 else 0
+    if not isinstance(landmark, Noun):
+        return 0
+    return 1 if (landmark.head == "any" and len(landmark.traits.colors) > 1) or (landmark.det == "bare" and len(landmark.traits.labels) > 1) else 0
 
 
 def is_part(meaning: Meaning) -> bool:

@@ -10,7 +10,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Lowest
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import At, Clause, Coord, In, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.passes.schema.meaning import At, Chain, Clause, Coord, In, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward, Traits
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
@@ -130,6 +130,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return _themeless(clause, spec, scene, scope)
     if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
         return turning.turn(clause, spec, scene, scope)
+    if clause.lemma == "alphabetize":
+        spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
     shape = _kind_of_shape(spec)
     theme = refer(_counted(clause.theme, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     _sandwich(clause, spec)
@@ -195,6 +197,8 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         return _one_by_one(theme, temporal, spec, scene, scope, span)
     ref, goals = theme, []
     structured = True
+    if _spelt_later(verb, spec, scene, theme):
+        return []
     if spec.intos:
         ref, goals = _into(theme, spec, scene, scope)
     elif heaped or verb == "stack":
@@ -215,6 +219,23 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
     return goals
+
+
+def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:
+    """"stack letters so that they read SUN": the word says which blocks; the verb only that it stands upright."""
+    upright = verb == "stack" or any(getattr(i.structure, "kind", "") == "stack" for i in spec.intos)
+    flat = not upright and any(getattr(i.structure, "kind", "") in ("row", "line") for i in spec.intos)
+    if not (upright or flat) or not all(scene.things[n].elastic for n in theme.names):
+        return False
+    for index, that in enumerate(spec.thats):
+        first = that.clauses.clauses[0] if isinstance(that.clauses, Chain) else None
+        if isinstance(first, Clause) and first.verb in ("spell", "read"):
+            along = Toward(axis="z" if upright else "y", span=that.span)
+            said = replace(first, adjuncts=(*first.adjuncts, along))
+            spec.thats[index] = replace(that, clauses=replace(that.clauses, clauses=(said, *that.clauses.clauses[1:])))
+            spec.intos = []
+            return True
+    return False
 
 
 def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
@@ -453,6 +474,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             continue
         theme = refer(item.theme, scene, replace(scope, role="theme"))
         inner = sort_adjuncts(item.adjuncts)
+        _merge_sides(inner)
         for at_ in list(inner.ats):
             if len(ref.built) == 1 and not set(theme.names) & set(ref.names) and at_.side in ("top", "bottom") and at_.index is None:
                 inner.ats.remove(at_)
@@ -556,6 +578,9 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         scene.mentions[-1].role = "given"
         for name in theme.names:
             scene.things[name].declared = True
+        amount = getattr(clause.theme, "amount", None)
+        if isinstance(clause.theme, Noun) and amount is not None and amount.strict and amount.low == amount.high:
+            scene.closed.append((clause.theme.traits, amount.low, clause.span))
         goals = [
             goal for item in spec.places for goal in place(theme, item, scene, replace(scope, start=True), clause.span)
         ]

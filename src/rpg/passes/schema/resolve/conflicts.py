@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir import structures as s
 from rpg.ir.walk import atoms
 
 
@@ -65,11 +66,25 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return a.a == b.a
         case (r.InRegion(), r.InRegion()):
             return a.a == b.a and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
+    if _flat_and_upright(a, b) or _flat_and_upright(b, a):
+        return True
     kinds = (getattr(a, "kind", ""), getattr(b, "kind", ""))
     if kinds[0] in _OPPOSITE:
         if kinds[0] == kinds[1]:
             return bool(a.a == b.b and a.b == b.a)  # type: ignore[union-attr]
         return bool(_OPPOSITE[kinds[0]] == kinds[1] and a.a == b.a and a.b == b.b)  # type: ignore[union-attr]
+    return False
+
+
+def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:
+    """A line on the table against a stack of two of its blocks."""
+    if not isinstance(flat, s.Row | s.Figure):
+        return False
+    line = set(flat.blocks)
+    if isinstance(upright, s.Stack):
+        return len(line & set(upright.blocks)) > 1
+    if isinstance(upright, r.On | r.Above) and isinstance(upright.a, tuple) and isinstance(upright.b, tuple):
+        return bool(line & set(upright.a)) and bool(line & set(upright.b))
     return False
 
 

@@ -80,10 +80,9 @@ def _paint_blocks(open_: list[Thing], scene: Scene) -> None:
     for thing in open_:
         batches.setdefault(thing.batch, []).append(thing)
     chosen: list[str] = []
-    singles = [b[0] for b in batches.values() if len(b) == 1 and b[0].scheme is None]
-    if len(singles) > 1 and len(singles) == len(open_):
-        batches = {0: singles}
-        singles[0].scheme = "same"
+    if len(batches) > 1 and all(t.scheme is None for t in open_):
+        batches = {0: open_}
+        open_[0].scheme = "same"
     for batch in batches.values():
         palette = [c for c in BLOCK_COLORS if c not in taken]
         if batch[0].scheme == "same":

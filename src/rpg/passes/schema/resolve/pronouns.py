@@ -133,6 +133,8 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         if len(m.ref.names) == 1 or m.ref.quant is None and _partial(m, scene)
     }
     taken |= scene.used
+    if scene.whole and not noun.traits.colors:
+        taken = set(scene.things) - (set(scene.whole) - scene.parted)
     left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken]
     count = noun.amount.low if noun.amount else None
     if noun.det == "another" or not left:
@@ -173,6 +175,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         )
     names = tuple(t.name for t in left)
     scene.used.update(names)
+    scene.parted.update(names)
     return Ref(names=names, patch=patch, plural=len(names) > 1)
 
 

@@ -161,14 +161,14 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         )
     if scene.speaks_of_rest and not amount.strict and high is not None:
         return _some_of(whole, amount.low, noun, scene)
-    if scene.speaks_of_rest and amount.low == high and high < len(whole.names):
+    if scene.speaks_of_rest and amount.low == high and high is not None and high < len(whole.names):
         return _some_of(whole, amount.low, noun, scene)
     return replace(whole, quant=Amount(amount.low, amount.high, True))
 
 
 def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
     """So many of several look-alikes, told apart from "the others" that are spoken of elsewhere."""
-    free = [n for n in whole.names if n not in scene.used]
+    free = [n for n in whole.names if n not in scene.parted]
     things = [scene.things[n] for n in free]
     if not _alike(things) and any(t.color or t.label for t in things):
         raise refuse("ambiguous", f"it is not said which of {len(free)} different blocks are meant", noun.span, "name the blocks", blocks=len(free))
@@ -176,7 +176,8 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
         raise refuse("too-many-asked", f"{count} are asked for, but only {len(free)} are left", noun.span, f"ask for at most {len(free)}", asked=count, there=len(free))
     for thing in things:
         thing.scheme = thing.scheme or "same"
-    scene.used.update(free[:count])
+    scene.parted.update(free[:count])
+    scene.whole = whole.names
     return Ref(names=tuple(free[:count]), plural=count > 1)
 
 

@@ -25,6 +25,8 @@ def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks)):
         return _refine(goal, node, loose, scene)
     sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
+    if len(loose) > 1 and any(isinstance(at_, At) and at_.whole == "row" for _, at_, _ in loose):
+        return _and(goal, _in_row(loose, scene))
     if all(side in ("top", "bottom", "middle") for side in sides) and len(loose) > 1:
         return _and(goal, _stack(loose, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
@@ -81,6 +83,18 @@ def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
     node = s.Stack(blocks=blocks, order=Order(by="given", ranks=ranks, first="bottom"), span=span)
     stack_built(node, scene)
     return node
+
+
+def _in_row(loose: list[Loose], scene: Scene) -> g.Goal:
+    """Sides and middle of a row that only its parts speak of."""
+    rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
+    ranked = sorted(loose, key=lambda item: rank.get(item[1].side if isinstance(item[1], At) else "middle", 1))
+    ranks = tuple(ref.names for ref, _, _ in ranked)
+    blocks = tuple(n for names in ranks for n in names)
+    along = any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)
+    order = Order(by="given", ranks=ranks, first="front" if along else "left")
+    scene.add_built("row", blocks, True, loose[0][2], "left")
+    return s.Row(blocks=blocks, axis="x" if along else "y", order=order, span=(loose[0][2][0], loose[-1][2][1]))
 
 
 def _across(loose: list[Loose]) -> g.Goal:

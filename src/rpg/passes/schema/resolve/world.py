@@ -8,7 +8,7 @@ from typing import Any
 
 from rpg.core.diagnostics import Diagnostic, Label, Refusal, Span
 from rpg.ir.goal import Goal
-from rpg.passes.schema.meaning import Amount, Meaning
+from rpg.passes.schema.meaning import Amount, Meaning, Traits
 
 
 @dataclass
@@ -118,6 +118,9 @@ class Scene:
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
     speaks_of_rest: bool = False
+    parted: set[str] = field(default_factory=set)
+    whole: tuple[str, ...] = ()
+    closed: list[tuple[Traits, int, Span]] = field(default_factory=list)
     spare: set[str] = field(default_factory=set)
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)

@@ -26,7 +26,7 @@ def test_killed_writers_lose_nothing_that_was_finished(workspace: Workspace) -> 
     for attempt in range(12):
         writer = start(workspace.root, f"writer {attempt}", 10_000)
         assert writer.stdout is not None
-        finished.append(writer.stdout.readline().strip())
+        finished += [writer.stdout.readline().strip(), writer.stdout.readline().strip()]
         time.sleep(rng.uniform(0.0, 0.06))
         writer.kill()
         finished += writer.stdout.read().split("\n")[:-1]

@@ -17,6 +17,7 @@ from rpg.blocks.predicates.common import (
     TOUCH,
     centroid,
     flatness,
+    gaps_along,
     largest_edge,
     levelness,
     pair_edge,
@@ -122,7 +123,7 @@ def spacing(node: Row, sequence: Sequence[str], state: BlockState) -> float:
     pairs = list(pairwise(sequence))
     if not pairs:
         return 1.0
-    gaps = [footprint_gap(state, a, b) for a, b in pairs]
+    gaps = gaps_along(state, sequence)
     margins = []
     if node.touching:
         margins += [1.0 - gap / TOUCH for gap in gaps]
@@ -184,6 +185,11 @@ class RowPredicate(Predicate[Row]):
         if len(names) > 2:
             yield _out_of_line(node, line, state)
         yield gap_too_large(node, line, state)
+        if node.evenly and len(names) > 2:
+            gaps = gaps_along(state, line.sequence)
+            step = PAST_SHARE * node.even_edges * largest_edge(state, names) + max(gaps) - gaps[-1]
+            dx, dy = line.direction[0] * step, line.direction[1] * step
+            yield NearMiss(f"{line.sequence[-1]} spaced unlike the others", shift(state, line.sequence[-1:], dx, dy))
         axis = axis_of(node)
         if axis is not None:
             aslant = PAST_SHARE * node.angle + angle_to(axis, line.direction)

@@ -105,7 +105,11 @@ def test_blocks_inside_each_other_at_the_start_are_caught() -> None:
     init = InitialState(
         poses=(Start(block="red_block", position=(0.5, 0.0)), Start(block="yellow_block", position=(0.51, 0.0)))
     )
-    report = caught(program(tasks.RED_ON_YELLOW.model_copy(update={"init": init})), "unsolved", "reset-overlap")
+    subject = program(tasks.RED_ON_YELLOW.model_copy(update={"init": init}))
+    report = run(subject)[-1]
+    assert report.name == "unsolved"
+    assert [d.code for d in report.failures] == ["reset-overlap", "reset-moves"]
+    assert "blocks overlap by" in render_log(subject, run(subject))
     assert report.figures["overlap_mm"] > 20
     assert failure_class(report.failures[0]) == "instability"
 

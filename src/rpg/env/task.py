@@ -158,6 +158,7 @@ class BlockTask(Relations, Structures, Setup):
             self._look(self._robot.held(self.data) if self._robot is not None else NOTHING)
             if self._hooked:
                 self._on_step()
+                self._judgement = None
 
     def state(self) -> BlockState:
         """Where every block is now."""

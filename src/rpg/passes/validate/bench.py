@@ -43,6 +43,8 @@ class Bench:
 
     program: Program
     measures: Measures = field(default_factory=Measures)
+    trusted: bool = False
+    """Is the code our own lowering, word for word?"""
     prints: dict[str, str] = field(default_factory=dict)
     trace: Trace | None = None
     elsewhere: Callable[[], dict[str, str]] | None = None

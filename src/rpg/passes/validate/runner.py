@@ -46,7 +46,7 @@ def admitted(reports: Sequence[GateReport]) -> bool:
 
 def _here(program: Program, measures: Measures, limits: Limits, listen: Listener) -> Reports:
     nursery, number = _asked([program.code, program.goal_code, measures.resets, measures.smoke_steps])
-    bench = Bench(program, measures, elsewhere=lambda: nursery.answer(number, limits.seconds) or {})
+    bench = Bench(program, measures, trusted=True, elsewhere=lambda: nursery.answer(number, limits.seconds) or {})
     try:
         return tuple(_until_failure(GATES, bench, listen))
     finally:

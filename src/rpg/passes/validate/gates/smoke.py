@@ -6,12 +6,21 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+import mujoco
+
+from rpg.blocks.state import BlockState
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.env import BlockTask
 from rpg.ir.artifact import GateReport, Program
 from rpg.passes.validate.bench import Bench
 from rpg.passes.validate.findings import failure, place_of, refused, told
 from rpg.passes.validate.prints import print_of
+
+DIVERGES = "positions are no finite numbers, at the start or a few steps later"
+BAD_NUMBERS = tuple(
+    int(kind)
+    for kind in (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
+)
 
 
 @dataclass(frozen=True)
@@ -50,16 +59,15 @@ class SmokeGate:
             # the gate of starts says more about this one; here the goal state shows whether the task runs
             task = bench.goal
             start = task.reset(0)
+        if not _finite(start):
+            return [*found, failure(self.name, "physics-diverges", "instability", DIVERGES)], {}
         bench.prints["reset 0"] = print_of(task)
         task.step(bench.measures.smoke_steps)
         state = task.state()
         task.judge()
         bench.prints["steps"] = print_of(task)
-        if not all(math.isfinite(value) for xyz in state.position.values() for value in xyz):
-            found.append(
-                failure(self.name, "physics-diverges", "instability", "the simulation diverges from its start")
-            )
-            return found, {}
+        if not _finite(state) or any(task.data.warning[kind].number for kind in BAD_NUMBERS):
+            return [*found, failure(self.name, "physics-diverges", "instability", DIVERGES)], {}
         moved = max((math.dist(start.position[n], state.position[n]) for n in state.position), default=0.0)
         return found, {
             "blocks": len(state.position),
@@ -75,3 +83,7 @@ class SmokeGate:
         names = sorted(n for n in {*wanted, *made} if wanted.get(n) != made.get(n))
         message = f"the code and task.yaml differ in their objects: {', '.join(names) or 'their order'}"
         return [failure(self.name, "assets-differ", "api", message, names=names)]
+
+
+def _finite(state: BlockState) -> bool:
+    return all(math.isfinite(value) for place in state.position.values() for value in place)

@@ -18,6 +18,7 @@ from rpg.blocks.state import World
 from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.blocks.waypoints import looks_back
 from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import Stack
 from rpg.passes.codegen import class_name, lower, lower_goal, read_goal
 from rpg.passes.codegen.layout import quoted
 from rpg.passes.codegen.naming import boolean_name
@@ -115,6 +116,9 @@ def test_names_say_what_is_asked() -> None:
     assert boolean_name(tasks.WORD.goal) == "noon_spelled"
     assert boolean_name(tasks.PATCH.goal) == "exactly_two_on_blue_patch"
     assert boolean_name(tasks.TOWER.goal) == "blocks_stacked"
+    alike = Stack(blocks=("red_block_1", "red_block_2"))
+    assert boolean_name(alike) == "two_red_blocks_stacked"
+    assert boolean_name(Stack(blocks=("A_block", "B_block"))) == "a_and_b_stacked"
     assert [boolean_name(part) for part in tasks.MIXED.goal.goals] == [  # type: ignore[union-attr]
         "red_on_green_or_red_on_blue",
         "not_yellow_in_left_half",

@@ -100,9 +100,10 @@ def _words(value: object) -> str:
     except TypeError:
         return ""
     names = [short(name) for name in found if isinstance(name, str)]
-    if len(names) <= 2:
-        return "_and_".join(names)
-    return _kind_of(names)
+    kind = _kind_of(names)
+    if len(names) > 1 and kind not in ("letters", "blocks"):
+        return f"{_number(len(names))}_{kind}"
+    return "_and_".join(names) if len(names) <= 2 else kind
 
 
 def collective(names: Iterable[str]) -> str:

@@ -13,6 +13,7 @@ from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
 from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, cost_of, parts_of
+from rpg.passes.schema import feasibility
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.read import Sentence
 from rpg.passes.schema.resolve import finish
@@ -141,9 +142,12 @@ def resolve(
 def _schema(**fields: Any) -> TaskSchema:
     """The task, if its parts fit together: a reading that leaves something dangling is none."""
     try:
-        return TaskSchema(**fields)
+        schema = TaskSchema(**fields)
     except ValidationError:
         raise refuse("misplaced", "this cannot be put together in one task", (0, len(fields["instruction"])), "say it in several short sentences") from None
+    if problems := feasibility.check(schema):
+        raise Refusal(problems)
+    return schema
 
 
 def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:

@@ -137,6 +137,8 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
 
 def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     """The goals of a relation between what is known already."""
+    if theme.patch and not mark.table and not mark.patch:
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
     if mark.reciprocal:
         return reciprocal(theme, loc, span)
     if mark.table:

@@ -22,7 +22,8 @@ NEAREST = 45.0
 """Rows lie along y when they are nearer to it than to x."""
 MAX_RADIUS = 0.15
 """Radius in metres of the largest circle that the workspace holds."""
-FEWEST = {"square": 8, "rectangle": 10, "triangle": 6, "circle": 8, "L": 4, "T": 5, "V": 5, "U": 5, "plus": 5, "X": 5}
+FEWEST = {"circle": 8, "square": 8, "rectangle": 10, "triangle": 6, "L": 5, "T": 5, "V": 5, "U": 7, "plus": 5, "X": 5}
+"""The fewest blocks that show each figure plainly."""
 FEWEST_FILLED = {"square": 9, "rectangle": 6, "triangle": 6, "circle": 7}
 NATURAL: dict[str, Direction] = {"L": "right", "U": "back", "triangle": "back"}
 """Where undirected figures point as they are usually seen; the others point to the front."""
@@ -298,6 +299,11 @@ def figure_size(shape: str, filled: bool = False, sides: tuple[int, int] | None 
         return FEWEST_FILLED[shape] if filled and shape in FEWEST_FILLED else FEWEST[shape]
     node = Figure(blocks=("",), shape=shape, filled=filled, sides=sides)  # type: ignore[arg-type]
     return len(next(_drawings(node, 0)))
+
+
+def ring_width(count: int, edge: float, gap: float = 0.0) -> float:
+    """Distance in metres across the tightest circle of cubes that face its middle, between opposite centres."""
+    return edge + (edge + gap) / math.tan(math.pi / count)
 
 
 def grid_size(rows: int, columns: int, layers: int = 1) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from rpg.blocks.figures import Cell, Ideal, upright
+from rpg.blocks.figures import Cell, Ideal, ring_width, upright
 from rpg.blocks.predicate import Cluster
 from rpg.blocks.predicates.common import BUILD_GAP, SPANS
 from rpg.blocks.state import IDENTITY, Quat, Vec3, World, yaw_quat
@@ -37,8 +37,7 @@ def _pitch(ideal: Ideal, edge: float, gap: float, tangent: bool) -> float:
     """The least pitch at which no two blocks of a level are nearer than `gap`."""
     count = len(ideal.cells)
     if tangent and count > 2:
-        radius = edge / 2 + (edge + gap) / (2 * math.tan(math.pi / count))
-        return max(2 * radius * math.sin(math.pi / count), edge + gap)
+        return max(ring_width(count, edge, gap) * math.sin(math.pi / count), edge + gap)
     least = edge + gap
     for i, a in enumerate(ideal.cells):
         for b in ideal.cells[:i]:

@@ -12,6 +12,8 @@ from itertools import combinations
 from typing import Literal
 
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
+from rpg.blocks.figures import ring_width
+from rpg.blocks.predicates.common import BORDER
 from rpg.core.diagnostics import Diagnostic
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -76,8 +78,9 @@ def requirements(schema: TaskSchema) -> tuple[Requirement, ...]:
             found.append(Requirement(atom, "x", atom.rows * widest, int(DEPTH / widest)))
         elif isinstance(atom, s.Figure) and atom.shape == "circle" and not atom.filled:
             widest = max(edge[n] for n in atom.blocks)
-            across = len(atom.blocks) * widest / math.pi
-            found.append(Requirement(atom, "x", across, int(DEPTH * math.pi / widest)))
+            across = ring_width(len(atom.blocks), widest) + 2 * BORDER
+            fits = next(n for n in range(MAX_BLOCKS, 1, -1) if ring_width(n, widest) + 2 * BORDER <= DEPTH)
+            found.append(Requirement(atom, "x", across, fits))
         elif isinstance(atom, s.Spells) and atom.along == "row":
             widest = max(edge[n] for n in atom.blocks)
             found.append(Requirement(atom, "y", len(atom.word) * widest, int(WIDTH / widest)))

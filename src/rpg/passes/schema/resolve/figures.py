@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from rpg.blocks.figures import FEWEST, pyramid_size, takes
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
@@ -16,8 +17,6 @@ from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
 
-FEWEST = {"circle": 8, "square": 8, "rectangle": 10, "triangle": 6, "L": 5, "T": 5, "V": 5, "U": 7, "plus": 5, "X": 5}
-"""The fewest blocks that show each figure plainly."""
 PALETTE = tuple(c for c in COLORS if c not in ("black", "white", "gray", "brown")) + ("brown", "white", "black", "gray")
 
 Made = tuple[list[Built], list[g.Goal]]
@@ -70,7 +69,21 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     node = s.Figure(
         blocks=names, shape=shape.kind, filled=filled, sides=sides, pointing=pointing, pattern=pattern, readable=readable, span=shape.span  # type: ignore[arg-type]
     )  # fmt: skip
-    return _made(shape.kind, node, names, shape.span, scene)
+    return _made(shape.kind, _fitting(node, shape, scene), names, shape.span, scene)
+
+
+def _fitting(node: s.Figure, shape: Structure, scene: Scene) -> s.Figure:
+    """The figure, if its number of blocks makes one: filled, where they make no outline and nothing was said."""
+    count = len(node.blocks)
+    if takes(node, count):
+        return node
+    full = node.model_copy(update={"filled": True})
+    if shape.kind == "triangle" and shape.filled is None and node.sides is None and takes(full, count):
+        scene.assume(f"a triangle of {count} blocks is filled")
+        return full
+    near = sorted((n for n in range(3, 31) if takes(node, n)), key=lambda n: (abs(n - count), n))[:2]
+    use = " or ".join(str(n) for n in sorted(near)) or "another number of blocks"
+    raise refuse("count-mismatch", f"{count} blocks do not make a {shape.kind}", shape.span, f"use {use}", blocks=count)
 
 
 def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
@@ -206,19 +219,12 @@ def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     """ "a pyramid with a 3x3 base", "a pyramid of six blocks"."""
     _plain(shape)
     base = _base(shape, spec, theme, scene)
-    need = _pyramid_count(base)
+    need = pyramid_size(base)
     names = members_of(shape, spec, theme, need, need, scene, scope)
     layers = min(base) if base[1] > 1 else base[0]
     pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope)
     node = s.Pyramid(blocks=names, base=base, pattern=pattern, readable=readable, span=shape.span)
     return _made("pyramid", node, names, shape.span, scene)
-
-
-def _pyramid_count(base: tuple[int, int]) -> int:
-    n, m = base
-    if m == 1:
-        return n * (n + 1) // 2
-    return sum((n - k) * (m - k) for k in range(min(n, m)))
 
 
 def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int]:
@@ -236,9 +242,9 @@ def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         size = math.isqrt(max(layers)) if square and len(layers) > 1 else max(layers)
     options = [(n, 1) for n in range(2, 8)] + [(n, n) for n in range(2, 5)]
     if total is not None:
-        fits = [b for b in options if _pyramid_count(b) == total and (size is None or b[0] == size or (b[1] > 1 and b[0] * b[1] == size))]
+        fits = [b for b in options if pyramid_size(b) == total and (size is None or b[0] == size or (b[1] > 1 and b[0] * b[1] == size))]
         if not fits:
-            counts = sorted(_pyramid_count(b) for b in options)
+            counts = sorted(pyramid_size(b) for b in options)
             near = sorted(counts, key=lambda c: (abs(c - total), c))[:2]
             raise refuse("count-mismatch", f"{total} blocks do not make a pyramid", shape.span, f"use {near[0]} or {near[1]}", blocks=total)
         scene.assume(f"the base of the pyramid is {fits[0][0]} by {fits[0][1]} blocks")

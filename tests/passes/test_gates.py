@@ -163,6 +163,11 @@ def test_a_success_that_forgets_to_wait_for_rest_is_caught() -> None:
     caught(subject, "mutation", "goal-vacuous")
 
 
+def test_stages_that_forget_to_wait_for_rest_are_caught() -> None:
+    subject = edited(program(tasks.STAGES), "& at_rest\n", "\n")
+    caught(subject, "mutation", "goal-vacuous")
+
+
 def test_an_over_tight_success_is_caught() -> None:
     subject = edited(
         program(tasks.RED_ON_YELLOW),

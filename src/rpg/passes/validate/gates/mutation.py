@@ -49,8 +49,12 @@ class MutationGate:
         assert bench.trace is not None
         rng = Random(f"near-misses of {program.task.name}")
         goal = bench.trace.authored
-        misses = [*near_misses(program.task.goal, goal, rng), *unsettled(goal)]
-        survivors = [miss for miss in misses if holds(bench.task, (*bench.trace.history, miss.state))]
+        history = bench.trace.history
+        paths = [(miss, (*history, miss.state)) for miss in near_misses(program.task.goal, goal, rng)]
+        # where stages count, the goal was met before it moves again
+        paths += [(miss, (*history, *([goal] if history else []), miss.state)) for miss in unsettled(goal)]
+        misses = [miss for miss, _ in paths]
+        survivors = [miss for miss, path in paths if holds(bench.task, path)]
         others = other_goals(program, bench)
         rejected = [path[-1] for path in others if not holds(bench.task, path)]
         found = []

@@ -38,16 +38,25 @@ def layouts_of(
     for atom, builds in found:
         inside = set(names(atom))
         asked = [part for part in literals if part.atom is not atom and _within(part.atom, inside)]
-        seated = [reseated(atom, clusters, asked, world) for clusters in builds[:MOST_RESEATED]] if asked else []
-        part_of_another = any(other is not atom and inside < set(names(other)) for other, _ in found)
-        yield (
-            atom,
-            [
-                *([[]] if part_of_another else []),
-                *(clusters for clusters in seated if clusters is not None),
-                *builds,
-            ],
-        )
+        if any(_covers(other, atom) or _parts_of(other, atom) for other, _ in found):
+            yield atom, [[], *builds]
+            continue
+        first = builds[: MOST_RESEATED if thorough else 1] if asked else []
+        seated = [reseated(atom, clusters, asked, world, thorough) for clusters in first]
+        yield atom, [*(clusters for clusters in seated if clusters is not None), *builds]
+
+
+def _covers(other: g.Atom, atom: g.Atom) -> bool:
+    """Do the blocks of `atom` all have their places by `other`? Of two with the same blocks, a group is the looser."""
+    if other is atom or other.kind == "group_by":
+        return False
+    mine, theirs = set(names(atom)), set(names(other))
+    return mine < theirs or (mine == theirs and atom.kind == "group_by")
+
+
+def _parts_of(other: g.Atom, atom: g.Atom) -> bool:
+    """Is `other` a structure within a group, so that the group is better put together of such pieces?"""
+    return atom.kind == "group_by" and other.kind != "group_by" and len(set(names(atom)) & set(names(other))) > 1
 
 
 def _within(atom: g.Atom, blocks: set[str]) -> bool:

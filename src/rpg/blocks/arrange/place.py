@@ -34,6 +34,8 @@ OPEN = STRUCTURES | {"clear", "empty", "facing"}
 
 TIGHT = {"touching": 5, "adjacent": 3, "distance": 3, "beside": 2}
 """How much conditions on a place press for it to be taken before others."""
+GRADUAL = frozenset({"group_by", "between"})
+"""Atoms that propose places while some of their blocks are still to come."""
 WIDTH = 6
 """Candidates that are followed at each piece."""
 PROPOSALS = 24
@@ -200,14 +202,20 @@ class Search:
             for r in self.touching[id(piece)]
             if r.per_place and all(n in self.position or n in piece.position for n in r.blocks)
         ]
+        telling = [r for r in due if r.holds] + [r for r in self._begun(piece) if r not in due]
         scored = []
-        for origin, worth in self._candidates(piece, [r for r in due if r.holds]).items():
+        for origin, worth in self._candidates(piece, telling).items():
             self.budget.spend()
             score = self._score(piece, origin, due)
             if score is not None:
                 scored.append((score + worth, origin))
         scored.sort(key=lambda pair: -pair[0])
         return [origin for _, origin in scored]
+
+    def _begun(self, piece: Piece) -> list[Rule]:
+        """Conditions that say something of a place before all of their blocks are there."""
+        rules = [r for r in self.touching[id(piece)] if r.holds and r.per_place and r.atom.kind in GRADUAL]
+        return [r for r in rules if any(n in self.position for n in r.blocks)]
 
     def _score(self, piece: Piece, origin: Origin, due: list[Rule]) -> float | None:
         clearance = self.ground.clearance(piece, origin)

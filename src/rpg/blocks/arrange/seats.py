@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations
+from random import Random
 
 from rpg.blocks.arrange.alternatives import Literal
 from rpg.blocks.constants import TABLE_Z
@@ -17,12 +18,16 @@ UPRIGHT = frozenset({"on", "above", "clear", "stack"})
 FAR = 5.0
 """Distance (m) at which the pieces of a structure are judged, so that none is near another."""
 ROUNDS = 10
+RESTARTS = 4
+SHUFFLED = 3
 SPOILT = 10.0
 """How much worse a structure that no longer holds is than a condition that does not."""
 Seats = list[tuple[int, Vec3, Quat | None]]
 
 
-def reseated(atom: g.Atom, clusters: Sequence[Cluster], asked: Sequence[Literal], world: World) -> list[Cluster] | None:
+def reseated(
+    atom: g.Atom, clusters: Sequence[Cluster], asked: Sequence[Literal], world: World, thorough: bool
+) -> list[Cluster] | None:
     """The layout with blocks of one size exchanged so that `asked` holds; None if that is not found, or needed.
 
     `asked` mentions blocks of the structure only.
@@ -31,17 +36,13 @@ def reseated(atom: g.Atom, clusters: Sequence[Cluster], asked: Sequence[Literal]
     if not kept or any(cluster.fixed for cluster in clusters):
         return None
     table = _Table(atom, clusters, kept, world)
-    faults = table.faults()
-    if faults == 0.0:
+    if table.faults() == 0.0:
         return None
-    for _ in range(ROUNDS):
-        better, pair = min(((table.faults_after(*pair), pair) for pair in table.pairs()), default=(faults, None))
-        if pair is None or better >= faults:
-            return None
-        table.exchange(*pair)
-        faults = better
-        if faults == 0.0:
+    rng = Random(len(table.seats))
+    for _ in range(RESTARTS if thorough else 1):
+        if table.improved():
             return table.clusters()
+        table.shuffle(rng)
     return None
 
 
@@ -53,6 +54,25 @@ class _Table:
         self.count = len(clusters)
         self.seats = {n: (k, place, quat) for k, c in enumerate(clusters) for n, (place, quat) in c.poses.items()}
         self.whole = PREDICATES[atom.kind].evaluate(atom, self._state()).value
+
+    def improved(self) -> bool:
+        """Exchange the pair that helps most until all conditions hold (True) or no exchange helps."""
+        faults = self.faults()
+        for _ in range(ROUNDS):
+            better, pair = min(((self.faults_after(*pair), pair) for pair in self.pairs()), default=(faults, None))
+            if pair is None or better >= faults:
+                return False
+            self.exchange(*pair)
+            faults = better
+            if faults == 0.0:
+                return True
+        return False
+
+    def shuffle(self, rng: Random) -> None:
+        """Exchange a few pairs by chance."""
+        pairs = self.pairs()
+        for pair in rng.sample(pairs, min(len(pairs), SHUFFLED)):
+            self.exchange(*pair)
 
     def pairs(self) -> list[tuple[str, str]]:
         """Blocks that may change places and do not look alike."""

@@ -158,6 +158,14 @@ class GroupByPredicate(Predicate[GroupBy]):
         mixed = [group[k:] + groups[n - 1][:k] for n, group in enumerate(groups)]
         return mixed if strangers_fit(mixed, node, Traits(world)) else None
 
+    def propose(self, node: GroupBy, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
+        """Beside the members of the block's group that are placed already."""
+        mine = next((group for group in node.groups if block in group), ())
+        for other in (name for name in mine if name != block and name in state.position):
+            x, y, _ = state.position[other]
+            step = (state.world.edge[block] + state.world.edge[other]) / 2 + BUILD_GAP
+            yield from ((x + step * dx, y + step * dy) for dx, dy in ((1, 0), (-1, 0), (0, 1), (0, -1)))
+
     def near_misses(self, node: GroupBy, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         groups: Groups = node.groups
         names = [name for group in groups for name in group]

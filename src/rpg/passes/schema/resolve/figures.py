@@ -10,10 +10,11 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
 from rpg.passes.schema.lexicon import COLORS
-from rpg.passes.schema.meaning import At, Noun, Structure
+from rpg.passes.schema.meaning import Absolute, At, Noun, Size, Structure
 from rpg.passes.schema.meaning import Pattern as Said
 from rpg.passes.schema.resolve.members import amount_of, members_of
 from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
 
@@ -150,6 +151,29 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         blocks=names, rows=rows, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
     )
     return _made("grid" if shape.kind == "checkerboard" else shape.kind, node, names, shape.span, scene)
+
+
+def _centred(
+    centre: Absolute, shape: Structure, spec: Spec, theme: Ref | None, dims: tuple[int, int], scene: Scene, scope: Scope
+) -> Made:
+    """"a 3x3 square of red blocks with a blue one in the center"."""
+    spec.absolutes.remove(centre)
+    rows, columns = dims
+    total = rows * columns
+    if total % 2 == 0 or rows % 2 == 0:
+        raise refuse("misplaced", f"a {rows} by {columns} grid has no single middle cell", centre.span, "use odd numbers of rows and columns")
+    others = members_of(shape, spec, theme, total - 1, total - 1, scene, scope)
+    if len({(t.color, t.label) for t in (scene.things[n] for n in others)}) > 1:
+        raise refuse("ambiguous", "it is not said how the other blocks are laid out", shape.span, "use blocks of one colour around it")
+    for name in others:
+        scene.things[name].scheme = scene.things[name].scheme or "same"
+    middle = refer(centre.theme, scene, Scope()).names
+    if len(middle) != 1 or middle[0] in others:
+        raise refuse("misplaced", "one further block goes in the middle", centre.span, "name one block of another colour")
+    half = len(others) // 2
+    order = Order(by="given", ranks=(others[:half], middle, others[half:]))
+    node = s.Grid(blocks=(*others, *middle), rows=rows, columns=columns, pattern=Pattern(kind="reading", order=order), span=shape.span)
+    return _made(shape.kind, node, node.blocks, shape.span, scene)
 
 
 def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:
@@ -307,7 +331,8 @@ def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sco
 def _steps(shape: Structure) -> Structure:
     from dataclasses import replace
 
-    return replace(shape, size=shape.amount, amount=None, plural=False)
+    steps = Size(what="steps", amount=shape.amount, span=shape.span)
+    return replace(shape, sizes=(steps,), amount=None, plural=False)
 
 
 def pattern_of(

@@ -96,9 +96,20 @@ def sample_start(init: InitialState, world: World, seed: int, attempt: int = 0) 
             return found
         state = dropped(found, heaps) if heaps else settled_state(found)
         if state is not None and _acceptable(heaps, found, state):
-            return state
+            return _rounded(state)
         diagnostic = _unstable()
     raise Refusal([diagnostic])
+
+
+def _rounded(state: BlockState) -> BlockState:
+    """Poses without the last digits, in which the solver's noise differs with what else stands on the table."""
+    return BlockState(
+        world=state.world,
+        position={n: (round(x, 9), round(y, 9), round(z, 9)) for n, (x, y, z) in state.position.items()},
+        orientation={
+            n: (round(w, 9), round(x, 9), round(y, 9), round(z, 9)) for n, (w, x, y, z) in state.orientation.items()
+        },
+    )
 
 
 def _compose(init: InitialState, world: World, draw: str) -> _Layout | None:

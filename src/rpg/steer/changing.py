@@ -22,6 +22,8 @@ def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if not j:
             continue
         for theme, k in _themes(p, j):
+            if isinstance(theme, m.Structure) and theme.det in ("a", "bare", "another"):
+                continue
             n = longest(
                 p,
                 k,

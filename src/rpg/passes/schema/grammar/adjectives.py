@@ -202,6 +202,10 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     ):  # fmt: skip
         if j := p.seq(i, phrase):
             yield Marks({"scheme": value}), j
+    if j := p.any_of(i, (", all of them", ", all in", ", all", ", each", ", both", ", every one of them")):
+        for (listed, either), k in colors(p, j):
+            if len(listed) == 1:
+                yield Marks({"colors": listed}), k
     if head == "patch" and (j := p.any_of(i, ("designated on the table", "on the table", "marked on the table", "painted on the table", "drawn on the table"))):
         yield Marks({"target": True}), j
     for phrase in ("of its color", "of its own color", "of the same color", "of matching color", "of that color",

@@ -24,6 +24,7 @@ from rpg.passes.schema.meaning import (
     OrderBy,
     Spacing,
     Structure,
+    TableTop,
     That,
     Toward,
     Using,
@@ -104,7 +105,9 @@ def _absolute(p: Parser, i: int) -> Results[Meaning]:
             yield Absolute(theme=theme, adjuncts=(At(side="top", span=p.span(i, j)),), span=p.span(i, k)), k
         return
     for first, end in _one_absolute(p, j):
-        cost = 2 if j == comma and isinstance(first.adjuncts[0], Loc) else 1 if isinstance(first.adjuncts[0], At) else 0
+        first_place = first.adjuncts[0]
+        table = isinstance(first_place, Loc) and isinstance(first_place.landmark, TableTop)
+        cost = 2 if table or (j == comma and isinstance(first_place, Loc)) else 1 if isinstance(first_place, At) else 0
         first = replace(first, cost=cost)
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
@@ -159,7 +162,7 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
 def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in loc(p, i):
         yield (found,), k
-        if isinstance(found, Loc):
+        if isinstance(found, Loc) and not isinstance(found.landmark, TableTop):
             yield from (((found, side), end) for side, end in at(p, k) if isinstance(side, At) and side.side in ("left", "right", "front", "back"))
     for found, k in at(p, i):
         yield (found,), k
@@ -318,6 +321,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
 
 
 _LITTLE = (
+    ("before that", "time", 0.0), ("beforehand", "time", 0.0), ("before this", "time", 0.0), ("put", "stay", None), ("right where it is", "stay", None), ("exactly where it is", "stay", None), ("where it stands", "stay", None),
+    ("please", "idle", None), (", please ,", "idle", None), ("if possible", "idle", None), ("from where i stand", "idle", None), ("as i see it", "idle", None), ("from my side", "idle", None),
     ("with exactly one outlier in each pile", "outliers", 1.0), ("with exactly one outlier in each group", "outliers", 1.0), ("so that each group has exactly one stranger", "outliers", 1.0),
     ("so that each pile has exactly one outlier", "outliers", 1.0), ("so that each group has exactly one outlier", "outliers", 1.0), ("with one outlier in each pile", "outliers", 1.0), ("with one outlier in each group", "outliers", 1.0),
     ("with one outlier each", "outliers", 1.0), ("with exactly one outlier each", "outliers", 1.0), ("so that each pile has one outlier", "outliers", 1.0), ("with exactly one stranger in each group", "outliers", 1.0),

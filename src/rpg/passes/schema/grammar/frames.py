@@ -54,7 +54,7 @@ STATE_FRAMES = Phrases(
 )  # fmt: skip
 START_FRAMES = Phrases(
     "starting with", "start with", "starting from", "initially", "given", "given that", "assume", "assume that", "assuming", "assuming that", "suppose", "suppose that", "at the start", "at the beginning", "in the beginning",
-    "to begin with", "beginning with", "the initial state is", "in the initial state", "originally", "when", "with", "if", "currently", "right now", "starting state", "start state", "start from", "the task starts with", "the scene starts with",
+    "to begin with", "beginning with", "the initial state is", "in the initial state", "originally", "currently", "right now", "starting state", "start state", "start from", "the task starts with", "the scene starts with",
     "at first", "the episode starts with", "the initial state has", "as a start", "we start with", "you start with", "the scene begins with", "the start is", "starts with", "start out with", "begin with", "initial state :", "initially ,", "at the start ,",
     "at the beginning ,", "assume initially", "the starting state is", "the starting state has", "in the starting state", "the starting configuration is", "the initial configuration is", "beginning from", "from a start with", "from a state where", "starting from a state where",
 )  # fmt: skip

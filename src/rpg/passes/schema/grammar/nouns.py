@@ -42,6 +42,10 @@ def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     for found, k in amounts.quantity(p, j + 1):
         if found.partitive and (end := p.any_of(k, ("them", "these", "those", "which"))):
             yield Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)), end
+    if isinstance(whole, Noun) and whole.amount is None:
+        for some, k in amounts.amount(p, j + 1):
+            k = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those")) or k
+            yield replace(whole, amount=some, plural=some.high != 1, det="bare" if whole.det == "some" else whole.det, span=p.span(i, k)), k
     if k := p.any_of(j + 1, ("none", "all", "each", "both")):
         det = {"none": "no"}.get(p.words[k - 1], p.words[k - 1])
         yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k

@@ -67,7 +67,12 @@ _NAMED = (
     (", vowels first", "vowel_first", {}), (", evens first and then odds", "even_first", {}), (", consonants first", "consonant_first", {}), (", even numbers first", "even_first", {}), (", odd numbers first", "odd_first", {}),
     ("with same colors together", "by_color", {}), ("with the same colors together", "by_color", {}), ("with equal colors together", "by_color", {}), ("so that blocks of the same color are next to each other", "by_color", {}),
     ("so that equal colors are next to each other", "by_color", {}), ("so that the same colors are next to each other", "by_color", {}), ("with blocks of the same color next to each other", "by_color", {}), ("grouped by color", "by_color", {}),
-    ("with like colors together", "by_color", {}), ("so that the colors are together", "by_color", {}), ("with each color together", "by_color", {}), ("so that same colors are adjacent", "by_color", {}), ("in no particular order", "any", {}), ("in reverse order", "reverse", {}), ("in reverse", "reverse", {}),
+    ("with like colors together", "by_color", {}), ("with blocks of the same color side by side", "by_color", {}), ("with blocks of the same color together", "by_color", {}), ("with blocks of the same color adjacent", "by_color", {}),
+    ("so that blocks of the same color are side by side", "by_color", {}), ("so that blocks of the same color are together", "by_color", {}), ("with blocks of equal color next to each other", "by_color", {}), ("so that blocks of the same color are adjacent", "by_color", {}),
+    ("so that no two neighbors have the same color", "alternating", {}), ("so that no two neighboring blocks have the same color", "alternating", {}), ("with no two neighbors of the same color", "alternating", {}), ("so that neighbors have different colors", "alternating", {}),
+    ("that is the same read from either end", "mirrored", {}), ("that reads the same from both ends", "mirrored", {}), ("so that it reads the same from both ends", "mirrored", {}), ("that reads the same in both directions", "mirrored", {}), ("that reads the same from either end", "mirrored", {}),
+    (", whichever order you like", "any", {}), (", any order will do", "any", {}), ("in any order you like", "any", {}), (", order irrelevant", "any", {}), ("whichever order you like", "any", {}), ("regardless of order", "any", {}), (", in whatever order", "any", {}),
+    ("so that the colors alternate between", "alternating", {}), ("so that the colors are together", "by_color", {}), ("with each color together", "by_color", {}), ("so that same colors are adjacent", "by_color", {}), ("in no particular order", "any", {}), ("in reverse order", "reverse", {}), ("in reverse", "reverse", {}),
     ("in that order", "given", {}), ("in this order", "given", {}), ("in the order given", "given", {}), ("in order", "in_order", {}),
     ("in sequence", "in_order", {}), ("in the right order", "in_order", {}), ("in the given order", "given", {}), ("in the stated order", "given", {}),
     ("with the largest at the bottom", "size_down", {}), ("with the biggest at the bottom", "size_down", {}), ("largest at the bottom", "size_down", {}),
@@ -98,7 +103,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
 
 def _alternating(p: Parser, i: int) -> Results[Meaning]:
     """"alternating red and white", "alternating between red and blue blocks"."""
-    j = p.any_of(i, ("alternating between", "alternating", "with alternating", "of alternating", "that alternate between", "which alternate between", "switching between"))
+    j = p.any_of(i, ("alternating between", "whose colors alternate between", "with colors alternating between", "with alternating colors", "in alternating colors ,", "so that the colors alternate between", "alternating", "with alternating", "of alternating", "that alternate between", "which alternate between", "switching between"))
     for items, k in listed(p, j) if j else ():
         k = p.opt(k, "blocks", "cubes", "ones")
         yield OrderBy(by="alternating", items=items, span=p.span(i, k)), k

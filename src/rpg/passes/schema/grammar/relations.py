@@ -17,7 +17,7 @@ _SIMPLE = {
     "in": "in", "inside": "in", "inside of": "in", "into": "in", "within": "in", "at": "in", "to": "in",
     "under": "under", "underneath": "under", "beneath": "under", "below": "under",
     "in front of": "front", "ahead of": "front", "to the front of": "front", "on the front side of": "front",
-    "at the front of": "front", "before": "front", "on the near side of": "front", "on the front of": "front", "nearer than": "front",
+    "at the front of": "front", "on the near side of": "front", "on the front of": "front", "nearer than": "front",
     "behind": "behind", "in back of": "behind", "to the back of": "behind", "at the back of": "behind", "to the rear of": "behind",
     "on the back side of": "behind", "beyond": "behind", "on the far side of": "behind", "at the rear of": "behind",
     "next to": "beside", "beside": "beside", "alongside": "beside", "by the side of": "beside", "at the side of": "beside",
@@ -109,12 +109,18 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, negated=True), k
 
 
-_WEAK = frozenset({"in", "to", "at", "within", "by", "before"})
+_WEAK = frozenset({"in", "to", "at", "within", "by"})
 """Prepositions that mostly mean something else."""
+
+
+_SPOTS = ("to a spot", "to a place", "to a position", "in a spot", "in a place", "at a spot", "in a position", "to the spot", "at a point", "to a point", "at the spot", "to the place", "to a location", "at a location",
+          "in the spot", "to the position", "in the position")  # fmt: skip
 
 
 @rule
 def _loc(p: Parser, i: int) -> Results[Meaning]:
+    if j := p.any_of(i, _SPOTS):
+        yield from _loc(p, j)
     yield from region(p, i)
     yield from _measured(p, i)
     for (name, mods), j in relation(p, i):

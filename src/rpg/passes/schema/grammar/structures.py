@@ -279,6 +279,10 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     yield base, j
     if len(base.sizes) > 3:
         return
+    if k := p.any_of(j, ("with nothing in the middle", "with nothing inside", "with an empty center", "with an empty middle", "with a hole in the middle", ", hollow", ", empty inside", "that is hollow", ", just the outline", ", outline only")):
+        yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
+    if k := p.any_of(j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")):
+        yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
     for size, k in size_phrase(p, j):
         changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
         yield from _sized(p, i, k, changed)

@@ -297,6 +297,8 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
 
 def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, heaped: bool) -> tuple[Ref, Goals]:
     """The verb "stack": a tower of the theme, on something where that is said."""
+    if any(m.kind == "respectively" for m in spec.manners) and not heaped:
+        return theme, []
     if any(p.unit in ("stack", "pile") for p in spec.patterns) or any(o.by == "attribute" for o in spec.orders):
         return _towers_by(theme, spec, scene, span)
     if len(theme.names) == 1:

@@ -19,6 +19,15 @@ def check(goal: g.Goal, scene: Scene) -> None:
             if clash(a, b):
                 raise _clash(a, b)
     _direction_cycles(parts)
+    _turned_in_words(parts)
+
+
+def _turned_in_words(parts: list[g.Goal]) -> None:
+    """A word is read upright: one of its cubes cannot be turned at the same time."""
+    read = {n for x in parts if isinstance(x, s.Spells) or (isinstance(x, s.Row | s.Stack) and x.readable) for n in x.blocks}
+    for part in parts:
+        if isinstance(part, r.Facing) and part.block in read and (part.turn or part.toward != "up"):
+            raise refuse("contradiction", "a block of a word is read upright, and cannot be turned as well", part.span, "leave the turn out")
 
 
 def _clash(a: g.Goal, b: g.Goal) -> Exception:

@@ -328,6 +328,10 @@ def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ..
     if scope.pool and not patch:
         inside = [t for t in found if t.name in scope.pool]
         found = inside or found
+    if noun.traits.scheme in ("same", "different") and found and noun.det in ("the", "bare", "all") and noun.amount is None:
+        colors = {t.color for t in found}
+        if None in colors or len(colors) != (1 if noun.traits.scheme == "same" else len(found)):
+            raise refuse("ambiguous", "it is not clear which of the blocks are meant", noun.span, "name their colours")
     amount = noun.amount
     indefinite = noun.det in ("a", "some", "another") or (noun.det == "bare" and amount is not None)
     if noun.det in ("any", "no", "bare", "some") and amount is None and (noun.plural or noun.det in ("any", "no")):
@@ -412,6 +416,8 @@ def give(thing: Thing, traits: Traits) -> None:
 
 
 def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
+    if not found and noun.head == "any" and noun.traits == Traits() and not scope.pool:
+        raise refuse("no-referent", "it is not clear what this refers to", noun.span, "name the block")
     amount = noun.amount.low if noun.amount and noun.det != "a" else (2 if noun.det == "both" else None)
     single = not noun.plural and amount in (None, 1) and noun.det not in ("all", "each")
     if single:

@@ -329,7 +329,7 @@ def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
         )
     if theme.built or theme.patch:
         return g.All(goals=())
-    if theme.quant is None and theme.op == "and" and any(n in scene.on_top for n in theme.names) and loc.rel == "on":
+    if theme.quant is None and theme.op == "and" and any(scene.on_clause.get(n) == scene.clause for n in theme.names) and loc.rel == "on":
         names = tuple(n for n in theme.names if n not in scene.on_top)
         lower = {base_of(n, scene) for n in theme.names}
         theme = Ref(names=tuple(dict.fromkeys((*names, *sorted(lower)))))
@@ -468,6 +468,8 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
     names = theme.names
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if theme.quant is not None and theme.quant.high == 0 and len(names) > 1 and loc.rel in ("on", "above", "heaped", "under"):
+        return [g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span) for a in names for b in names if a != b]
     if theme.quant is not None and theme.quant.high == 0 and len(names) > 1:
         inside = [replace(theme, names=pair, quant=None, built=(), parts=()) for pair in combinations(names, 2)]
         return negation([x for two in inside for x in reciprocal(two, loc, span)], span)

@@ -118,6 +118,7 @@ class Scene:
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
     speaks_of_rest: bool = False
+    on_clause: dict[str, int] = field(default_factory=dict)
     parted: set[str] = field(default_factory=set)
     whole: tuple[str, ...] = ()
     closed: list[tuple[Traits, int, Span]] = field(default_factory=list)
@@ -169,6 +170,7 @@ class Scene:
     def stacked(self, upper: str, lower: str, span: Span) -> None:
         """One block was put on another: together, and with the stack that the lower one tops, they are a tower."""
         self.on_top[upper] = lower
+        self.on_clause[upper] = self.clause
         under = next((b for b in self.built if b.kind == "stack" and b.ordered and b.members[-1] == lower), None)
         over = next((b for b in self.built if b.kind == "stack" and b.ordered and b.members[0] == upper), None)
         members = (*(under.members if under else (lower,)), *(over.members if over else (upper,)))

@@ -306,11 +306,6 @@ def ring_width(count: int, edge: float, gap: float = 0.0) -> float:
     return edge + (edge + gap) / math.tan(math.pi / count)
 
 
-def grid_size(rows: int, columns: int, layers: int = 1) -> int:
-    """Blocks of a grid, a wall or a cube of cubes."""
-    return rows * columns * layers
-
-
 def pyramid_size(base: tuple[int, int]) -> int:
     """Blocks of a pyramid with so many at its base."""
     n, m = max(base), min(base)

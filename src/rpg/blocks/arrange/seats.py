@@ -18,6 +18,8 @@ UPRIGHT = frozenset({"on", "above", "clear", "stack"})
 FAR = 5.0
 """Distance (m) at which the pieces of a structure are judged, so that none is near another."""
 ROUNDS = 10
+THIN = 0.05
+"""A condition that holds by less than this share of its tolerance could be met better."""
 RESTARTS = 4
 SHUFFLED = 3
 SPOILT = 10.0
@@ -56,17 +58,17 @@ class _Table:
         self.whole = PREDICATES[atom.kind].evaluate(atom, self._state()).value
 
     def improved(self) -> bool:
-        """Exchange the pair that helps most until all conditions hold (True) or no exchange helps."""
+        """Exchange the pair that helps most until no exchange helps; do all conditions hold then?"""
         faults = self.faults()
         for _ in range(ROUNDS):
             better, pair = min(((self.faults_after(*pair), pair) for pair in self.pairs()), default=(faults, None))
             if pair is None or better >= faults:
-                return False
+                break
             self.exchange(*pair)
             faults = better
             if faults == 0.0:
-                return True
-        return False
+                break
+        return faults < 1.0
 
     def shuffle(self, rng: Random) -> None:
         """Exchange a few pairs by chance."""
@@ -92,12 +94,15 @@ class _Table:
         return found
 
     def faults(self) -> float:
-        """How far the conditions are from holding; 0 when they do."""
+        """How far the conditions are from holding: below 1 when all do, 0 when none of them barely."""
         state = self._state()
         found = 0.0
         for atom, wanted, _ in self.asked:
             verdict = PREDICATES[atom.kind].evaluate(atom, state)
-            found += 0.0 if verdict.value == wanted else 1.0 + min(abs(verdict.margin), 5.0) / 10.0
+            if verdict.value != wanted:
+                found += 1.0 + min(abs(verdict.margin), 5.0) / 10.0
+            elif abs(verdict.margin) < THIN:
+                found += 0.1
         if self.whole and not PREDICATES[self.atom.kind].evaluate(self.atom, state).value:
             found += SPOILT
         return found

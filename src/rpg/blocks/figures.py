@@ -43,10 +43,11 @@ class Cell(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Ideal:
-    """A figure, compared by identity. `limit`: how far it may be turned from as it stands, in degrees (None: in any way, and mirrored too).
+    """A figure, compared by identity.
 
-    `ring`: its cells go round in a circle, clockwise from the far side. `room`: the most that its pitch may be in
-    metres, where that is not left to the blocks.
+    `limit`: how far it may be turned from as it stands, in degrees (None: in any way, and mirrored too). `ring`: its
+    cells go round in a circle, clockwise from the far side. `room`: the most that its pitch may be in metres, where
+    that is not left to the blocks.
     """
 
     cells: tuple[Cell, ...]

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 
 class Verdict(NamedTuple):
-    """`value` and its `margin`: the slack, normalised by the tolerance; not negative when true, not positive when false.
+    """`value` and its `margin`: the slack over the tolerance; not negative when true, not positive when false.
 
     Verdicts combine with `&` (least margin), `|` (greatest) and `~`.
     """

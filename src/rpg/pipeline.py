@@ -16,6 +16,7 @@ from rpg.blocks.patches import place_patches
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable, link, namings
 from rpg.blocks.waypoints import waypoints
+from rpg.core.codes import ROOMS
 from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.core.passes import Context, Listener, Manager, Pass, Report, silent
 from rpg.ir.artifact import GateReport, Program, Scene
@@ -28,9 +29,8 @@ from rpg.passes.repair.placing import scene_of
 from rpg.passes.validate import Measures, admitted, render_log, validate
 
 Status = Literal["admitted", "refused", "failed"]
-NO_START = frozenset({"start-solves-goal", "start-no-room", "start-unstable"})
-"""Codes of instructions that leave no start."""
-FILES = ("task.yaml", "code.py", "goal_state_code.py", "validation.log")
+OF_PROGRAMS = frozenset(code.id for code in ROOMS["validate"])
+"""Codes of what can be wrong with a program; all other ones are about what was asked for."""
 
 
 class FrontEnd(Protocol):
@@ -43,7 +43,10 @@ class FrontEnd(Protocol):
 
 @dataclass(frozen=True)
 class CompileOptions:
-    """What a compile may be told. `front_end` is the built-in one unless given; `listen` hears of progress."""
+    """What a compile may be told. `front_end` is the built-in one unless given; `listen` hears of progress.
+
+    `paraphrases`: so many other wordings are looked for at most.
+    """
 
     name: str | None = None
     seed: int = 0
@@ -52,6 +55,7 @@ class CompileOptions:
     measures: Measures = field(default_factory=Measures)
     front_end: FrontEnd | None = None
     listen: Listener = silent
+    paraphrases: int = 6
 
 
 @dataclass(frozen=True)
@@ -125,8 +129,8 @@ def _run(item: object, instruction: str, passes: tuple[Pass, ...], options: Comp
 
 
 def _asked_for(reports: tuple[GateReport, ...]) -> bool:
-    """Is what failed the task itself, however it is written? It has no start from which its goal is still ahead."""
-    return all(diagnostic.code in NO_START for diagnostic in reports[-1].failures)
+    """Is what failed the task itself, however it is written? It may have no start from which its goal is ahead."""
+    return all(diagnostic.code not in OF_PROGRAMS for diagnostic in reports[-1].failures)
 
 
 @dataclass(frozen=True)
@@ -141,7 +145,7 @@ class SchemaPass:
         options = self.options
         reader = options.front_end or _builtin()
         schema, diagnostics = reader.read(item, name=options.name, seed=options.seed, author=options.author)
-        return schema, Report(diagnostics)
+        return (schema and phrased(schema, options)), Report(diagnostics)
 
 
 @dataclass(frozen=True)
@@ -214,6 +218,18 @@ def prepared(schema: TaskSchema) -> TaskSchema:
     goal = reconcile(link(placed.goal, world))
     namings(interchangeable(goal, world))
     return placed if goal is placed.goal else placed.model_copy(update={"goal": goal})
+
+
+def phrased(schema: TaskSchema, options: CompileOptions) -> TaskSchema:
+    """The schema with paraphrases: wordings that the front end reads as the same task."""
+    from rpg.passes.schema.paraphrase import paraphrases
+
+    reader = options.front_end or _builtin()
+
+    def read(text: str) -> TaskSchema | None:
+        return reader.read(text, name=schema.name, seed=schema.seed, author=schema.author)[0]
+
+    return schema.model_copy(update={"paraphrases": paraphrases(schema, read, options.paraphrases)})
 
 
 def goal_path(task: TaskSchema, rng: Random) -> tuple[Scene, ...]:

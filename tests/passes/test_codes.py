@@ -116,7 +116,7 @@ def test_repair_refused() -> None:
     sound = program(tasks.RED_ON_YELLOW)
     task = sound.task.model_copy(update={"goal": circle})
     outcome = repair_program(sound.model_copy(update={"task": task, "code": lower(task)}), options=OPTIONS)
-    assert outcome.status == "failed"
+    assert outcome.status == "refused"
     assert outcome.schema is not None and outcome.schema.goal == circle
     refused = [d for d in outcome.diagnostics if d.code == "repair-refused"]
     assert refused and "drop 1 of the conditions" in refused[0].message

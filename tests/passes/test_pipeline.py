@@ -12,7 +12,7 @@ from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.core.passes import Context, Manager, Report
 from rpg.ir.goal import All
 from rpg.ir.relations import LeftOf, On, RightOf
-from rpg.ir.schema import TaskSchema
+from rpg.ir.schema import InitialState, TaskSchema
 from rpg.passes.validate import Measures
 from rpg.pipeline import CompileOptions, compile_instruction, compile_schema, is_lowered, load_program, validate_program
 from tests.passes import tasks
@@ -69,6 +69,22 @@ def test_goals_that_contradict_each_other_are_refused() -> None:
     assert {d.severity for d in outcome.diagnostics} == {"error"}
     spans = {outcome.diagnostics[0].span, *(label.span for label in outcome.diagnostics[0].labels)}
     assert spans >= {(0, 5), (6, 9)}
+
+
+STARTS = (
+    InitialState(arranged=(On(a=("red_block",), b=("yellow_block",)),)),
+    InitialState(
+        arranged=(On(a=("red_block",), b=("yellow_block",)), On(a=("yellow_block",), b=("red_block",))),
+    ),
+)
+
+
+@pytest.mark.parametrize("init", STARTS)
+def test_starts_that_cannot_be_are_refused(init: InitialState) -> None:
+    outcome = compile_schema(tasks.RED_ON_YELLOW.model_copy(update={"init": init}), FAST)
+    assert outcome.status == "refused"
+    assert [d.severity for d in outcome.diagnostics] == ["error"]
+    assert outcome.attempts == ()
 
 
 class _Reader:

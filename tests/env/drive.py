@@ -9,7 +9,7 @@ import numpy as np
 
 from rpg.blocks.state import Vec3
 from rpg.env import BlockTask
-from rpg.env.gripper import GRIP_STEP, OPENING, REACH_Z, STEP_LIMIT, TURN_LIMIT
+from rpg.env.gripper import GRIP_STEP, OPENING, REACH_Z, STEP_LIMIT, TURN_LIMIT, BoundGripper
 
 OPEN, CLOSE, KEEP = 1.0, -1.0, 0.0
 HOVER = 0.12
@@ -23,14 +23,14 @@ def yaw_of(task: BlockTask, name: str) -> float:
 
 def move(task: BlockTask, target: Vec3, yaw: float | None = None, limit: int = 80) -> Iterator[None]:
     """Bring the grasp centre to `target`, the fingers square to a block turned by `yaw`; one control step at a time."""
-    assert task.robot is not None
+    assert isinstance(task.robot, BoundGripper)
     for _ in range(limit):
         sensed = task.robot.proprioception(task.data)
-        way = np.array(target) - sensed[:3]
+        way = np.array(target) - np.array(task.robot.target)
         turn = 0.0
         if yaw is not None:
             turn = (yaw - 2 * math.atan2(sensed[6], sensed[3]) + math.pi / 4) % (math.pi / 2) - math.pi / 4
-        if np.linalg.norm(way) < 0.002 and abs(turn) < 0.02:
+        if np.linalg.norm(way) < 1e-6 and np.linalg.norm(np.array(target) - sensed[:3]) < 0.003 and abs(turn) < 0.02:
             return
         action = np.zeros(7)
         action[:3] = np.clip(way, -STEP_LIMIT, STEP_LIMIT)

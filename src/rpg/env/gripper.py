@@ -1,4 +1,4 @@
-"""A free-flying parallel gripper: a hand welded softly to a target pose that the actions move, with two fingers.
+"""A free-flying parallel gripper: a hand that a servo of limited force draws to a target pose, and two fingers.
 
 The hand points down at its home pose, its fingers opening along y. Translations and rotations are in the world frame.
 """
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rpg.blocks import camera
-from rpg.blocks.state import Quat, product
+from rpg.blocks.state import Quat, Vec3, product
 from rpg.env.embodiment import Action
 
 HOME = (0.33, 0.0, 1.40)
@@ -26,6 +26,12 @@ STEP_LIMIT, TURN_LIMIT = 0.03, 0.25
 """Greatest translation (m, along each axis) and rotation (rad, about each axis) of one action."""
 LEAD = 0.04
 """The target keeps within this distance (m) of the hand, so that pushing against something does not wind up."""
+STIFFNESS, DAMPING, FORCE = 4000.0, 130.0, 30.0
+"""Of the servo that draws the hand to its target: N/m, N s/m, and its greatest force (N) along each axis."""
+TURN_STIFFNESS, TURN_DAMPING, TORQUE = 6.0, 0.2, 5.0
+"""The same for turning: N m/rad, N m s/rad, N m."""
+MIDDLE = 0.092
+"""Height (m) of the hand's centre of mass, where the servo acts, over the grasp centre."""
 GRIP_STEP = 0.02
 """By how much (m) an action of +1 or -1 opens or closes the fingers in one step."""
 GRIP_FORCE = 20.0
@@ -42,13 +48,14 @@ class FloatingGripper:
     def attach(self, spec: mujoco.MjSpec) -> None:
         """Add the hand, its fingers and the target that it follows."""
         world = spec.worldbody
-        world.add_body(name="hand_target", mocap=True, pos=list(HOME))
+        target = world.add_body(name="hand_target", mocap=True, pos=list(HOME))
+        target.add_site(name="hand_target", pos=[0.0, 0.0, MIDDLE], size=[0.003] * 3, rgba=[0.0, 0.0, 0.0, 0.0])
         hand = world.add_body(name="hand", pos=list(HOME), gravcomp=1.0)
         hand.add_freejoint(name="hand")
         palm = FINGER_LENGTH - GRASP_DEPTH
         _box(hand, "palm", [0.022, OPENING / 2 + 0.02, 0.018], [0.0, 0.0, palm + 0.018], LIGHT, mass=0.6)
         _box(hand, "wrist", [0.024, 0.024, 0.04], [0.0, 0.0, palm + 0.076], DARK, mass=0.4)
-        hand.add_site(name="grasp", size=[0.003] * 3, rgba=[0.0, 0.0, 0.0, 0.0])
+        hand.add_site(name="hand", pos=[0.0, 0.0, MIDDLE], size=[0.003] * 3, rgba=[0.0, 0.0, 0.0, 0.0])
         behind, height = 0.08, palm + 0.01
         down = math.degrees(math.atan2(-height, behind))
         hand.add_camera(name="wrist", pos=[-behind, 0.0, height], quat=list(camera.orientation(down)), fovy=70.0)
@@ -67,20 +74,31 @@ class FloatingGripper:
             half = [FINGER_WIDTH / 2, FINGER_THICKNESS / 2, FINGER_LENGTH / 2]
             place = [0.0, side * FINGER_THICKNESS / 2, FINGER_LENGTH / 2 - GRASP_DEPTH]
             _box(finger, name, half, place, DARK, mass=0.05)
+        self._servo(spec)
         self._couple(spec)
 
+    def _servo(self, spec: mujoco.MjSpec) -> None:
+        """Six actuators that draw the hand to its target, each with a limited force or torque."""
+        for kind, stiffness, damping, limit, first in (
+            ("force", STIFFNESS, DAMPING, FORCE, 0),
+            ("torque", TURN_STIFFNESS, TURN_DAMPING, TORQUE, 3),
+        ):
+            for k, axis in enumerate("xyz"):
+                gear = [0.0] * 6
+                gear[first + k] = 1.0
+                actuator = spec.add_actuator(
+                    name=f"{kind} {axis}",
+                    trntype=mujoco.mjtTrn.mjTRN_SITE,
+                    target="hand",
+                    refsite="hand_target",
+                    gear=gear,
+                    forcerange=[-limit, limit],
+                    forcelimited=True,
+                )
+                actuator.set_to_position(kp=stiffness, kv=damping)
+
     def _couple(self, spec: mujoco.MjSpec) -> None:
-        """The weld to the target, the fingers' common motion, and the actuator that closes them."""
-        weld = spec.add_equality(
-            name="hand",
-            type=mujoco.mjtEq.mjEQ_WELD,
-            objtype=mujoco.mjtObj.mjOBJ_BODY,
-            name1="hand_target",
-            name2="hand",
-            solref=[0.016, 1.0],
-            solimp=[0.95, 0.99, 0.001, 0.5, 2.0],
-        )
-        weld.data[:11] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+        """The fingers' common motion, and the actuator that closes them."""
         mimic = spec.add_equality(
             name="fingers",
             type=mujoco.mjtEq.mjEQ_JOINT,
@@ -143,6 +161,12 @@ class BoundGripper:
         self._target: list[float] = list(HOME)
         self._quat: Quat = (1.0, 0.0, 0.0, 0.0)
         self._opening = OPENING
+
+    @property
+    def target(self) -> Vec3:
+        """Where the actions so far have sent the grasp centre; a controller adds its deltas to this."""
+        x, y, z = self._target
+        return (x, y, z)
 
     def reset(self, data: mujoco.MjData) -> None:
         """Home, fingers open."""

@@ -81,7 +81,7 @@ BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 
 VERBS = {
     "place": "put place move set position lay bring transfer relocate drop push slide shift carry get deliver locate "
-    "seat rest insert nudge drag pull deposit hide balance tuck perch settle stick sandwich stand mount",
+    "seat rest insert nudge drag pull deposit hide balance tuck perch settle stick sandwich stand mount shove scoot plop plant pop stow park",
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap",
     "build": "build make create construct form assemble erect produce compose draw",

@@ -190,6 +190,8 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         for (labels, more), j in label_list(p, i, p.words[i - 1] in _LABEL_NOUNS):
             yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
         yield from _labelled(p, i)
+        if p.words[i - 1] in ("blocks", "cubes", "bricks"):
+            yield from ((Marks({"colors": listed}), k) for (listed, either), k in colors(p, p.opt(i, ":")) if len(listed) > 1 and not either)
     for phrase, value in (
         ("of the same color", "same"), ("of the same colour", "same"), ("of one color", "same"), ("of one colour", "same"),
         ("of a single color", "same"), ("of identical color", "same"), ("in the same color", "same"),

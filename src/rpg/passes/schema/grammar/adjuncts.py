@@ -15,6 +15,8 @@ from rpg.passes.schema.grammar.structures import size_phrase
 from rpg.passes.schema.meaning import (
     Absolute,
     At,
+    Chain,
+    Clause,
     Coord,
     Into,
     Loc,
@@ -22,6 +24,7 @@ from rpg.passes.schema.meaning import (
     Meaning,
     Noun,
     OrderBy,
+    Pronoun,
     Spacing,
     Structure,
     TableTop,
@@ -62,12 +65,17 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     """Any number of adjuncts, the longest run first; commas and "and" may stand between them."""
     for first, j in adjunct(p, i):
         for rest, k in adjuncts(p, j):
-            yield ((replace(first, cost=1), *rest) if rest and isinstance(first, That) else (first, *rest)), k
+            yield ((replace(first, cost=first.cost + 1), *rest) if rest and (isinstance(first, That) or _side_after(first, rest[0])) else (first, *rest)), k
         for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but")} - {j}:
             for rest, k in adjuncts(p, joined):
                 if rest:
                     yield (first, *rest), k
     yield (), i
+
+
+def _side_after(first: Meaning, second: Meaning) -> bool:
+    """A side right after "with ... beside it" belongs to that, not to the clause."""
+    return isinstance(first, Absolute) and isinstance(second, At) and isinstance(first.adjuncts[0], Loc)
 
 
 def _into(p: Parser, i: int) -> Results[Meaning]:
@@ -97,7 +105,7 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
 def _absolute(p: Parser, i: int) -> Results[Meaning]:
     """"with the red block on top and the blue one below it"; "the green one on top" after a comma."""
     comma = p.opt(i, ",", ":")
-    j = p.any_of(comma, ("with", "having", "where", "keeping", "and with", "but with", "crowned by", "crowned with", "topped by", "topped with")) or (comma if comma > i else 0)
+    j = p.any_of(comma, ("with", "having", "where", "keeping", "and with", "but with", "whose", "crowned by", "crowned with", "topped by", "topped with")) or (comma if comma > i else 0)
     if not j:
         return
     if p.words[j - 1] in ("by", "with") and p.words[j - 2] in ("crowned", "topped"):
@@ -132,8 +140,9 @@ def _one_absolute(p: Parser, j: int) -> Results[Absolute]:
         k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
         for found, end in _places(p, k):
             yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
-    the = p.opt(j, "the")
-    side = SIDES.get(p.words[the]) if the < p.end else None
+    the = p.opt(j, "the", "whose")
+    the = p.opt(the, "the")
+    side = {**SIDES, "lower": "bottom", "upper": "top", "middle": "middle"}.get(p.words[the]) if the < p.end else None
     if side:
         k = p.opt(p.reach(the + 1), "one", "block", "cube", "layer")
         k = p.opt(k, "is", "being", ":", "should")
@@ -179,12 +188,21 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     from rpg.passes.schema.grammar.clauses import chain, gerund_clause
 
     j = p.any_of(i, (", so that", "so that", "such that", "in such a way that", "so as", ", such that", "making sure that", "making sure", "ensuring that", "ensuring",
-                     "where", ", where", "in a way that", "until", "on the condition that", "with the condition that", "and make sure that", "and ensure that",
-                     "in which", "on which", "so", "provided that", ", making sure", ", ensuring that", ", ensuring", "while making sure", "while ensuring", "if"))  # fmt: skip
+                     "where", ", where", "in a way that", "and make sure that", "and ensure that",
+                     "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring", "while making sure", "while ensuring"))  # fmt: skip
     if j:
         for clauses, k in chain(p, j):
             yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
     comma = p.opt(i, ",")
+    if j := p.any_of(comma, ("that read", "that reads", "that spell", "that spells", "to spell", "to read", "which spell", "which spells", "that say", "that says", "to say", "spelling", "so it reads",
+                             "so they read", "so they spell", "so they say", "so that it reads", "so that it spells", "to write", "reading", "saying", "which read", "which reads")):  # fmt: skip
+        text = literal(p, j)
+        if text is not None and len(text) > 1:
+            word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
+            them = Pronoun(word="them", span=p.span(i, j))
+            for found, k in adjuncts(p, j + 1):
+                said = Clause(verb="spell", theme=word, adjuncts=(Using(members=them, span=them.span), *found), span=p.span(i, k))
+                yield That(kind="so", clauses=Chain(clauses=(said,), links=("and",), span=said.span), span=said.span), k
     if j := p.any_of(comma, ("without", "while not", "while never", "but without", "and without", "but not")):
         for clauses, k in gerund_clause(p, j):
             yield That(kind="without", clauses=clauses, span=p.span(i, k)), k
@@ -321,7 +339,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
 
 
 _LITTLE = (
-    ("before that", "time", 0.0), ("beforehand", "time", 0.0), ("before this", "time", 0.0), ("put", "stay", None), ("right where it is", "stay", None), ("exactly where it is", "stay", None), ("where it stands", "stay", None),
+    ("before that", "time", 0.0), ("beforehand", "time", 0.0), ("before this", "time", 0.0), ("right where it is", "stay", None), ("exactly where it is", "stay", None), ("where it stands", "stay", None),
     ("please", "idle", None), (", please ,", "idle", None), ("if possible", "idle", None), ("from where i stand", "idle", None), ("as i see it", "idle", None), ("from my side", "idle", None),
     ("with exactly one outlier in each pile", "outliers", 1.0), ("with exactly one outlier in each group", "outliers", 1.0), ("so that each group has exactly one stranger", "outliers", 1.0),
     ("so that each pile has exactly one outlier", "outliers", 1.0), ("so that each group has exactly one outlier", "outliers", 1.0), ("with one outlier in each pile", "outliers", 1.0), ("with one outlier in each group", "outliers", 1.0),

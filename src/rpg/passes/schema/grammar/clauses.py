@@ -278,7 +278,10 @@ def _with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cl
         return
     if sense == "turn":
         yield from _turn(p, i, j, lemma)
+    if sense == "swap":
+        j = p.any_of(j, ("the positions of", "the places of", "the locations of", "positions of", "places of")) or j
     for theme, k in noun_phrase(p, j):
+        k = p.opt(k, "places", "positions") if sense == "swap" else k
         k = p.opt(
             k, *(("up", "out", "down", "back") if sense in ("pick", "stack", "arrange", "place", "unstack") else ())
         )
@@ -373,7 +376,8 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
 def _state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """"the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
     inverted = p.one(i, _BE)
-    for theme, j in noun_phrase(p, inverted or i):
+    asked = p.one(i, _ASKING)
+    for theme, j in noun_phrase(p, inverted or asked or i):
         j = p.opt(j, "all", "each", "both", "then")
         k, words = _auxiliaries(p, j)
         negated = bool(words & _NOT)
@@ -389,6 +393,7 @@ def _state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield (_ever(found, lasting) if isinstance(found, Clause) else found), end
 
 
+_ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
 _STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off", "start out", "initially is", "initially sits",
            "starts the episode")  # fmt: skip
 _FILLERS = frozenset({"to", "also", "only", "all", "always", "both", "each", "ever", "end", "gets", "get", "up", "then", "still", "just", "simply"})
@@ -417,6 +422,9 @@ def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, ne
         readings = list(_predicate(p, i, j, theme, mode, negated))
         return [(_ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
     if k < p.end and p.words[k] in lexicon.POSTURE:
+        if p.words[k] in ("stay", "stays", "remain", "remains") and (still := p.any_of(k + 1, ("put", "untouched", "in place", "unmoved"))):
+            manner_ = Manner(kind="stay", span=p.span(k, still))
+            return [(Clause(verb="be", theme=theme, adjuncts=(manner_,), mode=mode, span=p.span(i, still)), still)]
         lasting = p.words[k] in ("stays", "stay", "remains", "remain", "staying", "remaining")
         readings = list(_predicate(p, i, p.reach(k + 1), theme, mode, negated))
         return [(_stays(c) if lasting and isinstance(c, Clause) else c, e) for c, e in readings]
@@ -438,7 +446,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
             end_particle = p.opt(j + 1, *_PARTICLES) if p.words[j] not in ("put", "placed") else j + 1
             for at_ in dict.fromkeys((j + 1, end_particle)):
                 for found, k in adjuncts(p, at_):
-                    if found or sense in ("swap", "stack", "keep"):
+                    if found or sense in ("swap", "stack", "keep") or (negated and lemma in ("move", "touch", "disturb", "shift")):
                         yield (
                             Clause(
                                 verb=sense,
@@ -576,7 +584,7 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
         if isinstance(theme, Pronoun) and theme.word in ("it", "them", "they", "that", "this", "one", "each", "all", "both"):
             continue
         shaped = isinstance(theme, Structure) or (isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items))
-        for found, k in adjuncts(p, j):
+        for found, k in [*adjuncts(p, j), *((f, e) for f, e in (adjuncts(p, j + 1) if p.words[j : j + 1] == [","] else ()) if f)]:
             if found or shaped:
                 cost = 2 if found and isinstance(found[0], At) else 1
                 yield Clause(verb="build" if shaped else "be", theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), cost=cost), k

@@ -28,12 +28,22 @@ class TooMuchWork(Exception):
     """The sentence is too tangled to parse within bounds."""
 
 
+@cache
+def by_first(phrases: tuple[str, ...]) -> dict[str, list[tuple[str, ...]]]:
+    """Phrases as words, by their first word."""
+    table: dict[str, list[tuple[str, ...]]] = {}
+    for phrase in phrases:
+        words = tuple(phrase.split())
+        table.setdefault(words[0], []).append(words)
+    return table
+
+
 class Parser:
     """The tokens of one sentence with the memory of the rules applied to them."""
 
     def __init__(self, tokens: list[Token]) -> None:
         self.tokens = tokens
-        self.words = [t.word if t.kind in ("word", "punct", "sign") else "" for t in tokens] + ["", "", ""]
+        self.words = [t.word if t.kind in ("word", "punct", "sign", "number") else "" for t in tokens] + ["", "", ""]
         self.end = len(tokens)
         self.memo: dict[tuple[Any, ...], list[tuple[Any, int]]] = {}
         self.far = 0
@@ -78,11 +88,20 @@ class Parser:
         return i
 
     def any_of(self, i: int, phrases: tuple[str, ...]) -> int:
-        """The position after the first of `phrases` that stands here, or 0."""
-        for phrase in phrases:
-            if j := self.seq(i, phrase):
-                return j
-        return 0
+        """The position after the longest of `phrases` that stands here, or 0."""
+        if i >= self.end:
+            return 0
+        best = 0
+        for words in by_first(phrases).get(self.words[i], ()):
+            j = i
+            for word in words:
+                if self.words[j] != word or j >= self.end:
+                    break
+                j += 1
+                self.reach(j)
+            else:
+                best = max(best, j)
+        return best
 
     def lex(self, i: int, category: dict[str, M]) -> M | None:
         """What the word at i means in a table of the lexicon."""

@@ -59,6 +59,7 @@ START_FRAMES = Phrases(
     "at the beginning ,", "assume initially", "the starting state is", "the starting state has", "in the starting state", "the starting configuration is", "the initial configuration is", "beginning from", "from a start with", "from a state where", "starting from a state where",
 )  # fmt: skip
 FIRST = Phrases(
+    "either",
     "start by", "begin by", "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :", "first :", "1 :", "2 :", "3 :", "picture this", "like this", "as follows", "put it all like this", "put everything like this",
     "arrange it like this", "do this", "do the following", "it goes like this", "arrange everything like this", "make it so that", "make it so",
     "first", "firstly", "to begin", "second", "secondly", "third", "thirdly", "step one", "step two", "step three", "step 1", "step 2", "step 3", "first of all", "at first", "first ,",

@@ -99,6 +99,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
     yield from pattern(p, i)
     yield from spacing(p, i)
     yield from _alternating(p, i)
+    yield from _toward_list(p, i)
 
 
 def _alternating(p: Parser, i: int) -> Results[Meaning]:
@@ -191,10 +192,11 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
     """ "in the order red, yellow, green", "in this order: A, B, C", "red first, then blue"."""
     j = p.any_of(i, ("in the following order", "in the order of", "in the order", "in order", "in this order", "in the sequence", "in color order",
                      "following the order", "with the order", "with order", "with the color order", "in the color order", "order",
-                     "in that order", "ordered as", "ordered", "in the pattern", "in a sequence of", "in the sequence of"))  # fmt: skip
+                     "in that order", "ordered as", "ordered", "in the pattern", "as", "like this", "as follows", "that goes", "that go", "which goes", "in order from", "going", "that reads", "which reads", "so they are", "so that they are", "so it goes", "in a sequence of", "in the sequence of"))  # fmt: skip
     if not j:
         return
     j = p.opt(j, ":", ",", "of")
+    j = p.opt(j, "first") if p.words[j : j + 1] == ["first"] else j
     j = p.opt(j, "from") if p.words[j : j + 1] == ["from"] and j + 1 < p.end and p.words[j + 1] in lexicon.COLOR else j
     yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in listed(p, j))
 
@@ -214,6 +216,19 @@ _ATTRIBUTES = {
     "color": "color", "colour": "color", "colors": "color", "letter": "label", "label": "label", "number": "label", "kind": "kind",
     "type": "kind", "size": "size", "symbol": "label", "letters": "label", "parity": "parity", "value": "label", "shade": "color", "category": "kind",
 }  # fmt: skip
+
+
+@rule
+def _toward_list(p: Parser, i: int) -> Results[Meaning]:
+    """"whose colors from top to bottom are red, white and black", "so that from left to right they are ..."."""
+    j = p.any_of(i, ("whose colors", "so that the colors", "with the colors", "with colors", "so that", "where the colors", "such that", "in which the colors", "where", "so")) or i
+    sides = list(toward(p, j)) if j < p.end else []
+    for found, k in sides:
+        if not isinstance(found, Toward) or not found.first:
+            continue
+        end = p.any_of(p.opt(k, "order"), ("they are", "are", "it is", "they read", "is", "read", "it reads", "the blocks are", "the colors are")) or (p.one(k, ":") if j == i else 0)
+        for items, last in listed(p, p.opt(end, ":")) if end else ():
+            yield OrderBy(by="given", items=items, first=found.first, span=p.span(i, last)), last
 
 
 def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:

@@ -94,6 +94,10 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
         found.append(("middle", p.opt(k, "part", "area"), False))
     if k := p.one(j, "edge"):
         found.append(("edge", k, False))
+    if k := p.any_of(j, ("of the corners", "of the four corners", "one of the corners", "one of the four corners", "any one of the four corners", "any of the corners", "any of the four corners")):
+        found.append(("corner", k, True))
+    if k := p.any_of(j, ("of the edges", "one of the edges", "any of the edges", "one of the four edges")):
+        found.append(("edge", k, True))
     if k := p.one(j, "corner"):
         found.append(("corner", k, True))
     if k := p.any_of(j, ("half", "side")):

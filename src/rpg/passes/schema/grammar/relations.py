@@ -299,7 +299,7 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
     start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
     for (low, high), j in bounds(p, start):
         end = p.any_of(j, ("apart from each other", "from each other", "away from each other", "apart", "from one another",
-                           "of each other", "of one another", "apart from one another"))  # fmt: skip
+                           "of each other", "of one another", "center to center", "from center to center", "between centers", "apart from one another"))  # fmt: skip
         measure = "centres"
         if not end:
             end = p.any_of(j, ("between them", "between each other", "in between them", "in between", "between the two",

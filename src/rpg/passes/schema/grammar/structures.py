@@ -262,7 +262,7 @@ def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """"a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
     from rpg.passes.schema.grammar.adjuncts import sided
 
-    if p.words[k : k + 1] and p.words[k] in ("with", ",", "having", "where", ":"):
+    if p.words[k : k + 1] and p.words[k] in ("with", ",", "having", "where", ":", "whose"):
         for detail, end in sided(p, k):
             yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
 
@@ -289,7 +289,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 
 
 _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of", "built of", "formed by", "formed of", "comprising",
-       "containing", "using", "constructed from", "out of", "built with", "made with", "with only", "from", "built out of", "formed from", "constructed of", "for")  # fmt: skip
+       "containing", "using", "constructed from", "out of", "built with", "made with", "with only", "from", "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
 
 
 def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
@@ -304,9 +304,9 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         for members, end in noun_phrase(p, start):
             if isinstance(members, Structure) or (isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)):
                 continue
-            counted = members_amount(members) is not None and base.plural and (p.words[k - 1] == "of" and p.words[j] != "out" or p.words[k - 1] == "with" or p.one(end, frozenset({"each", "apiece"})) > 0)
+            counted = members_amount(members) is not None and base.plural and (p.words[k - 1] == "of" and p.words[j] != "out" or p.words[k - 1] in ("with", "containing") or p.one(end, frozenset({"each", "apiece"})) > 0)
             listed_ = replace(base, members=members, span=p.span(i, end), each_size=counted)
-            yield listed_, (p.opt(end, "each", "apiece") if base.plural else end)
+            yield listed_, ((p.any_of(end, ("each", "apiece", "in each one", "in each", "in each of them", "in every one", "per tower", "in each tower", "per stack", "in each stack")) or end) if base.plural else end)
     if not base.sizes and not base.plural:
         for found, end in amounts.amount(p, k):
             size = Size(what="size", amount=found, span=p.span(k, end))

@@ -32,6 +32,8 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     spec = sort_adjuncts(clause.adjuncts)
     if distractors(clause, spec, scene):
         return []
+    if clause.theme is not None:
+        _first_thats(clause.theme, spec, scene)
     goals = _dispatch(clause, spec, scene, scope)
     goals = [*scene.goals.pop(number, []), *goals]
     later = _thats(spec, scene, start)
@@ -44,6 +46,14 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if always and not start:
         goals = held_throughout(goals, scene, clause.span)
     return [*goals, *later]
+
+
+def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
+    """"without moving the blue block, place ... to its left": what stands in front is spoken of first."""
+    for that in list(spec.thats):
+        if that.kind == "without" and that.span[1] <= theme.span[0]:
+            scene.goals.setdefault(scene.clause, []).extend(turning.without(that, scene))
+            spec.thats.remove(that)
 
 
 def _not_both(goals: Goals, span: Span) -> Goals:
@@ -214,7 +224,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         raise refuse("misplaced", "towers are spoken of, but nothing is stacked", spec.patterns[0].span, "say 'stack'")
     goals = [*goals, *_places(ref, spec, scene, scope, span)]
     goals += loose_ats(ref, spec, scene, span) if spec.ats else []
-    if not goals and not structured and not spec.thats:
+    if not goals and not structured and not spec.thats and not (verb == "be" and spec.absolutes):
         raise refuse("no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'")
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
@@ -481,6 +491,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             if len(ref.built) == 1 and not set(theme.names) & set(ref.names) and at_.side in ("top", "bottom") and at_.index is None:
                 inner.ats.remove(at_)
                 goals += _at_end(theme, ref, at_, scene, item.span)
+        if inner.ats and ref.built and not set(theme.names) & set(ref.names):
+            raise refuse("misplaced", "this place does not fit the structure", inner.ats[0].span, "say 'on top', or name the block among its members")
         if inner.ats:
             goals += loose_ats(theme, inner, scene, item.span)
         for adjunct in inner.places:
@@ -566,6 +578,12 @@ def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:
 
 def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "align in a row", "sort by colour": the blocks spoken of before."""
+    listed = next((o for o in spec.orders if o.items and o.by in ("given", "named")), None)
+    if listed is not None and not spec.usings:
+        upright = clause.verb == "stack" or listed.first in ("top", "bottom") or any(t.axis == "z" for t in spec.toward)
+        kind = "stack" if upright else "line"
+        built, goals = make(Structure(kind=kind, span=clause.span), spec, None, scene, scope)
+        return [*goals, *_places(Ref(names=built[0].members, built=tuple(built)), spec, scene, scope, clause.span)]
     if not any(True for _ in scene.blocks()) and not spec.usings:
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
     source = spec.usings.pop(0).members if spec.usings else Pronoun(word="everything", span=clause.span)

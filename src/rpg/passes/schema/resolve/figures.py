@@ -145,6 +145,9 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     need = rows * columns * layers
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
+    centre = next((a for a in spec.absolutes if isinstance(a.adjuncts[0], At) and a.adjuncts[0].side == "middle"), None)
+    if centre is not None and layers == 1 and not spec.patterns and not spec.orders:
+        return _centred(centre, shape, spec, theme, (rows, columns), scene, scope)
     names = members_of(shape, spec, theme, need, need, scene, scope)
     pattern, readable = pattern_of(shape, spec, names, (rows, columns, layers), scene, scope)
     node = s.Grid(

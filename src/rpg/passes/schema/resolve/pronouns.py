@@ -92,7 +92,7 @@ def _them(word: Pronoun, scene: Scene) -> Ref:
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
                 continue
-            return replace(ref, quant=None, each=False)
+            return replace(ref, quant=None, each=False, built=ref.built if len(ref.built) > 1 else ())
     last: list[str] = []
     for mention in reversed(scene.mentions):
         if mention.clause >= scene.clause - 1:

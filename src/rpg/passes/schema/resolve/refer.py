@@ -47,6 +47,8 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         return _except(meaning, scene, scope)
     parts: list[Ref] = []
     seen: list[Traits] = []
+    if any(isinstance(x, Noun) and x.head == "patch" for x in meaning.items) and all(isinstance(x, Noun) and x.head in ("patch", "any") for x in meaning.items):
+        scope = replace(scope, like_patch=True)
     for item in meaning.items:
         if isinstance(item, Noun) and _repeats(item, seen, scene):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))

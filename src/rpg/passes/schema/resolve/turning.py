@@ -32,8 +32,9 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
             return held_throughout(goals, scene, clause.span)
         return goals
+    more = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
     spec.places = []
-    return [_stayed(theme, clause.span)]
+    return [_stayed(theme, clause.span), *more]
 
 
 def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:

@@ -11,7 +11,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.core.digest import sha256
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen import lower
-from rpg.pipeline import CompileOptions, Outcome, compile_schema, load_program, prepared
+from rpg.pipeline import CompileOptions, Outcome, compile_schema, load_program, phrased, prepared
 from rpg.publishing import content_of, publish_version, summary
 from rpg.steer.classify import Verdict, classify
 from rpg.steer.compare import Witness
@@ -118,6 +118,7 @@ def _built(family: Family, current: Version, understood: Interpretation, options
 
 def _compiled(family: Family, schema: TaskSchema, options: CompileOptions) -> tuple[Outcome, int | None]:
     """Compile a schema, or take over the validation of a version of the family with the very same code."""
+    schema = phrased(schema, options)
     try:
         task = prepared(schema)
     except Refusal as refusal:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from itertools import product
 
 from rpg.blocks.english.goals import spoken
 from rpg.blocks.english.scene import objects, starts
-from rpg.blocks.english.speaker import Speaker
+from rpg.blocks.english.speaker import Inexpressible, Speaker
 from rpg.blocks.nouns import join
 from rpg.blocks.state import World
 from rpg.ir import goal as g
@@ -80,7 +81,15 @@ STYLES: tuple[tuple[Mood, str, dict[str, str]], ...] = (
 
 
 def variants(schema: TaskSchema) -> Iterator[str]:
-    """Texts that should mean what `schema` says, the more natural ones first; not all of them need to compile."""
+    """Texts that should mean what `schema` says, the more natural ones first; not all of them need to compile.
+
+    None where look-alikes are told apart in ways that no short phrase has.
+    """
+    with suppress(Inexpressible):
+        yield from _variants(schema)
+
+
+def _variants(schema: TaskSchema) -> Iterator[str]:
     for brief, turn in product((True, False), (0, 1)):
         for style, (mood, frame, nouns) in enumerate(STYLES):
             text = _text(schema, mood, frame, style % 2 != turn, brief)

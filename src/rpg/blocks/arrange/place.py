@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from math import hypot
 from random import Random
@@ -22,6 +22,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures
 from rpg.ir.node import Node
 from rpg.ir.relations import Apart
+from rpg.ir.structures import GroupBy
 from rpg.ir.walk import names
 
 STRUCTURES = frozenset(
@@ -202,7 +203,9 @@ class Search:
             for r in self.touching[id(piece)]
             if r.per_place and all(n in self.position or n in piece.position for n in r.blocks)
         ]
-        telling = [r for r in due if r.holds] + [r for r in self._begun(piece) if r not in due]
+        begun = [r for r in self._begun(piece) if r not in due]
+        telling = [r for r in due if r.holds] + begun
+        due += [r for r in (self._so_far(rule, piece) for rule in begun) if r is not None]
         scored = []
         for origin, worth in self._candidates(piece, telling).items():
             self.budget.spend()
@@ -216,6 +219,15 @@ class Search:
         """Conditions that say something of a place before all of their blocks are there."""
         rules = [r for r in self.touching[id(piece)] if r.holds and r.per_place and r.atom.kind in GRADUAL]
         return [r for r in rules if any(n in self.position for n in r.blocks)]
+
+    def _so_far(self, rule: Rule, piece: Piece) -> Rule | None:
+        """What a condition on groups says of those of their members that are there already."""
+        atom = rule.atom
+        if not isinstance(atom, GroupBy) or atom.outliers:
+            return None
+        there = (tuple(n for n in group if n in self.position or n in piece.position) for group in atom.groups)
+        groups = tuple(group for group in there if group)
+        return replace(rule, atom=atom.model_copy(update={"groups": groups}))
 
     def _score(self, piece: Piece, origin: Origin, due: list[Rule]) -> float | None:
         clearance = self.ground.clearance(piece, origin)

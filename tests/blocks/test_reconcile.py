@@ -6,7 +6,7 @@ from random import Random
 
 from rpg.blocks.arrange import arrange
 from rpg.blocks.evaluate import evaluate
-from rpg.ir.goal import All
+from rpg.ir.goal import All, Not
 from rpg.ir.node import Highest, Lowest
 from rpg.ir.reconcile import reconcile
 from rpg.ir.relations import Facing, On
@@ -44,3 +44,5 @@ def test_what_overrides_nothing_changes_nothing() -> None:
     goal = All(goals=(WORD, Stack(blocks=("s0", "s1")), Facing(block="s1", turn=0.0), On(a=("s1",), b=("s0",))))
     assert reconcile(goal) == goal
     assert reconcile(WORD) is WORD
+    denied = All(goals=(WORD, Not(goal=Facing(block="s1", turn=180.0)), Not(goal=On(a=("s0",), b=("x",)))))
+    assert reconcile(denied) == denied

@@ -6,17 +6,20 @@ on another block need not stand on the table.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rpg.ir import goal as g
 from rpg.ir.node import members
 from rpg.ir.relations import Facing, On
 from rpg.ir.structures import Cells, Equation, Row, Spells, Stack
-from rpg.ir.walk import atoms, transform
+from rpg.ir.walk import children, transform
 
 
 def reconcile(goal: g.Goal) -> g.Goal:
     """`goal` with its structures told what its other atoms override."""
-    turned = {atom.block for atom in atoms(goal) if isinstance(atom, Facing) and atom.turn}
-    resting = [atom for atom in atoms(goal) if isinstance(atom, On)]
+    asked = list(_demanded(goal))
+    turned = {atom.block for atom in asked if isinstance(atom, Facing) and atom.turn}
+    resting = [atom for atom in asked if isinstance(atom, On)]
 
     def change(node: g.Goal) -> g.Goal:
         if turned and isinstance(node, Stack | Row | Cells | Spells | Equation):
@@ -28,6 +31,15 @@ def reconcile(goal: g.Goal) -> g.Goal:
         return node
 
     return transform(goal, change)
+
+
+def _demanded(goal: g.Goal) -> Iterator[g.Goal]:
+    """The atoms that hold wherever the goal is met, at some stage of it."""
+    if isinstance(goal, g.All | g.Sequence | g.Always):
+        for part in children(goal):
+            yield from _demanded(part)
+    else:
+        yield goal
 
 
 def _lifts(on: On, stack: Stack) -> bool:

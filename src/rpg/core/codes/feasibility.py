@@ -65,7 +65,7 @@ CODES: tuple[Code, ...] = (
     ),
     Code(
         "order-conflict", "two orders or structures for the same blocks", "The same blocks cannot be in both.",
-        "", "line up the blocks A, B and C in alphabetical order",
+        "put the blocks A, B and C in a row as a tower", "put the blocks A, B and C in a row",
     ),
     Code(
         "one-group", "there is nothing to sort", "All the blocks agree in what they are to be sorted by.",

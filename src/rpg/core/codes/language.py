@@ -62,7 +62,7 @@ CODES: tuple[Code, ...] = (
     Code(
         "no-referent", "a phrase refers to nothing",
         "A pronoun, a place or a part refers to something that was not mentioned.",
-        "put it on the table", "put the red block on the table",
+        "put it on the table", "put the red block on the blue block",
     ),
     Code(
         "no-goal", "nothing is asked for",

@@ -28,7 +28,7 @@ check: setup ## lint, formatting, types, architecture
 	$(BIN)/ruff check src tests benchmarks
 	$(BIN)/ruff format --check src tests benchmarks
 	$(BIN)/mypy
-	$(BIN)/pytest tests/project
+	$(BIN)/pytest tests/project/test_architecture.py tests/project/test_generated.py tests/project/test_words.py
 
 format: setup ## format the code and mend what the linter can
 	$(BIN)/ruff check --fix src tests benchmarks

@@ -29,6 +29,8 @@ _THEN = (
     "after this",
 )
 
+_EARLIER = ("before that", "but before that", "beforehand", "but first", "before this", "before doing so", "before you do that")
+
 
 @dataclass(frozen=True)
 class Sentence:
@@ -81,6 +83,13 @@ def read_sentence(tokens: list[Token]) -> Sentence:
     p = Parser(tokens)
     start = p.opt(0, ",", ":")
     link = "and"
+    if p.words[start : start + 1] == ["step"] and (step := p.number(start + 1)) is not None:
+        start = p.opt(start + 2, ":", ",", "-")
+        link = "then" if step > 1 else "and"
+    for phrase in _EARLIER:
+        if j := p.seq(start, phrase):
+            link, start = "before", p.opt(j, ",", ":")
+            break
     for phrase in _THEN:
         if (j := p.seq(start, phrase)) and not (phrase == "next" and p.words[j] == "to"):
             link, start = "then", p.opt(j, ",", ":")

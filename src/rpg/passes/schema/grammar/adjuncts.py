@@ -128,7 +128,7 @@ def sided(p: Parser, i: int) -> Results[Meaning]:
         parts = found.items if isinstance(found, Coord) else (found,)
         if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At) for x in parts):
             if isinstance(found, Coord):
-                found = replace(found, items=tuple(replace(x, cost=0) for x in parts))
+                found = replace(found, items=(replace(parts[0], cost=0), *parts[1:]))
             yield replace(found, cost=0), j
 
 
@@ -163,6 +163,8 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     if then:
         more += [(Absolute(theme=t, adjuncts=(At(side="next", span=t.span),), span=t.span), k) for t, k in simple(p, j) if isinstance(t, Noun)]
     for one, end in more:
+        if then and len(getattr(one.theme, "items", ())) > 1:
+            one = replace(one, cost=one.cost + 1)
         whole = (*had, one)
         yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
         yield from _absolute_more(p, i, end, whole)

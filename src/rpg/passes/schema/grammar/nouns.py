@@ -35,6 +35,16 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         yield from _apposed(p, i, item, j)
 
 
+def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
+    """"four blocks, red, blue, red, blue": a list of just as many."""
+    start = p.opt(j, "namely")
+    for first, k in simple(p, start):
+        for found, end in _list(p, i, (first,), k, None):
+            if isinstance(found, Coord) and found.op == "and" and len(found.items) == count:
+                if all(isinstance(x, Noun) and x.head == "any" and x.traits != Traits() for x in found.items):
+                    yield replace(found, cost=0), end
+
+
 def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     """"three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
     if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, ","):
@@ -42,6 +52,9 @@ def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     for found, k in amounts.quantity(p, j + 1):
         if found.partitive and (end := p.any_of(k, ("them", "these", "those", "which"))):
             yield Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)), end
+    if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and whole.traits == Traits():
+        for named, k in _list_of(p, i, j + 1, whole.amount.low):
+            yield named, k
     if isinstance(whole, Noun) and whole.amount is None:
         for some, k in amounts.amount(p, j + 1):
             k = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those")) or k

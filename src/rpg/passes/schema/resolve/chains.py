@@ -99,6 +99,9 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
     stages: list[g.Stage] = []
     now: Goals = []
     for link, goals in sentences:
+        if link == "before" and goals:
+            stages += _stages(goals)
+            continue
         if link == "then" and goals:
             stages += _stages(now)
             now = []

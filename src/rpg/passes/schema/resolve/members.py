@@ -19,6 +19,7 @@ def members_of(
     """The blocks of a structure: those named, else `need` (or `default`) new ones."""
     if theme is not None:
         theme = certain(theme, scene)
+        _agrees(shape, theme.names, scene)
         spec.listed = spec.listed or theme.listed
         listed = _order_items(spec)
         open_ = all(scene.things[n].elastic for n in theme.names)
@@ -32,6 +33,8 @@ def members_of(
         named = refer(source, scene, Scope(start=scope.start, need=count or default, role="member", share=count is not None))
         _fix_parts(named)
         named = certain(named, scene)
+        if shape.traits.colors and not {scene.things[n].color for n in named.names} <= set(shape.traits.colors):
+            raise refuse("contradiction", "the blocks have other colours than the structure", shape.span, "name one colour for both")
         spec.listed = spec.listed or named.listed
         names = scene.fit(named.names, count or (default if all(scene.things[n].elastic for n in named.names) else None))
         return _checked(names, need, shape.span, scene)
@@ -50,6 +53,25 @@ def members_of(
         count = default
         scene.assume(f"the number of blocks is not said: {default}")
     return new_members(shape.traits, count, implied_kind(spec), scene)
+
+
+def _agrees(shape: Structure, names: tuple[str, ...], scene: Scene) -> None:
+    """What is said of a structure's blocks must hold of the blocks that are to form it."""
+    if shape.members is not None:
+        raise refuse("misplaced", "two sets of blocks are named for one structure", shape.members.span, "name its blocks once")
+    things = [scene.things[n] for n in names]
+    colors = shape.traits.colors
+    for thing in things:
+        if colors and thing.color is None and thing.kind is None and len(colors) == 1:
+            thing.color = colors[0]
+    if colors and not {t.color for t in things} <= set(colors):
+        raise refuse("contradiction", "the blocks have other colours than the structure", shape.span, "name one colour for both")
+    if shape.traits.kind in ("letter", "digit") and any(t.kind not in (shape.traits.kind, "symbol") for t in things):
+        open_ = [t for t in things if t.kind is None and t.color is None]
+        if len(open_) < len(things):
+            raise refuse("contradiction", "the blocks do not show what the structure asks for", shape.span, "name letter or number blocks")
+        for thing in open_:
+            thing.kind = shape.traits.kind
 
 
 def certain(ref: Ref, scene: Scene) -> Ref:

@@ -47,13 +47,16 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         return _except(meaning, scene, scope)
     parts: list[Ref] = []
     seen: list[Traits] = []
-    if any(isinstance(x, Noun) and x.head == "patch" for x in meaning.items) and all(isinstance(x, Noun) and x.head in ("patch", "any") for x in meaning.items):
+    last = meaning.items[-1]
+    if isinstance(last, Noun) and last.head == "patch" and all(isinstance(x, Noun) and x.head in ("patch", "any") for x in meaning.items):
         scope = replace(scope, like_patch=True)
     for item in meaning.items:
         if isinstance(item, Noun) and _repeats(item, seen, scene):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
         if isinstance(item, Noun):
             seen.append(item.traits)
+            if item.det == "each" and item.part_of is not None:
+                raise refuse("ambiguous", "it is not clear what belongs to 'each'", item.span, "say it in two sentences")
         parts.append(refer(item, scene, scope))
         scene.mentions.pop()
         if parts[-1].table:

@@ -14,8 +14,15 @@ from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.predicates.common import SPANS
 from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.ir import goal as g
+from rpg.ir import structures
+from rpg.ir.node import Node
 from rpg.ir.walk import names
 
+STRUCTURES = frozenset(
+    model.model_fields["kind"].default
+    for model in vars(structures).values()
+    if isinstance(model, type) and issubclass(model, Node) and "kind" in model.model_fields
+)
 ABSOLUTE = frozenset({"in_region", "on_patch", "empty", "facing", "stayed", "moved", "swapped", "turned"})
 """Atoms about places in the world, even where their blocks are of one piece."""
 MOST_RESEATED = 3
@@ -31,10 +38,11 @@ def layouts_of(
 ) -> Iterator[tuple[g.Atom, list[list[Cluster]]]]:
     """For every structure that must be, ways to lay it out, most natural first. `thorough`: unusual ones as well.
 
-    Where the blocks of one structure are all part of another one, it may have nothing to lay out itself.
+    Where the blocks of one structure are all part of another one, it may have nothing to lay out itself; else, where
+    there is no way to lay it out, there is none to arrange the whole.
     """
     wanted = [literal.atom for literal in literals if literal.holds]
-    found = [(atom, builds) for atom in wanted if (builds := _builds(atom, world, rng, thorough))]
+    found = [(atom, _builds(atom, world, rng, thorough)) for atom in wanted if atom.kind in STRUCTURES]
     for atom, builds in found:
         inside = set(names(atom))
         asked = [part for part in literals if part.atom is not atom and _within(part.atom, inside)]

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from rpg.blocks.arrange.alternatives import Literal
 from rpg.blocks.arrange.bounds import Bounds
-from rpg.blocks.arrange.builds import ABSOLUTE
+from rpg.blocks.arrange.builds import ABSOLUTE, STRUCTURES
 from rpg.blocks.arrange.ground import Ground
 from rpg.blocks.arrange.pieces import Assembly, Piece
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
@@ -19,17 +19,10 @@ from rpg.blocks.predicate import Predicate
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3
 from rpg.ir import goal as g
-from rpg.ir import structures
-from rpg.ir.node import Node
 from rpg.ir.relations import Apart
 from rpg.ir.structures import GroupBy
 from rpg.ir.walk import names
 
-STRUCTURES = frozenset(
-    model.model_fields["kind"].default
-    for model in vars(structures).values()
-    if isinstance(model, type) and issubclass(model, Node) and "kind" in model.model_fields
-)
 OPEN = STRUCTURES | {"clear", "empty", "facing"}
 """Atoms that other blocks can break: judged again whenever something is placed."""
 

@@ -10,8 +10,8 @@ import pytest
 
 from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.core.passes import Context, Manager, Report
-from rpg.ir.goal import All
-from rpg.ir.relations import LeftOf, On, RightOf
+from rpg.ir.goal import All, Sequence, Stage
+from rpg.ir.relations import LeftOf, On, OnTable, RightOf
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.passes.validate import Measures
 from rpg.pipeline import CompileOptions, compile_instruction, compile_schema, is_lowered, load_program, validate_program
@@ -85,6 +85,13 @@ def test_starts_that_cannot_be_are_refused(init: InitialState) -> None:
     assert outcome.status == "refused"
     assert [d.severity for d in outcome.diagnostics] == ["error"]
     assert outcome.attempts == ()
+
+
+def test_a_stage_that_is_met_from_the_start_is_refused() -> None:
+    stages = (Stage(goal=OnTable(a=("red_block",))), Stage(goal=On(a=("red_block",), b=("yellow_block",))))
+    outcome = compile_schema(tasks.RED_ON_YELLOW.model_copy(update={"goal": Sequence(stages=stages)}), FAST)
+    assert outcome.status == "refused"
+    assert [d.code for d in outcome.diagnostics] == ["start-solves-goal"]
 
 
 class _Reader:

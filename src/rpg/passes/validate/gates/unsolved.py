@@ -9,6 +9,7 @@ from rpg.blocks.evaluate import evaluate
 from rpg.blocks.initial import sample_start
 from rpg.blocks.physics import QUIET_SPEED
 from rpg.blocks.state import BlockState
+from rpg.blocks.waypoints import looks_back
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.env import BlockTask
 from rpg.ir.artifact import GateReport, Program
@@ -119,6 +120,8 @@ class UnsolvedGate:
         return failure(self.name, "goal-vacuous", "goal", message, hint="compare _success with the goal of task.yaml")
 
     def _really_solved(self, program: Program, bench: Bench) -> bool:
+        if looks_back(program.task.goal):
+            return True
         for seed in range(bench.measures.resets):
             start = sample_start(program.task.init, bench.world, seed)
             if not evaluate(program.task.goal, start):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from rpg.blocks.state import World
-from rpg.ir.assets import EDGE, Block, GoalPatch, SemanticCube
+from rpg.ir.assets import EDGE, FACES, Block, GoalPatch, SemanticCube
 
 NUMBERS = ["no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 SIGNS = {"+": "plus", "-": "minus", "*": "times", "/": "divide", "=": "equals"}
@@ -33,8 +33,8 @@ def _described(block: Block) -> str:
     if not isinstance(block, SemanticCube):
         return block.color
     color = "" if block.color == "ivory" else f"{block.color} "
-    symbol = block.label or block.symbol("top")
-    return color + symbol
+    shown = block.label or "/".join(dict.fromkeys(filter(None, (block.symbol(face) for face in FACES))))
+    return color + shown
 
 
 def _size(block: Block) -> str:

@@ -99,12 +99,12 @@ def group_by(node: s.GroupBy, say: Speaker) -> str:
     if node.by:
         count = number(len(node.groups))
         return f"{say.the(blocks)} {say.be(blocks)} sorted by {ATTRIBUTES[node.by]} into {count} groups{odd}"
-    if len(node.groups) == 1:
-        return f"{say.the(blocks)} {say.be(blocks)} in one group"
-    groups = [
-        f"{say.the(group)} in {'one group' if i == 0 else 'another group'}" for i, group in enumerate(node.groups)
-    ]
+    groups = [f"{say.the(group)} {say.be(group)} in {_which(i)} group" for i, group in enumerate(node.groups)]
     return f"{join(groups)}{odd}"
+
+
+def _which(index: int) -> str:
+    return "one" if index == 0 else "another"
 
 
 def spells(node: s.Spells, say: Speaker) -> str:

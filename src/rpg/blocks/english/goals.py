@@ -68,7 +68,7 @@ def _counted(goal: g.Count, say: Speaker) -> str:
     elif high == low:
         many = f"exactly {number(low)}"
     elif high is None or high >= total:
-        many = f"at least {number(low)}"
+        many = f"at least {number(low)}" if low else "any number"
     elif low == 0:
         many = f"at most {number(high)}"
     else:

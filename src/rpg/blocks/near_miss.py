@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from itertools import combinations, islice
 from random import Random
 
+from rpg.blocks.arrange.builds import STRUCTURES
 from rpg.blocks.arrange.explain import conditions
 from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.evaluate import satisfied, settled
@@ -19,9 +20,9 @@ from rpg.blocks.predicate import NearMiss
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.predicates.common import put, set_aside, shift, swap, tilted
 from rpg.blocks.state import BlockState
-from rpg.blocks.symmetry import interchangeable, namings, rename_state
+from rpg.blocks.symmetry import Canonical, interchangeable, namings
 from rpg.ir import goal as g
-from rpg.ir.walk import atoms, children, instances, names
+from rpg.ir.walk import atoms, children, instances, names, rename
 
 MOST_INNER = 12
 """Near-misses of what is inside of one condition."""
@@ -43,20 +44,42 @@ def near_misses(goal: g.Goal, state: BlockState, rng: Random) -> list[NearMiss]:
 
 
 class Judge:
-    """The goal under every naming of look-alikes."""
+    """The goal under every naming of look-alikes; what a condition says under several namings alike is judged once."""
 
     def __init__(self, goal: g.Goal, state: BlockState) -> None:
-        self.goal = goal
-        self.namings = namings(interchangeable(goal, state.world))
+        self.parts = sorted(conditions(goal), key=lambda part: part.kind not in PREDICATES or part.kind in STRUCTURES)
+        canonical = Canonical(state.world)
+        known: dict[str, int] = {}
+        self.renamed_parts: list[g.Goal] = []
+        self.namings: list[tuple[int, ...]] = []
+        for naming in namings(interchangeable(goal, state.world)):
+            numbers = []
+            for part in self.parts:
+                key = repr(canonical(part, naming))
+                if key not in known:
+                    known[key] = len(self.renamed_parts)
+                    self.renamed_parts.append(rename(part, naming))
+                numbers.append(known[key])
+            self.namings.append(tuple(numbers))
 
     def renamed(self, state: BlockState) -> bool:
         """Does the goal hold once look-alikes change places? The names as they stand are left for others to judge."""
-        others = self.namings[1:] if settled(state) else ()
-        return any(satisfied(self.goal, rename_state(state, naming)) for naming in others)
+        return self._holds(state, self.namings[1:])
 
     def any_name(self, state: BlockState) -> bool:
         """Does the goal hold under any naming?"""
-        return settled(state).value and (satisfied(self.goal, state) or self.renamed(state))
+        return self._holds(state, self.namings)
+
+    def _holds(self, state: BlockState, tried: list[tuple[int, ...]]) -> bool:
+        if not tried or not settled(state):
+            return False
+        values: dict[int, bool] = {}
+        return any(all(self._part(k, state, values) for k in numbers) for numbers in tried)
+
+    def _part(self, number: int, state: BlockState, values: dict[int, bool]) -> bool:
+        if number not in values:
+            values[number] = satisfied(self.renamed_parts[number], state)
+        return values[number]
 
 
 def _of_conditions(goal: g.Goal, state: BlockState, rng: Random) -> Iterator[NearMiss]:

@@ -65,9 +65,10 @@ def _shade(
     number = model.camera(camera).id
     origin, axes = np.array(data.cam_xpos[number]), np.array(data.cam_xmat[number]).reshape(3, 3)
     rays = _rays(axes, model.cam_fovy[number], x, y, size)
-    geom, distance, normal = _cast(model, data, origin, rays)
+    geom, distance = _cast(model, data, origin, rays)
     hit = geom >= 0
-    points, normal = origin + rays[hit] * distance[hit, None], normal[hit]
+    points = origin + rays[hit] * distance[hit, None]
+    normal = _normals(model, data, geom[hit], points)
     colour = _sky(rays)
     surface = _surface(model, data, world, geom[hit], points)
     lit = _lit(model, data, points + normal * BIAS)
@@ -91,28 +92,41 @@ def _rays(axes: Floats, fovy: float, x: Floats, y: Floats, size: tuple[int, int]
     return _unit(turned)
 
 
-def _cast(
-    model: mujoco.MjModel, data: mujoco.MjData, origin: Floats, rays: Floats
-) -> tuple[NDArray[np.int32], Floats, Floats]:
-    """Geom hit by each ray (-1: none), its distance (m) and the surface's normal."""
+def _cast(model: mujoco.MjModel, data: mujoco.MjData, origin: Floats, rays: Floats) -> tuple[NDArray[np.int32], Floats]:
+    """Geom hit by each ray (-1: none), and its distance (m)."""
     count = len(rays)
-    geom = np.full(count, -1, dtype=np.int32)
-    distance, normal = np.zeros(count), np.zeros(3 * count)
+    geom, distance = np.full(count, -1, dtype=np.int32), np.zeros(count)
+    more = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
     mujoco.mj_multiRay(
-        model,
-        data,
-        origin,
-        rays.ravel(),
-        np.array(SHOWN, dtype=np.uint8),
-        True,
-        -1,
-        geom,
-        distance,
-        normal,
-        count,
-        mujoco.mjMAXVAL,
+        m=model,
+        d=data,
+        pnt=origin,
+        vec=rays.ravel(),
+        geomgroup=np.array(SHOWN, dtype=np.uint8),
+        flg_static=True,
+        bodyexclude=-1,
+        geomid=geom,
+        dist=distance,
+        nray=count,
+        cutoff=mujoco.mjMAXVAL,
+        **more,
     )
-    return geom, distance, normal.reshape(-1, 3)
+    return geom, distance
+
+
+def _normals(model: mujoco.MjModel, data: mujoco.MjData, geom: NDArray[np.int32], points: Floats) -> Floats:
+    """The way surfaces face at points of boxes; of all else, straight up in the geom's frame."""
+    found = np.empty_like(points)
+    for number in np.unique(geom):
+        chosen = geom == number
+        axes = np.array(data.geom_xmat[number]).reshape(3, 3)
+        found[chosen] = axes[:, 2]
+        if int(model.geom_type[number]) == int(mujoco.mjtGeom.mjGEOM_BOX):
+            local = (points[chosen] - data.geom_xpos[number]) @ axes / model.geom_size[number]
+            side = np.abs(local).argmax(axis=1)
+            sign = np.sign(local[np.arange(len(side)), side])
+            found[chosen] = axes[:, side].T * sign[:, None]
+    return found
 
 
 def _lit(model: mujoco.MjModel, data: mujoco.MjData, points: Floats) -> Floats:
@@ -120,7 +134,7 @@ def _lit(model: mujoco.MjModel, data: mujoco.MjData, points: Floats) -> Floats:
     lamp = np.array([0.55, 0.0, TABLE_Z]) - _unit(np.array(LAMP_DIRECTION)) * LAMP_DISTANCE
     towards = points - lamp
     length = np.linalg.norm(towards, axis=1)
-    _, distance, _ = _cast(model, data, lamp, towards / length[:, None])
+    _, distance = _cast(model, data, lamp, towards / length[:, None])
     reached: NDArray[np.bool_] = distance >= length - 5 * BIAS
     return reached.astype(np.float64)
 

@@ -18,7 +18,8 @@ FRICTION = (0.8, 0.005, 0.0001)
 SOLREF = (0.01, 1.0)
 SOLIMP = (0.99, 0.999, 0.001, 0.5, 2.0)
 SKIN = 5e-4
-"""A block's collision box is this much (m) smaller on every side, and its contacts act from that distance on.
+"""A block's collision box is this much (m) smaller on every side, the table as much lower, and contacts act from
+twice that distance on.
 
 So blocks touch where they seem to, and rest as they are placed; but their boxes never overlap, for then the contact
 points of yawed blocks would change from step to step, and tall stacks tremble until they fall.
@@ -90,7 +91,8 @@ def _surroundings(spec: mujoco.MjSpec, textures: bool) -> None:
         name="table",
         type=mujoco.mjtGeom.mjGEOM_BOX,
         size=half,
-        pos=[TABLE_X, 0.0, TABLE_Z - half[2]],
+        pos=[TABLE_X, 0.0, TABLE_Z - half[2] - SKIN],
+        margin=_margin(),
         rgba=[0.86, 0.80, 0.71, 1.0],
         **_contact(),
     )
@@ -109,6 +111,24 @@ def _surroundings(spec: mujoco.MjSpec, textures: bool) -> None:
         quat=list(camera.orientation()),
         fovy=camera.FOVY,
     )
+
+
+@lru_cache(maxsize=1)
+def _margin() -> float:
+    """The margin (m) that lets contacts act from twice the skin on.
+
+    MuJoCo adds the margins of two geoms; its older versions take the larger one. Two balls tell which.
+    """
+    spec, reach = mujoco.MjSpec(), 0.01
+    ball = {"type": mujoco.mjtGeom.mjGEOM_SPHERE, "size": [0.1, 0.0, 0.0], "margin": reach}
+    spec.worldbody.add_geom(**ball)
+    body = spec.worldbody.add_body(pos=[0.0, 0.0, 0.2 + 1.5 * reach])
+    body.add_freejoint()
+    body.add_geom(**ball)
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    return SKIN + TOUCH if data.ncon else 2 * (SKIN + TOUCH)
 
 
 def _contact() -> dict[str, list[float]]:
@@ -139,7 +159,7 @@ def _add_block(spec: mujoco.MjSpec, block: Block, textures: bool) -> None:
         name=block.name,
         type=mujoco.mjtGeom.mjGEOM_BOX,
         size=[block.size / 2 - SKIN] * 3,
-        margin=SKIN + TOUCH,
+        margin=_margin(),
         mass=DENSITY * block.size**3,
         rgba=list(rgba(block.color)),
         group=HIDDEN_GROUP if textures else 0,

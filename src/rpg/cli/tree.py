@@ -27,12 +27,10 @@ def lineage_tree(family: str, versions: Sequence[Version], head: Version) -> Tre
 
 def _line(version: Version, current: bool) -> Text:
     snapshot = version.snapshot
-    steering = snapshot.steering
     line = Text.assemble((f"v{version.number}", "bold cyan"), (f" {version.short_hash} ", "dim"))
-    if steering:
-        line.append(f"{steering.intent} ", "magenta")
-        line.append(f"“{steering.request}” ")
-    line.append(snapshot.snapshot.goal_summary)
+    if snapshot.steering:
+        line.append(f"{snapshot.steering.intent} ", "magenta")
+    line.append(f"“{snapshot.snapshot.description}”")
     if current:
         line.append("  ← HEAD", "bold green")
     return line

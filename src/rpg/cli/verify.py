@@ -40,8 +40,13 @@ def run(task: Some = None, tasks: Tasks = WORKSPACE, as_json: Json = False, quie
     for problem in bad:
         out.result.print(f"[bold red]{problem.code}[/]: {problem.message}")
     if not bad:
-        out.result.print(f"[green]✓[/] {count} version{'s' * (count != 1)} of {len(families)} tasks: nothing differs")
+        of = f"{_number(count, 'version')} of {_number(len(families), 'task')}"
+        out.result.print(f"[green]✓[/] {of}: nothing differs")
     out.finish(1 if bad else 0)
+
+
+def _number(count: int, what: str) -> str:
+    return f"{count} {what}{'s' * (count != 1)}"
 
 
 def _families(names: list[str], tasks: Path) -> list[Family]:

@@ -88,7 +88,7 @@ def test_starts_that_cannot_be_are_refused(init: InitialState) -> None:
 
 
 def test_a_stage_that_is_met_from_the_start_is_refused() -> None:
-    stages = (Stage(goal=OnTable(a=("red_block",))), Stage(goal=On(a=("red_block",), b=("yellow_block",))))
+    stages = (Stage(goal=OnTable(a=("yellow_block",))), Stage(goal=On(a=("red_block",), b=("yellow_block",))))
     outcome = compile_schema(tasks.RED_ON_YELLOW.model_copy(update={"goal": Sequence(stages=stages)}), FAST)
     assert outcome.status == "refused"
     assert [d.code for d in outcome.diagnostics] == ["start-solves-goal"]

@@ -9,6 +9,7 @@ from rpg.blocks.evaluate import evaluate
 from rpg.blocks.initial import sample_start
 from rpg.blocks.physics import QUIET_SPEED
 from rpg.blocks.state import BlockState
+from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.blocks.waypoints import looks_back
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.env import BlockTask
@@ -122,9 +123,10 @@ class UnsolvedGate:
     def _really_solved(self, program: Program, bench: Bench) -> bool:
         if looks_back(program.task.goal):
             return True
+        renamings = namings(interchangeable(program.task.goal, bench.world))
         for seed in range(bench.measures.resets):
             start = sample_start(program.task.init, bench.world, seed)
-            if not evaluate(program.task.goal, start):
+            if not any(evaluate(program.task.goal, rename_state(start, renaming)) for renaming in renamings):
                 return False
         return True
 

@@ -9,6 +9,8 @@ EXAMPLE = "rpg doctor"
 
 def run(as_json: Json = False, quiet: Quiet = False) -> None:
     """Say what works on this machine: MuJoCo, graphics, the sandbox, model keys, robot assets."""
+    from rich.text import Text
+
     from rpg.cli.health import findings
     from rpg.cli.output import Output
 
@@ -18,8 +20,8 @@ def run(as_json: Json = False, quiet: Quiet = False) -> None:
         {finding.name: {"ok": finding.ok, "detail": finding.detail, "hint": finding.hint} for finding in found}
     )
     for finding in found:
-        sign = "[green]✓[/]" if finding.ok else "[yellow]–[/]"
-        out.result.print(f"{sign} [bold]{finding.name:<9}[/] {finding.detail}")
+        sign = ("✓ ", "green") if finding.ok else ("– ", "yellow")
+        out.result.print(Text.assemble(sign, (f"{finding.name:<9} ", "bold"), finding.detail), soft_wrap=True)
         if finding.hint:
-            out.result.print(f"            {finding.hint}", style="dim")
+            out.result.print(f"            {finding.hint}", style="dim", soft_wrap=True)
     out.finish(0 if all(finding.ok for finding in found if finding.needed) else 4)

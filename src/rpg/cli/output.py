@@ -24,21 +24,21 @@ class Output:
         """The console for what was asked for, as people read it; silent where JSON was asked for."""
         from rich.console import Console
 
-        return Console(quiet=self.as_json, highlight=False)
+        return Console(quiet=self.as_json, highlight=False, markup=False, emoji=False)
 
     @cached_property
     def asides(self) -> Console:
         """The console, on stderr, for what is worth knowing besides; `quiet` silences it."""
         from rich.console import Console
 
-        return Console(stderr=True, quiet=self.quiet, highlight=False)
+        return Console(stderr=True, quiet=self.quiet, highlight=False, markup=False, emoji=False)
 
     @cached_property
     def errors(self) -> Console:
         """The console, on stderr, for what stands in the way; never silent."""
         from rich.console import Console
 
-        return Console(stderr=True, highlight=False)
+        return Console(stderr=True, highlight=False, markup=False, emoji=False)
 
     def document(self, data: Any) -> None:
         """Write the JSON document, where JSON was asked for."""

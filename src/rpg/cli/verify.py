@@ -20,6 +20,8 @@ def run(task: Some = None, tasks: Tasks = WORKSPACE, as_json: Json = False, quie
     """Check every version of the families of TASKs: hashes of files, lineage, HEAD, and that the code is what
     task.yaml gives. Exit status 1 if anything differs."""
     load_mujoco()
+    from rich.text import Text
+
     from rpg.cli.output import Output
     from rpg.loading import verify
 
@@ -38,10 +40,10 @@ def run(task: Some = None, tasks: Tasks = WORKSPACE, as_json: Json = False, quie
         }
     )
     for problem in bad:
-        out.result.print(f"[bold red]{problem.code}[/]: {problem.message}")
+        out.result.print(Text.assemble((problem.code, "bold red"), f": {problem.message}"), soft_wrap=True)
     if not bad:
         of = f"{_number(count, 'version')} of {_number(len(families), 'task')}"
-        out.result.print(f"[green]✓[/] {of}: nothing differs")
+        out.result.print(Text.assemble(("✓ ", "green"), f"{of}: nothing differs"))
     out.finish(1 if bad else 0)
 
 

@@ -39,7 +39,7 @@ _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "for
          "in the shape of", "so it forms", "so as to make", "so that they make", "to construct", "and form", "to spell", "to get", "so you get",
          "so that you get", "arranged in", "lined up in", "placed in", "standing in", "arranged as", "arranged into", "that form", "which form", "that forms", "that make", "that make up", "set up as", "laid out in", "laid out as",
          "laid out like", "all in", "stacked in", "organized in", "down", "up in", "so as to create", "so that they create", "so it makes", "each in", "standing as", "stacked as", "stacked into", "set in", "shaped like", "in the pattern of", "arranged like", "along")  # fmt: skip
-_USING = ("using", "with", "from", "out of", "by using", "made of", "made from", "made out of", "consisting of", "of", "composed of", "built from",
+_USING = ("using", "with", "from", "out of", "by using", "made of", "made from", "made out of", "consisting of", "composed of", "built from",
           "made up of", "use", "made with")  # fmt: skip
 
 

@@ -87,7 +87,10 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
     for link, j in _link(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
         items = [*clause(p, j), *(gerund_single(p, j) if link in ("before", "after") else ())]
+        bare = previous is not None and not previous.adjuncts and link == "and" and p.words[j - 1] in (",", ";")
         for item, k in items:
+            if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
+                item = replace(item, cost=item.cost + 1)
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, link), k)

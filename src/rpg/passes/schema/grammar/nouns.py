@@ -31,8 +31,8 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         )
     for item, j in simple(p, i):
         yield item, j
-        yield from _list(p, i, (item,), j, None)
         yield from _apposed(p, i, item, j)
+        yield from _list(p, i, (item,), j, None)
 
 
 def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:

@@ -58,8 +58,9 @@ def _lead(p: Parser, i: int) -> int:
 @rule
 def region(p: Parser, i: int) -> Results[In]:
     """A region, with or without "of the table" where its name alone is plain."""
-    j = _lead(p, i)
-    if j == i:
+    exact = p.opt(i, "exactly", "right", "precisely", "just", "directly", "somewhere", "anywhere")
+    j = _lead(p, exact)
+    if j == exact:
         return
     for name, k, plain in _names(p, j):
         end = _of_table(p, k)

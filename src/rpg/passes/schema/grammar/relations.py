@@ -109,10 +109,6 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, negated=True), k
 
 
-_WEAK = frozenset({"in", "to", "at", "within", "by"})
-"""Prepositions that mostly mean something else."""
-
-
 _SPOTS = ("to a spot", "to a place", "to a position", "in a spot", "in a place", "at a spot", "in a position", "to the spot", "at a point", "to a point", "at the spot", "to the place", "to a location", "at a location",
           "in the spot", "to the position", "in the position")  # fmt: skip
 
@@ -131,7 +127,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if isinstance(landmark, TableTop) and name == "in":
                 continue
-            cost = _listed_cost(landmark) + (2 if p.words[i] in _WEAK else 0)
+            cost = _listed_cost(landmark) + (2 if name == "in" or p.words[i] == "by" else 0)
             yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost), k
     yield from _either_relation(p, i)
     yield from _between(p, i)

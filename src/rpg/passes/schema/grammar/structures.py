@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rpg.core.diagnostics import Span
 from rpg.passes.schema import lexicon
 from rpg.passes.schema.grammar import amounts
 from rpg.passes.schema.grammar.adjectives import EMPTY, Marks, adjective, merge
@@ -14,7 +15,7 @@ from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.labels import literal
 from rpg.passes.schema.grammar.lists import listed
 from rpg.passes.schema.grammar.sizes import dimensions, size_phrase
-from rpg.passes.schema.meaning import Amount, Coord, Manner, Meaning, OrderBy, Pattern, Pronoun, Size, Spacing, Structure, Traits
+from rpg.passes.schema.meaning import Amount, Coord, Manner, Meaning, Noun, OrderBy, Pattern, Pronoun, Size, Spacing, Structure, Traits
 
 _LETTER_SHAPES = frozenset("LTVUX")
 _MODIFIERS = {
@@ -144,6 +145,9 @@ _LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "for
           "form of the letter", "capital", "figure of the letter", "letter", "shape of capital", "shape of a capital", "shape")  # fmt: skip
 
 
+_FORMING = frozenset({"like", "form", "forms", "make", "draw", "build", "create", "into", "as", "forming", "of"})
+
+
 def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
     """"L shape", "shape of a T", "an L"."""
     letter = _letter_at(p, i)
@@ -156,7 +160,7 @@ def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
     for lead in _LEADS:
         if j := p.seq(i, lead):
             letter = _letter_at(p, j)
-            if letter and (lead not in ("letter",) or p.one(j + 1, frozenset({"shape", "formation"})) or p.words[i - 1 : i] in (["like"], ["the"])):
+            if letter and (lead not in ("letter", "the letter") or p.one(j + 1, frozenset({"shape", "formation"})) or p.words[i - 1] == "like" or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)):
                 yield letter, False, p.opt(p.reach(j + 1), "shape", "formation")
             elif not letter and lead not in ("capital", "letter"):
                 inner = p.lex(j, lexicon.STRUCTURE)
@@ -248,6 +252,7 @@ def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meanin
         yield sized, k
         for whole, end in _members(p, i, k, sized):
             yield whole, end
+            yield from _one_each(p, i, end, whole)
             yield from _sided(p, i, end, whole)
             yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
         if base.kind in ("stack", "row", "line", "column", "grid", "square", "cube", "wall", "word"):
@@ -265,6 +270,29 @@ def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     if p.words[k : k + 1] and p.words[k] in ("with", ",", "having", "where", ":", "whose"):
         for detail, end in sided(p, k):
             yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
+
+
+def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """"two towers ..., one red and one blue"."""
+    if not base.plural or not p.one(k, ","):
+        return
+    found: list[str] = []
+    at = p.one(k + 1, "one")
+    while at and at < p.end and p.words[at] in lexicon.COLOR:
+        found.append(lexicon.COLOR[p.words[at]])
+        after = p.reach(at + 1)
+        if len(found) > 1:
+            pattern = Pattern(unit="stack", span=p.span(k, after))
+            yield _painted(base, tuple(found), pattern, p.span(i, after)), after
+        nxt = p.opt(p.opt(after, ","), "and")
+        at = p.any_of(nxt, ("one", "the other", "another", "the third")) if nxt > after else 0
+
+
+def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: Span) -> Structure:
+    members = base.members
+    if isinstance(members, Noun) and not members.traits.colors:
+        members = replace(members, traits=replace(members.traits, colors=colors))
+    return replace(base, members=members, details=(*base.details, pattern), span=span)
 
 
 @rule

@@ -83,7 +83,7 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
             refer(place_.landmark, scene, Scope())
             scene.mentions.pop()
             spec.places.remove(place_)
-    if spec.manner("extra") is None or clause.theme is None:
+    if clause.verb not in ("be", "exist") or clause.theme is None or _is_shape(clause.theme) or spec.manner("extra") is None:
         return False
     marked = as_extra(clause.theme)
     refer(marked, scene, Scope())
@@ -201,7 +201,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         spec.intos = [i for i in spec.intos if not (isinstance(i.structure, Structure) and i.structure.kind == "pile" and not i.structure.plural)]
     heaped = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
     spec.places = [p for p in spec.places if p not in heaped]
-    temporal = next((o for o in spec.orders if o.by == "temporal" or (o.by == "given" and not o.items and theme.op == "then")), None)
+    temporal = next((o for o in spec.orders if o.by == "temporal" or _in_time(o, verb, theme, spec)), None)
     if temporal is not None or (theme.op == "then" and spec.places):
         spec.orders = [o for o in spec.orders if o is not temporal]
         return _one_by_one(theme, temporal, spec, scene, scope, span)
@@ -246,6 +246,14 @@ def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:
             spec.intos = []
             return True
     return False
+
+
+def _in_time(order: OrderBy, verb: str, theme: Ref, spec: Spec) -> bool:
+    """"put A, B and C on the patch in that order": an order of blocks that form no line is one in time."""
+    if order.by != "given" or spec.intos or spec.toward:
+        return False
+    placed = verb == "place" and any(isinstance(p, Loc) and p.rel in ("on", "in") for p in spec.places)
+    return placed or (not order.items and theme.op == "then")
 
 
 def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
@@ -563,6 +571,8 @@ def _shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     goals += _places(ref, spec, scene, scope, clause.span)
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
+    if scope.start and any(b.kind == "pile" for b in built):
+        return goals
     if not used and not goals:
         raise refuse("no-goal", "it is not said what to do with it", clause.span)
     return goals

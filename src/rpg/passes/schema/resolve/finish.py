@@ -48,6 +48,7 @@ def label_of(thing: Thing, scene: Scene) -> str:
 def choose(scene: Scene) -> None:
     """Give every object the looks that were left open."""
     things = list(scene.things.values())
+    _no_strangers(scene)
     _count_open(things, scene)
     for thing in things:
         if thing.kind and not thing.patch:
@@ -59,6 +60,20 @@ def choose(scene: Scene) -> None:
             taken = {t.color for t in things if t.patch}
             thing.color = next(c for c in PATCH_COLORS if c not in taken)
             scene.assume(f"the colour of the patch is not said: {thing.color}")
+
+
+def _no_strangers(scene: Scene) -> None:
+    """Blocks of which neither look nor number was said are not made up beside blocks that are named."""
+    vague = [t for t in scene.blocks() if t.elastic is not None and t.color is None and t.label is None and not t.kind]
+    named = [t for t in scene.blocks() if t not in vague and not t.extra]
+    if vague and named:
+        raise refuse(
+            "ambiguous",
+            "some blocks are named or counted, but of others neither number nor look is said",
+            None,
+            "name all blocks, or say how many others there are",
+            named=len(named),
+        )
 
 
 def _count_open(things: list[Thing], scene: Scene) -> None:

@@ -30,7 +30,7 @@ def members_of(
     count = need or (len(listed) if listed else None)
     if source is not None:
         source = _with_kind(source, implied_kind(spec), shape.traits)
-        named = refer(source, scene, Scope(start=scope.start, need=count or default, role="member", share=count is not None))
+        named = refer(source, scene, Scope(start=scope.start, given=scope.start, need=count or default, role="member", share=count is not None))
         _fix_parts(named)
         named = certain(named, scene)
         if shape.traits.colors and not {scene.things[n].color for n in named.names} <= set(shape.traits.colors):

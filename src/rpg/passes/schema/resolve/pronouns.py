@@ -43,7 +43,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=names, plural=True, each=False)
     if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
         return _one(word, scene, scope)
-    return _them(word, scene)
+    return _them(word, scene, scope)
 
 
 def _last_theme(scene: Scene, word: Pronoun) -> Ref:
@@ -62,7 +62,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         own = {n for m in current for n in m.ref.names}
         single = [m for m in single if not own & set(m.ref.names)]
     if not single:
-        return _them(word, scene)
+        return _them(word, scene, scope)
     if scope.role == "theme":
         themes = [m for m in single if m.role == "theme"]
         return (themes or single)[-1].ref
@@ -86,8 +86,12 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
     raise refuse("ambiguous", f"{word.word!r} could be {readings}", word.span, "name the one you mean")
 
 
-def _them(word: Pronoun, scene: Scene) -> Ref:
+def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    own = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme"] if scope.role == "landmark" else []
+    before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     for mention in reversed(scene.mentions):
+        if before and mention in own:
+            continue
         if len(mention.ref.names) > 1:
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
@@ -119,7 +123,7 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         raise refuse(
             "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
         )
-    return replace(_them(word, scene), each=True)
+    return replace(_them(word, scene, scope), each=True)
 
 
 def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:

@@ -12,8 +12,8 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import Amount, Coord, In, Loc, Meaning, Pronoun
-from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.passes.schema.resolve.refer import matching, refer
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 DIRECTIONS: dict[str, type[r.Directional]] = {
@@ -127,12 +127,24 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if isinstance(loc.landmark, Pronoun) and loc.landmark.word in ("another", "any other", "any other one", "any of the others") and len(theme.names) > 1:
         return reciprocal(theme, loc, span)
     like = scope.like_patch or (scene.last_landmark_patch and loc.rel in ("on", "in"))
+    if (found := _any_of_them(theme, loc, scene)) is not None:
+        units = [Ref(names=(n,)) for n in theme.names]
+        return [conj([disj([_relate(one, Ref(names=(m,)), loc, scene, span) for m in found], span) for one in units], span)]
     mark = refer(
         loc.landmark,
         scene,
         replace(scope, role="landmark", like_patch=like and loc.rel in ("on", "in"), pool=(), need=None),
     )
     return related(theme, mark, loc, scene, span)
+
+
+def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
+    """"every red block is beside a blue one": any of the blue ones, for each of the red."""
+    mark = loc.landmark
+    if not isinstance(mark, Noun) or mark.det != "a" or mark.head == "patch" or len(theme.names) < 2 or theme.built or theme.quant is not None:
+        return None
+    there = [t.name for t in matching(mark.traits, scene, False) if t.declared]
+    return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *_LEVEL, "on") else None
 
 
 def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:

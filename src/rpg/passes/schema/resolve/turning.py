@@ -211,7 +211,7 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             goals.append(r.Turned(block=name, degrees=value, either_way=degrees.kind == "by?", span=clause.span))
             used.append(degrees)
         if facing is not None or flat is not None:
-            goals.append(_facing(name, facing, flat, scene, clause.span))
+            goals.append(_either_way(name, facing, flat, scene, clause.span))
             used += [m for m in (facing, flat) if m]
     spec.manners = [m for m in spec.manners if m not in used]
     if not goals and _target(clause, spec):
@@ -233,6 +233,14 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         goals += place(theme, item, scene, scope, clause.span)
     spec.places = []
     return goals
+
+
+def _either_way(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
+    """"sideways" is a quarter turn either way."""
+    found = _facing(name, facing, flat, scene, span)
+    if flat is None or flat.value != 90.0 or not isinstance(found, r.Facing):
+        return found
+    return g.Any(goals=(found, found.model_copy(update={"turn": -90.0})), span=span)
 
 
 def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:

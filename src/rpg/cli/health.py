@@ -65,9 +65,9 @@ def _graphics() -> Finding:
     wanted = os.environ.get("MUJOCO_GL", "").lower()
     for backend in (wanted,) if wanted in BACKENDS else tuple(BACKENDS):
         if _draws(backend):
-            return Finding("graphics", True, f"OpenGL off-screen with {backend}; export MUJOCO_GL={backend} to use it")
-    hint = "pictures are drawn by casting rays; for faster ones: " + " or ".join(BACKENDS.values())
-    return Finding("graphics", False, "no OpenGL off-screen", hint)
+            return Finding("graphics", True, f"pictures are drawn by OpenGL ({backend})")
+    hint = "for faster ones: " + " or ".join(BACKENDS.values())
+    return Finding("graphics", False, "no OpenGL; pictures are drawn by casting rays", hint)
 
 
 def _draws(backend: str) -> bool:
@@ -107,7 +107,7 @@ def _sandbox() -> Finding:
 def _models() -> Finding:
     keys = [key for key in KEYS if os.environ.get(key)]
     if not keys:
-        return Finding("models", False, "no key; compiling needs none", f"for --model, set one of {', '.join(KEYS)}")
+        return Finding("models", False, f"no key among {', '.join(KEYS)}; compiling needs none")
     if find_spec("litellm") is None:
         return Finding("models", False, ", ".join(keys), "pip install 'roboplayground[llm]'")
     return Finding("models", True, ", ".join(keys))
@@ -117,5 +117,4 @@ def _robot() -> Finding:
     root = os.environ.get("MENAGERIE_ROOT")
     if root and (Path(root) / "franka_emika_panda" / "panda.xml").is_file():
         return Finding("robot", True, f"Franka Panda in {root}")
-    hint = "a free-flying gripper is used; for the arm, set MENAGERIE_ROOT to a copy of mujoco_menagerie"
-    return Finding("robot", False, "no arm's assets", hint)
+    return Finding("robot", False, "no arm's assets in MENAGERIE_ROOT; a free-flying gripper is used")

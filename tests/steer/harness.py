@@ -9,7 +9,8 @@ from typing import Any, Literal
 
 import yaml
 
-from rpg.pipeline import compile_instruction
+from rpg.ir.edits import EDIT, apply
+from rpg.pipeline import compile_instruction, prepared
 from rpg.publishing import publish
 from rpg.steering import Steered, steer
 from rpg.store import Family, Workspace, Written
@@ -100,6 +101,8 @@ def _differs(turn: dict[str, Any], done: Steered, head: int) -> tuple[str, Score
     if done.verdict.category != "FRESH" and reference != turn.get("from", head):
         return f"from version {reference}", "wrong"
     schema = done.outcome.program.task
+    if not _replays(done):
+        return "its edits do not lead to it again", "wrong"
     looks = {block.name: getattr(block, "label", "") or block.color for block in schema.blocks}
     untouched = {looks[name] for name in done.proof.positions.blocks}
     for look in turn.get("same", []):
@@ -109,3 +112,15 @@ def _differs(turn: dict[str, Any], done: Steered, head: int) -> tuple[str, Score
     entry = Entry("", "", turn["edit"], assets=turn.get("assets"), hold=states["hold"], miss=states["miss"])
     why = _disagreement(entry, schema)
     return (why, "wrong") if why and not why.endswith("start in a heap") else ("", "right")
+
+
+def _replays(done: Steered) -> bool:
+    """Whether the recorded edits, applied to the version they started from, give the recorded task."""
+    assert done.version is not None
+    steering = done.version.snapshot.steering
+    assert steering is not None
+    family = Family(done.version.directory.parent)
+    parent = next(version for version in family.versions() if version.hash == steering.parent)
+    edits = [EDIT.validate_python(edit) for edit in steering.edits]
+    again = prepared(apply(parent.schema, edits))
+    return again == done.version.schema.model_copy(update={"paraphrases": again.paraphrases})

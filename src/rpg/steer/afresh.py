@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from rpg.blocks.english import describe
@@ -16,6 +16,8 @@ from rpg.ir.walk import names as mentions
 from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
 from rpg.steer.identity import look
+from rpg.steer.language import Parser, m, noun_phrase, tokenize
+from rpg.steer.refer import exists, resolve
 from rpg.steer.shape import conjuncts
 
 _FRESH = re.compile(
@@ -60,6 +62,7 @@ def extended(
     draft: Draft, request: str, begin: int, read: Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 ) -> None:
     """Read the words of `request` from `begin` on as one more sentence about the task, and take over what they add."""
+    only_known(draft, request, begin)
     said = request[begin:].strip(" ,;")
     known = describe(draft.schema)
     whole = f"{known} {said[:1].upper()}{said[1:]}"
@@ -73,6 +76,29 @@ def extended(
     if names is None:
         raise Refusal([_vague(begin, len(request))])
     _take_over(draft, schema, names, (begin, len(request)))
+
+
+def only_known(draft: Draft, request: str, begin: int) -> None:
+    """Refuse "the ..." of what the task does not have: as one more sentence of a text it would bring it in."""
+    for named in _definite(request, begin):
+        if not any(exists(draft.view, noun) for noun in named):
+            resolve(draft.view, named[0])
+
+
+def mentions_known(draft: Draft, request: str) -> bool:
+    """Whether a sentence says "the ..." of anything that the task has."""
+    return any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
+
+
+def _definite(request: str, begin: int) -> Iterator[list[m.Noun]]:
+    """The readings of every phrase with "the" that says a colour or a symbol."""
+    p = Parser(tokenize(request)[0])
+    for i in range(p.end):
+        if p.tokens[i].span[0] >= begin and p.words[i] == "the":
+            named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun)]
+            told = [noun for noun in named if noun.traits.colors or noun.traits.labels]
+            if told:
+                yield told
 
 
 def _placed(error: Diagnostic, known: int, begin: int, end: int) -> Diagnostic:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, adjectives, colors, label_list, length, literal, longest, m, noun_phrase
-from rpg.steer.phrases import fresh, plural_kind
+from rpg.steer.phrases import fresh, old, plural_kind
 
 CHANGE = ("change", "turn", "make", "convert", "transform", "switch", "modify", "set", "have", "let", "transition")
 
@@ -22,7 +22,7 @@ def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if not j:
             continue
         for theme, k in _themes(p, j):
-            if isinstance(theme, m.Structure) and theme.det in ("a", "bare", "another"):
+            if theme is None or not old(theme):
                 continue
             n = longest(
                 p,
@@ -118,8 +118,27 @@ _FORM = (
 )
 
 
+_INTO_LINES = {
+    "stack": "stack", "pile up": "stack", "stack up": "stack", "pile": "stack", "line up": "row", "line": "row",
+}  # fmt: skip
+
+
+def _lined(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "stack them instead", "line them up"."""
+    for verb, kind in _INTO_LINES.items():
+        j = p.seq(i, verb)
+        for theme, k in noun_phrase(p, j) if j else ():
+            if fresh(theme) or isinstance(theme, m.Structure):
+                continue
+            end = longest(p, k, "up | on top of each other | on top of one another | on each other | side by side") or k
+            shape = m.Structure(kind=kind, span=p.span(i, end))
+            if verb != "line" or p.words[k : k + 1] == ["up"]:
+                yield r.Reshape(structure=shape, theme=theme, span=p.span(i, end)), end
+
+
 def arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "arrange them in a circle instead", "make a pyramid out of the same blocks"."""
+    yield from _lined(p, i)
     for phrase in _FORM:
         j = p.seq(i, phrase)
         for theme, k in noun_phrase(p, j) if j else ():
@@ -143,9 +162,9 @@ def arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 yield r.Reshape(structure=shape, span=p.span(i, end)), end
     for shape, k in noun_phrase(p, i):
         n = longest(p, k, ("instead of", "rather than"))
-        for old, end in noun_phrase(p, n) if n else ():
-            if isinstance(shape, m.Structure) and isinstance(old, m.Structure):
-                yield r.Reshape(structure=shape, theme=replace(old, det="the"), span=p.span(i, end)), end
+        for given_up, end in noun_phrase(p, n) if n else ():
+            if isinstance(shape, m.Structure) and isinstance(given_up, m.Structure):
+                yield r.Reshape(structure=shape, theme=replace(given_up, det="the"), span=p.span(i, end)), end
 
 
 _SAME_BLOCKS = tuple(

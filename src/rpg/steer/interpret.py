@@ -13,7 +13,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.edits import Edit, Overwrite, SetText, apply
 from rpg.ir.schema import TaskSchema
 from rpg.steer import requests as r
-from rpg.steer.afresh import Fresh, extended, fresh_start
+from rpg.steer.afresh import Fresh, extended, fresh_start, mentions_known, only_known
 from rpg.steer.backrefs import Reference
 from rpg.steer.classify import Category
 from rpg.steer.draft import Draft
@@ -84,12 +84,17 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
     if fresh is not None and not any(reading.whole for reading in readings):
         return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
     refusals: list[Refusal] = []
-    for parsed in [reading for reading in readings if reading.whole][:TRIES]:
+    for parsed in [reading for reading in readings if reading.whole and _changes(reading)][:TRIES]:
         try:
             return _carried_out(request, parsed, history)
         except Refusal as refusal:
             refusals.append(refusal)
     return _otherwise(request, readings, refusals, history, read)
+
+
+def _changes(reading: Parsed) -> bool:
+    """Whether a reading asks for more than that things stay as they are."""
+    return not reading.requests or any(not isinstance(request, r.Keep) for request in reading.requests)
 
 
 def _only_words(request: str) -> None:
@@ -190,7 +195,8 @@ def _otherwise(
             return _with_clause(request, longest, history, read)
         except Refusal as refusal:
             reasons += refusal.diagnostics
-    steps = (_clause,) if edits else (_clause, _standalone) if Fresh.adds(request) else (_standalone, _clause)
+    more = edits or (Fresh.adds(request) and not _about_new_things(request, history, read))
+    steps = (_clause,) if more else (_standalone, _clause)
     for step in steps:
         try:
             return step(request, history, read)
@@ -229,6 +235,10 @@ def _clause(request: str, history: History, read: Reader) -> Interpretation:
 
 
 def _standalone(request: str, history: History, read: Reader) -> Interpretation:
+    """An instruction of its own; one that names some of the task's blocks must not name others that it lacks."""
+    draft = Draft(history.current.schema, history.current.focus)
+    if mentions_known(draft, request):
+        only_known(draft, request, 0)
     return _whole(request, request, 0, history, read, "PIVOT")
 
 

@@ -65,3 +65,10 @@ def labelled(phrase: Any) -> bool:
 def plural_kind(phrase: Any) -> bool:
     """Phrases such as "letters", "coloured blocks": a kind of block rather than certain ones."""
     return isinstance(phrase, m.Noun) and phrase.det in ("bare", "some") and phrase.plural and phrase.amount is None
+
+
+def old(phrase: m.Meaning) -> bool:
+    """Whether a phrase may speak of something that is there: "the tower", "it", "blocks"; not "a tower", "two more"."""
+    if isinstance(phrase, m.Structure):
+        return phrase.det not in ("a", "bare", "another")
+    return not fresh(phrase) or plural_kind(phrase)

@@ -9,6 +9,7 @@ from rpg.blocks.nouns import bare, join
 from rpg.blocks.traits import VOWELS, kind_of, symbol_of
 from rpg.core.diagnostics import Diagnostic, Refusal, Span
 from rpg.steer.language import m
+from rpg.steer.operations.guard import check_picked
 from rpg.steer.view import NOUNS, Line, Shape, View
 
 RANKS = {"top": -1, "bottom": 0, "left": 0, "right": -1, "front": 0, "back": -1, "last": -1, "base": 0}
@@ -99,7 +100,22 @@ def _structure(view: View, phrase: m.Structure) -> Found:
     if phrase.plural:
         return Found(tuple(name for each in found for name in each.names), None, found[-1].figure)
     recent = [each for each in found if set(each.names) & set(view.focus)]
-    return (recent or found)[-1]
+    chosen = (recent or found)[-1]
+    _check_described(view, phrase, chosen)
+    return chosen
+
+
+def _check_described(view: View, phrase: m.Structure, found: Found) -> None:
+    """Refuse a structure of another size, or of other blocks, than the phrase says."""
+    members = phrase.members if isinstance(phrase.members, m.Noun) else None
+    size = phrase.size or (members.amount if members is not None else None)
+    if size is not None and phrase.kind in ("stack", "row", "column", "circle") and size.low != len(found.names):
+        told = f"it has {len(found.names)} blocks, not {size.low}"
+        raise Refusal([_diagnostic("no-such-object", phrase.span, told, "say how many it has, or leave that out")])
+    for traits in (phrase.traits, members.traits if members is not None else m.Traits()):
+        if not all(matches(view, name, traits) for name in found.names if name in view.world.blocks):
+            told = "its blocks are not all like this"
+            raise Refusal([_diagnostic("no-such-object", phrase.span, told, "leave out what its blocks look like")])
 
 
 _WORDS = {"word": "spells", "equation": "equation"}
@@ -142,6 +158,7 @@ def _part(view: View, phrase: m.PartOf) -> Found:
 def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
     if phrase.part_of is not None:
         return _some_of(view, phrase)
+    check_picked(phrase)
     pool: Sequence[str] = tuple(view.world.patches if phrase.head == "patch" else view.world.blocks)
     found = tuple(name for name in pool if matches(view, name, phrase.traits))
     for condition in phrase.conditions:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, longest, m, noun_phrase, order, phrases, simple
+from rpg.steer.phrases import old
 
 REVERSE = (
     "reverse",
@@ -139,7 +140,7 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in SORT:
         if j := p.seq(i, phrase):
             starts.append((None, j))
-            starts += [(theme, k) for theme, k in noun_phrase(p, j) if not isinstance(theme, m.Coord)]
+            starts += [(theme, k) for theme, k in noun_phrase(p, j) if not isinstance(theme, m.Coord) and old(theme)]
             if k := longest(p, j, "the letters | the numbers | the colors | the order"):
                 starts.append((None, k))
     for phrase in (
@@ -155,6 +156,10 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if not starts and p.words[i : i + 1] in (["alphabetically"], ["numerically"], ["in"], ["from"]):
         starts.append((None, i))
     for theme, j in starts:
+        if k := longest(
+            p, j, "alternate in color | alternate in colour | alternate colors | alternate | alternate by color"
+        ):
+            yield r.Reorder(how="alternating", theme=theme, span=p.span(i, k)), k
         j = p.opt(j, "now", "so", "to")
         j = longest(p, j, "be sorted | be ordered | be arranged | sorted | ordered | be") or j
         yield from _orders(p, i, j, theme)

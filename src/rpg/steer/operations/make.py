@@ -10,6 +10,7 @@ from rpg.blocks.traits import GRADIENT, symbol_of
 from rpg.ir.assets import EDGE, Asset, Block, ColoredCube, GoalPatch, SemanticCube
 from rpg.steer.draft import Draft
 from rpg.steer.language import lexicon, m
+from rpg.steer.operations.guard import check_new
 
 PALETTE = (*GRADIENT, "brown", "black", "gray", "white")
 DIGITS = "1234567890"
@@ -31,6 +32,7 @@ def _named(draft: Draft, phrase: m.Meaning, count: int | None, before: Sequence[
         raise draft.refusal(
             "edit-unclear", "this does not describe a block or a patch", phrase.span, "say a block's colour or letter"
         )
+    check_new(phrase)
     taken = {asset.name for asset in (*draft.schema.assets, *before)}
     number = _number(phrase, count)
     if phrase.head == "patch":

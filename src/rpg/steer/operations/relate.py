@@ -40,16 +40,21 @@ def relation(
     place: m.Loc | None = None,
 ) -> g.Goal:
     """The atom that says `a` is `word` of `b`."""
+    if "start" in mods or (place is not None and place.second is not None):
+        raise draft.refusal(
+            "edit-unclear", "this place cannot be asked for in an edit", span, "give the whole instruction"
+        )
     if word in DIRECTIONS:
         flags = {name: True for name in ("directly", "immediate", "somewhere") if name in mods}
         atom: g.Goal = DIRECTIONS[word].model_validate({"a": a, "b": b, **flags})  # type: ignore[assignment]
+        if place is not None and (place.low is not None or place.high is not None):
+            atom = g.All(goals=(atom, _distance(a, b, place)))
     elif word == "under":
         atom = rel.On(a=b, b=a)
     elif word in ("between", "sandwiched") and len(members(b)) == 2:
         atom = rel.Between(a=a, b=members(b)[:1], c=members(b)[1:])
     elif word == "distance" and place is not None:
-        measure = "faces" if place.measure == "faces" else "centres"
-        atom = rel.Distance(a=a, b=b, minimum=place.low, maximum=place.high, measure=measure)  # type: ignore[arg-type]
+        atom = _distance(a, b, place)
     elif word in PLAIN:
         atom = PLAIN[word](a=a, b=b)
     else:
@@ -60,3 +65,10 @@ def relation(
             "say on top of, beside, to the left of, between ...",
         )
     return g.Not(goal=atom) if place is not None and place.negated else atom
+
+
+def _distance(a: tuple[str, ...], b: Operand, place: m.Loc) -> rel.Distance:
+    measure = "faces" if place.measure == "faces" else "centres"
+    return rel.Distance.model_validate(
+        {"a": a, "b": b, "minimum": place.low, "maximum": place.high, "measure": measure}
+    )

@@ -14,6 +14,7 @@ from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.count import like, recount
+from rpg.steer.operations.guard import check_shape
 from rpg.steer.operations.kinds import listed
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.restyle import exchange
@@ -48,16 +49,39 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
         )
         return
     blocks = [name for name in listed(draft, names) if name in draft.view.world.blocks]
-    if wanted.members is not None and isinstance(wanted.members, m.Noun) and wanted.members.traits != m.Traits():
-        raise draft.refusal(
-            "edit-unclear", "this describes a whole new structure", request.span, "say it as an instruction of its own"
-        )
+    check_shape(wanted, sizes_used=True)
+    _check_members(draft, wanted, blocks)
     draft.aim("PIVOT")
     goal = structure(draft, wanted, blocks, line, request.span)
     if set(blocks) >= set(draft.view.busy) or line is None or line.node is None:
         draft.do(SetGoal(goal=goal), request.span)
     else:
         draft.do(ChangeCondition(at=line.path, to=goal), request.span)
+
+
+def _check_members(draft: Draft, wanted: m.Structure, blocks: Sequence[str]) -> None:
+    """What the request says of the blocks of the new structure must be so: their number, or which they are."""
+    said = wanted.size.low if wanted.size else None
+    if isinstance(wanted.members, m.Noun):
+        if wanted.members.traits == m.Traits() and not wanted.members.conditions:
+            said = wanted.members.amount.low if wanted.members.amount else said
+        elif set(resolve(draft.view, wanted.members).names) != set(blocks):
+            raise draft.refusal("edit-unclear", "these are not the blocks of the task", wanted.span, _WHOLE)
+    elif wanted.members is not None:
+        raise draft.refusal("edit-unclear", "these are not the blocks of the task", wanted.span, _WHOLE)
+    fits = {len(blocks)}
+    if wanted.kind == "staircase":
+        fits = {n for n in range(2, 8) if n * (n + 1) // 2 == len(blocks)}
+    if wanted.kind == "pyramid":
+        fits |= {n for n in range(2, 8) if len(blocks) in (n * (n + 1) // 2, n * (n + 1) * (2 * n + 1) // 6)}
+    if said is not None and said not in fits:
+        told = f"there are {len(blocks)} blocks, which do not form a {wanted.kind} of {said}"
+        raise draft.refusal("breaks-structure", told, wanted.span, "change the number of blocks first")
+    if (wanted.filled and wanted.kind in ("circle", "triangle", "plus")) or (wanted.upright and wanted.kind in FIGURES):
+        raise draft.refusal("edit-unclear", f"the blocks cannot form a {wanted.kind} like this", wanted.span, _WHOLE)
+
+
+_WHOLE = "give the whole instruction"
 
 
 def _same_kind(view: View, names: Sequence[str], wanted: m.Structure) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 
 from rpg.blocks.traits import Traits
@@ -12,6 +13,7 @@ from rpg.ir.structures import Equation, Spells
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import lexicon, m
+from rpg.steer.operations.guard import check_new
 from rpg.steer.operations.kinds import convert, listed, mix
 from rpg.steer.operations.lines import by_place, insert, pin
 from rpg.steer.operations.make import describe, free_name, new_assets, unused_colors
@@ -198,6 +200,7 @@ def replace(draft: Draft, request: r.Replace) -> None:
 
 def _replace_each(draft: Draft, old: Sequence[str], new: m.Noun, span: Span) -> None:
     """As many new blocks as old ones, of the old ones' sizes unless the request gives another."""
+    check_new(new)
     blocks = describe(draft, new.traits, len(old), like=new.head == "any")
     if not (new.traits.edge or new.traits.size):
         edges = [draft.view.world.edge[name] for name in listed(draft, old)]
@@ -232,7 +235,13 @@ def _generic(new: m.Meaning) -> bool:
     return not new.traits.labels and not new.traits.colors and not one
 
 
+def replace_head(wanted: m.Noun) -> m.Noun:
+    """A phrase that stands for a patch, whatever its noun ("a yellow one")."""
+    return dataclasses.replace(wanted, head="patch")
+
+
 def _replace_patches(draft: Draft, old: Sequence[str], wanted: m.Noun, span: Span) -> None:
+    check_new(replace_head(wanted))
     new: dict[str, Asset] = {}
     for name in old:
         patch = draft.view.world.patches.get(name)

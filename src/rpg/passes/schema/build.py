@@ -12,7 +12,7 @@ from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
-from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, cost_of, parts_of
+from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Structure, cost_of, parts_of
 from rpg.passes.schema import feasibility
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.read import Sentence
@@ -156,6 +156,10 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
         there = len(matching(traits, scene, False))
         if there != count:
             raise refuse("count-mismatch", f"there are only {count} of these, but {there} are needed", span, f"say {there}, or use {count}", there=count, needed=there)
+    made_up = [t for t in scene.things.values() if t.invented and t.color is not None]
+    named = [t for t in scene.things.values() if not t.invented and not t.extra and not t.patch]
+    if made_up and named and any(isinstance(x, Structure) and x.det == "the" and x.members is None and x.letter is None for c in chains for x in parts_of(c)):
+        raise refuse("no-referent", "a structure is spoken of as known, but it is not said which blocks it is made of", chains[0].span, "name its blocks")
     told = set(names_in(goal)) | {n for x in scene.start_goals for n in names_in(x)} | {n for heap in scene.heaps for n in heap}
     for thing in scene.things.values():
         if thing.name in told or thing.extra or thing.declared or thing.name in scene.spare:

@@ -295,7 +295,8 @@ def _with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cl
                 if marks:
                     quality = Quality(traits=Traits(**marks), span=p.span(k, end))
                     yield Clause(verb="be", theme=theme, adjuncts=(quality,), span=p.span(i, end), word=word), end
-        for found, end in adjuncts(p, k):
+        after = [(f, e) for f, e in adjuncts(p, k + 1) if f] if p.words[k : k + 1] == [","] else []
+        for found, end in [*adjuncts(p, k), *after]:
             yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=word), end
     if sense in ("stack", "build", "arrange", "sort", "place"):
         for found, end in adjuncts(p, j):

@@ -177,6 +177,8 @@ def _part(p: Parser, i: int) -> Results[Meaning]:
     for phrase, part in _PARTS.items():
         if (k := p.seq(j, phrase)) and (k := p.one(k, "of")):
             for whole, end in simple(p, k):
+                if isinstance(whole, TableTop):
+                    continue
                 yield PartOf(part=part, whole=whole, span=p.span(i, end)), end
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.ir import goal as g
-from rpg.passes.schema.meaning import Chain, Clause, Manner
+from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy
 from rpg.passes.schema.resolve.clauses import clause_goals
 from rpg.passes.schema.resolve.conflicts import undoes
 from rpg.passes.schema.resolve.loose import settle
@@ -19,8 +19,9 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
+    chain = in_that_order(chain)
     stages: list[Goals] = [[]]
-    for link, clause in zip(chain.links, chain.clauses, strict=True):
+    for link, clause in _given_first(chain):
         if not isinstance(clause, Clause):
             continue
         begun = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "start"]
@@ -34,6 +35,25 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
             continue
         _append(stages, link, goals)
     return _sequence(stages, scene, chain)
+
+
+def _given_first(chain: Chain) -> list[tuple[str, Meaning]]:
+    """Clauses with their links; those that only say what there is come first."""
+    pairs = list(zip(chain.links, chain.clauses, strict=True))
+    given = [x for x in pairs if isinstance(x[1], Clause) and x[1].mode == "given"]
+    return [*given, *(x for x in pairs if x not in given)]
+
+
+def in_that_order(chain: Chain) -> Chain:
+    """"..., in that order" behind several clauses with a block each: one after the other."""
+    last = chain.clauses[-1]
+    if len(chain.clauses) < 2 or not isinstance(last, Clause) or not isinstance(last.theme, Noun) or last.theme.plural:
+        return chain
+    orders = [a for a in last.adjuncts if isinstance(a, OrderBy) and a.by in ("given", "temporal") and not a.items]
+    if not orders:
+        return chain
+    bare = replace(last, adjuncts=tuple(a for a in last.adjuncts if a not in orders))
+    return replace(chain, clauses=(*chain.clauses[:-1], bare), links=(chain.links[0], *("then" for _ in chain.links[1:])))
 
 
 def _time(clause: object) -> float | None:

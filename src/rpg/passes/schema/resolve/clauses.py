@@ -143,6 +143,9 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.lemma == "alphabetize":
         spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
     shape = _kind_of_shape(spec)
+    if clause.lemma in ("spread", "distribute") and not (spec.orders or spec.intos or spec.toward or spec.spacings or spec.places):
+        each = Pronoun(word="each other", span=clause.span)
+        spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
     theme = refer(_counted(clause.theme, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     _sandwich(clause, spec)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
@@ -250,7 +253,7 @@ def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:
 
 def _in_time(order: OrderBy, verb: str, theme: Ref, spec: Spec) -> bool:
     """"put A, B and C on the patch in that order": an order of blocks that form no line is one in time."""
-    if order.by != "given" or spec.intos or spec.toward:
+    if order.by != "given" or spec.intos or spec.toward or len(theme.names) < 2 and not order.items:
         return False
     placed = verb == "place" and any(isinstance(p, Loc) and p.rel in ("on", "in") for p in spec.places)
     return placed or (not order.items and theme.op == "then")
@@ -493,6 +496,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             scene.mentions.pop()
             continue
         theme = refer(item.theme, scene, replace(scope, role="theme"))
+        if any(scene.things[n].invented for n in ref.names) and not set(theme.names) & set(ref.names) and ref.built:
+            raise refuse("ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks")
         inner = sort_adjuncts(item.adjuncts)
         _merge_sides(inner)
         for at_ in list(inner.ats):

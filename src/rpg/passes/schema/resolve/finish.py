@@ -64,7 +64,10 @@ def choose(scene: Scene) -> None:
 
 def _no_strangers(scene: Scene) -> None:
     """Blocks of which neither look nor number was said are not made up beside blocks that are named."""
-    vague = [t for t in scene.blocks() if t.elastic is not None and t.color is None and t.label is None and not t.kind]
+    open_ = [t for t in scene.blocks() if t.color is None and t.label is None and not t.kind and not t.extra]
+    vague = [t for t in open_ if t.elastic is not None]
+    if not vague and any(a.startswith("the number of blocks is not said") for a in scene.assumptions):
+        vague = [t for t in open_ if t.batch == open_[-1].batch]
     named = [t for t in scene.blocks() if t not in vague and not t.extra]
     if vague and named:
         raise refuse(

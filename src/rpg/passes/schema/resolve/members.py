@@ -178,7 +178,9 @@ def new_members(traits: Traits, count: int, kind: str | None, scene: Scene) -> t
     for index in range(count):
         color = (colors[index * len(colors) // count],) if colors else ()
         one = replace(traits, colors=color, kind=traits.kind or kind, rank=None, labels=())
-        names.append(create(one, scene, False).name)
+        thing = create(one, scene, False)
+        thing.invented = not (color or one.kind or one.size)
+        names.append(thing.name)
     return tuple(names)
 
 

@@ -108,6 +108,8 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return others(noun, scene, scope, patch)
     if len(noun.traits.labels) > 1 or (len(noun.traits.colors) > 1 and not noun.traits.either):
         return _listed(noun, scene, scope, patch)
+    if noun.det == "no" and noun.traits == Traits() and noun.head == "block":
+        return Ref(names=tuple(t.name for t in scene.blocks() if not t.extra), quant=Amount(0, 0, True), plural=True, everything=True)
     if noun.traits.either:
         return _alternatives(noun, scene, scope, patch)
     names = select(noun, scene, scope, patch)
@@ -146,6 +148,8 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return replace(whole, each=noun.det == "each", quant=None)
     if noun.det == "no":
         return replace(whole, quant=Amount(0, 0, True))
+    if noun.det == "any" and scene.speaks_of_rest and noun.amount == Amount(1, 1):
+        return _some_of(whole, 1, noun, scene)
     if noun.det == "any":
         amount = noun.amount or Amount(1, None, True)
         return replace(whole, quant=Amount(amount.low, amount.high, True))

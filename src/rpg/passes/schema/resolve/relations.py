@@ -159,6 +159,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [_between(theme, mark, loc, scene, span)]
     if theme.quant is not None and theme.quant.high == 0 and theme.everything and loc.rel in ("on", "above") and not mark.patch:
         return [r.Clear(a=crown(mark), span=span)]
+    if theme.everything and theme.quant is not None and mark.patch and loc.rel in ("on", "above", "in"):
+        return [r.Empty(patch=p, span=span) for p in mark.names]
     _check_self(theme, mark, loc)
     if mark.matching:
         return matching_patches(theme, mark, scene, span)

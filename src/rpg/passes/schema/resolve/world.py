@@ -34,6 +34,7 @@ class Thing:
     faces: dict[str, str] | None = None
     claims: int = 0
     elastic: str | None = None
+    invented: bool = False
 
 
 @dataclass(frozen=True)

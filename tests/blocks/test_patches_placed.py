@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import combinations, pairwise
 from random import Random
 from typing import Any
 
@@ -13,6 +13,7 @@ from rpg.blocks.evaluate import evaluate
 from rpg.blocks.geometry import patch_outline, polygon_gap
 from rpg.blocks.patches import place_patches
 from rpg.blocks.state import BlockState, World
+from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import ColoredCube, GoalPatch
 from rpg.ir.schema import TaskSchema
 from tests.blocks.relation_states import goal
@@ -86,3 +87,17 @@ def test_what_has_a_place_keeps_it() -> None:
     schema = placed(2, lying(2), mat(position=(0.5, 0.1)), mat("other"))
     assert schema.patches[0].position == (0.5, 0.1)
     assert place_patches(schema) == schema
+
+
+def test_more_patches_than_the_table_holds_are_refused() -> None:
+    mats = [mat(f"mat_{k}", size=(0.15, 0.15)) for k in range(9)]
+    with pytest.raises(Refusal, match="nine patches"):
+        placed(1, {"kind": "on_table", "a": "red"}, *mats)
+
+
+def test_any_order_of_many_patches_is_found() -> None:
+    names = [f"mat_{k}" for k in range(6)]
+    order = [{"kind": "left_of", "a": b, "b": a, "somewhere": True} for a, b in pairwise(names[:3])]
+    schema = placed(1, {"kind": "all", "goals": order}, *(mat(name) for name in names))
+    state = BlockState(World(schema.assets), {}, {})
+    assert all(evaluate(goal(**part), state) for part in order)

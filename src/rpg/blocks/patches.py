@@ -14,8 +14,10 @@ from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.evaluate import satisfied
 from rpg.blocks.geometry import patch_outline, polygon_gap
+from rpg.blocks.nouns import number
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
+from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.assets import GoalPatch
 from rpg.ir.node import members
@@ -32,9 +34,11 @@ LONG = 2.0
 """A patch at least this many times longer than wide is a long one, and stays one."""
 LARGEST_SQUARE = 0.20
 """A square patch that would have to be larger (m) becomes a rectangle."""
-MOST_ORDERS = 24
-"""Ways to deal the places of one layout to the patches."""
-RANDOM_LAYOUTS = 100
+MOST_DEALT = 5
+SHUFFLED_ORDERS = 100
+"""All ways to deal so many places to the patches are tried; of more places, so many ways."""
+RANDOM_LAYOUTS = 200
+TABLE_AREA = (WORKSPACE_X[1] - WORKSPACE_X[0]) * (WORKSPACE_Y[1] - WORKSPACE_Y[0])
 CHECKED_LAYOUTS = 12
 ARRANGE_TRIES = 1500
 Spot = tuple[float, float]
@@ -190,7 +194,21 @@ def _placed(schema: TaskSchema, sized: dict[str, GoalPatch]) -> dict[str, GoalPa
         if Solver(schema.goal, world, None, ARRANGE_TRIES).solve(Random(0)) is not None:
             return layout
         fallback = fallback or layout
-    return fallback or next(_layouts(list(sized.values())), sized)
+    fallback = fallback or next(_layouts(list(sized.values())), None)
+    if fallback is None:
+        raise Refusal([_no_room(list(sized.values()))])
+    return fallback
+
+
+def _no_room(patches: list[GoalPatch]) -> Diagnostic:
+    area = sum(p.size[0] * p.size[1] for p in patches)
+    return Diagnostic(
+        code="patches-no-room",
+        message=f"the {number(len(patches))} patches do not fit on the table side by side",
+        hint="use fewer or smaller patches",
+        facts={"patches": len(patches), "area_m2": round(area, 4), "available_m2": round(TABLE_AREA, 4)},
+        origin="patches",
+    )
 
 
 def _honours(layout: dict[str, GoalPatch], between: list[g.Goal]) -> bool:
@@ -201,20 +219,33 @@ def _honours(layout: dict[str, GoalPatch], between: list[g.Goal]) -> bool:
 def _layouts(patches: list[GoalPatch]) -> Iterator[dict[str, GoalPatch]]:
     """Places for the patches that have none: in a line, in two, then anywhere; never overlapping, inside the table."""
     free = [p for p in patches if p.position is None]
+    if not free:
+        yield {p.name: p for p in patches}
+        return
     rng = Random(len(patches))
+    alike = len({(p.size, p.shape) for p in free}) == 1
     for spots in _spot_lists(free, rng):
-        for order in islice(permutations(spots), MOST_ORDERS):
+        for order in _orders(spots, rng):
             layout = {p.name: p for p in patches}
             for patch, spot in zip(free, order, strict=True):
                 layout[patch.name] = patch.model_copy(update={"position": spot})
             if _separate(list(layout.values())):
                 yield layout
+            elif alike:
+                break
+
+
+def _orders(spots: list[Spot], rng: Random) -> Iterator[tuple[Spot, ...]]:
+    """Ways to deal the places: as they are, then all others, or some where there are many."""
+    if len(spots) <= MOST_DEALT:
+        yield from permutations(spots)
+        return
+    yield tuple(spots)
+    for _ in range(SHUFFLED_ORDERS):
+        yield tuple(rng.sample(spots, len(spots)))
 
 
 def _spot_lists(free: list[GoalPatch], rng: Random) -> Iterator[list[Spot]]:
-    if not free:
-        yield []
-        return
     middle = (sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2)
     widths = [p.size[1] for p in free]
     gap = min(0.10, (WORKSPACE_Y[1] - WORKSPACE_Y[0] - sum(widths)) / (len(free) + 1))

@@ -30,6 +30,12 @@ CODES: tuple[Code, ...] = (
         remedy="put ten red blocks in a row from left to right",
     ),
     Code(
+        id="patches-no-room",
+        title="more patches than the table has room for",
+        explanation="Patches lie side by side, at least 2 cm apart, and grow with what must lie on them; these have no "
+        "room within the workspace.",
+    ),
+    Code(
         id="too-many-namings",
         title="too many look-alike blocks with different duties",
         explanation="A goal holds if it does for some choice of which of several blocks that look alike is which. "

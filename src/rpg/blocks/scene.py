@@ -92,7 +92,7 @@ def _surroundings(spec: mujoco.MjSpec, textures: bool) -> None:
         type=mujoco.mjtGeom.mjGEOM_BOX,
         size=half,
         pos=[TABLE_X, 0.0, TABLE_Z - half[2] - SKIN],
-        margin=_margin(),
+        margin=SKIN + TOUCH,
         rgba=[0.86, 0.80, 0.71, 1.0],
         **_contact(),
     )
@@ -111,24 +111,6 @@ def _surroundings(spec: mujoco.MjSpec, textures: bool) -> None:
         quat=list(camera.orientation()),
         fovy=camera.FOVY,
     )
-
-
-@lru_cache(maxsize=1)
-def _margin() -> float:
-    """The margin (m) that lets contacts act from twice the skin on.
-
-    MuJoCo adds the margins of two geoms; its older versions take the larger one. Two balls tell which.
-    """
-    spec, reach = mujoco.MjSpec(), 0.01
-    ball = {"type": mujoco.mjtGeom.mjGEOM_SPHERE, "size": [0.1, 0.0, 0.0], "margin": reach}
-    spec.worldbody.add_geom(**ball)
-    body = spec.worldbody.add_body(pos=[0.0, 0.0, 0.2 + 1.5 * reach])
-    body.add_freejoint()
-    body.add_geom(**ball)
-    model = spec.compile()
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    return SKIN + TOUCH if data.ncon else 2 * (SKIN + TOUCH)
 
 
 def _contact() -> dict[str, list[float]]:
@@ -159,7 +141,7 @@ def _add_block(spec: mujoco.MjSpec, block: Block, textures: bool) -> None:
         name=block.name,
         type=mujoco.mjtGeom.mjGEOM_BOX,
         size=[block.size / 2 - SKIN] * 3,
-        margin=_margin(),
+        margin=SKIN + TOUCH,
         mass=DENSITY * block.size**3,
         rgba=list(rgba(block.color)),
         group=HIDDEN_GROUP if textures else 0,

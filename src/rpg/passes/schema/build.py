@@ -30,7 +30,7 @@ MAX_COMBINATIONS = 48
 FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors", "does-not-fit", "unknown-symbol", "size-out-of-range",
                    "out-of-reach", "too-many-asked"})  # fmt: skip
 """Refusals that no other reading mends: the words are understood, and what they say cannot be done."""
-SENSIBLE = frozenset({"contradiction", "support-cycle", "count-mismatch", "self-reference", "one-group", "missing-symbol", "unused-block", "fixed-patch", "order-conflict"})
+SENSIBLE = frozenset({"ambiguous", "contradiction", "support-cycle", "count-mismatch", "self-reference", "one-group", "missing-symbol", "unused-block", "fixed-patch", "order-conflict"})
 """Refusals of a reading that makes sense in itself: only readings hardly less natural are tried after one."""
 PATIENCE = 0
 

@@ -15,6 +15,7 @@ from rpg.passes.schema.grammar.labels import label_list, literal
 from rpg.passes.schema.grammar.lists import listed
 from rpg.passes.schema.grammar.nouns import noun_phrase
 from rpg.passes.schema.grammar.relations import bounds
+from rpg.passes.schema.grammar.piled import piled
 from rpg.passes.schema.meaning import (
     Absolute,
     At,
@@ -133,8 +134,8 @@ _ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also
 def clause(p: Parser, i: int) -> Results[Meaning]:
     """One clause with whatever frame stands before it."""
     for start, mode in _frames(p, i):
-        yield from _plain(p, start, mode)
-        yield from _fronted(p, start, mode)
+        yield from ((piled(found), j) for found, j in _plain(p, start, mode))
+        yield from ((piled(found), j) for found, j in _fronted(p, start, mode))
 
 
 @rule

@@ -125,7 +125,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
         for landmark, k in noun_phrase(p, j):
             if isinstance(landmark, TableTop) and name not in ("on", "off", "above", "behind", "front"):
                 continue
-            if isinstance(landmark, TableTop) and name == "in":
+            if isinstance(landmark, TableTop) and (name == "in" or p.words[i] in ("at", "to")):
                 continue
             cost = _listed_cost(landmark) + (2 if name == "in" or p.words[i] == "by" else 0)
             yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost), k

@@ -112,11 +112,22 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=tuple(t.name for t in scene.blocks() if not t.extra), quant=Amount(0, 0, True), plural=True, everything=True)
     if noun.traits.either:
         return _alternatives(noun, scene, scope, patch)
-    names = select(noun, scene, scope, patch)
+    names = _counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     found = _quantified(found, noun)
     _conditions(noun, found, scene)
     return found
+
+
+def _counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
+    """"at most one white block" counts all the white blocks there are."""
+    amount = noun.amount
+    if amount is None or not amount.strict or noun.det not in ("bare", "some"):
+        return ()
+    there = [t for t in matching(noun.traits, scene, patch) if t.declared]
+    if amount.low == 0 and len(there) <= (amount.high or 0):
+        raise refuse("ambiguous", "it is not said how many such blocks there are", noun.span, "say for example 'at most one of the three white blocks'")
+    return tuple(t.name for t in there) if len(there) > amount.low else ()
 
 
 def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
@@ -355,6 +366,9 @@ def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ..
 def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
     count = wanted(noun, scene, scope, patch)
     free = [t for t in found if t.name not in scene.used and (t.declared or t.name in scope.pool)]
+    if noun.det == "another" and scene.parted and (left := [t for t in found if t.declared and t.name not in scene.parted | scene.used]):
+        scene.parted.add(left[0].name)
+        return (left[0].name,)
     if noun.det != "another" and not scope.given and len(free) >= count:
         chosen = free[:count]
         if len(free) > count and not _alike(free):

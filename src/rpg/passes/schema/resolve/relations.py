@@ -126,6 +126,8 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         raise refuse("misplaced", "it is not said of what", loc.span)
     if isinstance(loc.landmark, Pronoun) and loc.landmark.word in ("another", "any other", "any other one", "any of the others") and len(theme.names) > 1:
         return reciprocal(theme, loc, span)
+    if theme.everything and isinstance(loc.landmark, Noun) and loc.landmark.det in ("another", "any", "other") and not loc.landmark.traits.colors and len(theme.names) > 1:
+        return reciprocal(theme, loc, span)
     like = scope.like_patch or (scene.last_landmark_patch and loc.rel in ("on", "in"))
     if (found := _any_of_them(theme, loc, scene)) is not None:
         units = [Ref(names=(n,)) for n in theme.names]

@@ -9,13 +9,13 @@ from rpg.passes.schema import lexicon
 from rpg.passes.schema.grammar.adjectives import adjectives, of_quality
 from rpg.passes.schema.grammar.adjuncts import adjunct, adjuncts, direction, manner
 from rpg.passes.schema.grammar.core import Parser, Results, rule
-from rpg.passes.schema.grammar.frames import AFTER, COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG, THEN
+from rpg.passes.schema.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG, THEN
 from rpg.passes.schema.grammar.having import having
 from rpg.passes.schema.grammar.labels import label_list, literal
 from rpg.passes.schema.grammar.lists import listed
 from rpg.passes.schema.grammar.nouns import noun_phrase
-from rpg.passes.schema.grammar.relations import bounds
 from rpg.passes.schema.grammar.piled import piled
+from rpg.passes.schema.grammar.relations import bounds
 from rpg.passes.schema.meaning import (
     Absolute,
     At,
@@ -152,7 +152,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
 
 @rule
 def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
-    """"from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
+    """ "from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
     for first, j in adjunct(p, i):
         if isinstance(first, Absolute | Size):
             continue
@@ -161,11 +161,24 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                          "place", "put", "comes then", "come"))  # fmt: skip
         if isinstance(first, Loc | In | At):
             for theme, end in noun_phrase(p, k or j):
-                if isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None and not (theme.traits.colors or theme.traits.labels):
+                if (
+                    isinstance(theme, Noun)
+                    and not k
+                    and theme.det == "bare"
+                    and theme.amount is None
+                    and not (theme.traits.colors or theme.traits.labels)
+                ):
                     continue
                 for more, last in adjuncts(p, end):
                     verb = "build" if isinstance(theme, Structure) else "be"
-                    said = Clause(verb=verb, theme=theme, adjuncts=(first, *more), mode="start" if mode == "start" else "goal", span=p.span(i, last), cost=1 if k else 2)
+                    said = Clause(
+                        verb=verb,
+                        theme=theme,
+                        adjuncts=(first, *more),
+                        mode="start" if mode == "start" else "goal",
+                        span=p.span(i, last),
+                        cost=1 if k else 2,
+                    )
                     yield said, last
         for found, end in _plain(p, j, mode):
             if isinstance(found, Clause) and found.verb != "exist":
@@ -174,7 +187,12 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
             for items, end in listed(p, j):
                 given = OrderBy(by="given", items=items, span=p.span(j, end))
                 for more, last in adjuncts(p, end):
-                    yield Clause(verb="arrange", adjuncts=(first, given, *more), mode="goal", span=p.span(i, last), cost=1), last
+                    yield (
+                        Clause(
+                            verb="arrange", adjuncts=(first, given, *more), mode="goal", span=p.span(i, last), cost=1
+                        ),
+                        last,
+                    )
 
 
 def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
@@ -198,19 +216,48 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     return found
 
 
-_GAPS = (("gap", "faces"), ("space", "faces"), ("distance", "centres"), ("spacing", "centres"), ("separation", "centres"))
+_GAPS = (
+    ("gap", "faces"),
+    ("space", "faces"),
+    ("distance", "centres"),
+    ("spacing", "centres"),
+    ("separation", "centres"),
+)
 
 
 @rule
 def _gap(p: Parser, i: int) -> Results[Meaning]:
-    """"leave a gap of 6 cm between the red and the green block", "the distance between A and B should be 12 cm"."""
-    j = p.any_of(i, ("leave", "keep", "have", "put", "make", "maintain", "there should be", "there must be", "there is", "there has to be", "there needs to be", "leaving")) or i
+    """ "leave a gap of 6 cm between the red and the green block", "the distance between A and B should be 12 cm"."""
+    j = (
+        p.any_of(
+            i,
+            (
+                "leave",
+                "keep",
+                "have",
+                "put",
+                "make",
+                "maintain",
+                "there should be",
+                "there must be",
+                "there is",
+                "there has to be",
+                "there needs to be",
+                "leaving",
+            ),
+        )
+        or i
+    )
     j = p.opt(j, "a", "an", "the")
     spans: list[tuple[Any, int, str]] = []
     for noun, measure in _GAPS:
         if (k := p.one(j, noun)) and (k := p.one(k, "of")):
             spans += [(b, e, measure) for b, e in bounds(p, k)]
-        spans += [(b, e, measure) for b, k in bounds(p, j) if (e := p.any_of(k, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}")))]
+        spans += [
+            (b, e, measure)
+            for b, k in bounds(p, j)
+            if (e := p.any_of(k, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}")))
+        ]
         if (k := p.one(j, noun)) and (k := p.one(k, "between")):
             for theme, end in noun_phrase(p, k):
                 end = p.any_of(end, ("is", "should be", "must be", "has to be", "shall be", "be"))
@@ -225,9 +272,13 @@ def _gap(p: Parser, i: int) -> Results[Meaning]:
                 yield _far_apart(p, i, end, theme, low, high, measure), end
 
 
-def _far_apart(p: Parser, i: int, end: int, theme: Meaning, low: float | None, high: float | None, measure: str) -> Clause:
+def _far_apart(
+    p: Parser, i: int, end: int, theme: Meaning, low: float | None, high: float | None, measure: str
+) -> Clause:
     span = p.span(i, end)
-    far = Loc(rel="distance", landmark=Pronoun(word="each other", span=span), low=low, high=high, measure=measure, span=span)
+    far = Loc(
+        rel="distance", landmark=Pronoun(word="each other", span=span), low=low, high=high, measure=measure, span=span
+    )
     return Clause(verb="be", theme=theme, adjuncts=(far,), span=span)
 
 
@@ -251,7 +302,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _ever(found: Clause, never: bool) -> Clause:
-    """"never": at no time, not only at the end."""
+    """ "never": at no time, not only at the end."""
     if not never:
         return found
     return replace(found, adjuncts=(*found.adjuncts, Manner(kind="always", span=found.span)))
@@ -259,7 +310,7 @@ def _ever(found: Clause, never: bool) -> Clause:
 
 @rule
 def gerund_single(p: Parser, i: int) -> Results[Clause]:
-    """"putting the red block on ..." after "before"."""
+    """ "putting the red block on ..." after "before"."""
     yield from verb_phrase(p, i, ("ing",))
 
 
@@ -379,7 +430,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
 
 @rule
 def _state(p: Parser, i: int, mode: str) -> Results[Meaning]:
-    """"the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
+    """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
     inverted = p.one(i, _BE)
     asked = p.one(i, _ASKING)
     for theme, j in noun_phrase(p, inverted or asked or i):
@@ -401,8 +452,46 @@ def _state(p: Parser, i: int, mode: str) -> Results[Meaning]:
 _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
 _STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off", "start out", "initially is", "initially sits",
            "starts the episode")  # fmt: skip
-_FILLERS = frozenset({"to", "also", "only", "all", "always", "both", "each", "ever", "end", "gets", "get", "up", "then", "still", "just", "simply"})
-_ADVERBS = frozenset({"all", "both", "each", "also", "still", "now", "currently", "already", "initially", "being", "originally", "be", "always", "then", "only", "going"})
+_FILLERS = frozenset(
+    {
+        "to",
+        "also",
+        "only",
+        "all",
+        "always",
+        "both",
+        "each",
+        "ever",
+        "end",
+        "gets",
+        "get",
+        "up",
+        "then",
+        "still",
+        "just",
+        "simply",
+    }
+)
+_ADVERBS = frozenset(
+    {
+        "all",
+        "both",
+        "each",
+        "also",
+        "still",
+        "now",
+        "currently",
+        "already",
+        "initially",
+        "being",
+        "originally",
+        "be",
+        "always",
+        "then",
+        "only",
+        "going",
+    }
+)
 
 
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
@@ -413,7 +502,9 @@ def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     return j, words
 
 
-def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> list[tuple[Meaning, int]]:
+def _predicate_after_be(
+    p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool
+) -> list[tuple[Meaning, int]]:
     if j := p.one(k, _BE):
         if p.words[k] in ("was", "were"):
             mode = "start"
@@ -427,7 +518,9 @@ def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, ne
         readings = list(_predicate(p, i, j, theme, mode, negated))
         return [(_ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
     if k < p.end and p.words[k] in lexicon.POSTURE:
-        if p.words[k] in ("stay", "stays", "remain", "remains") and (still := p.any_of(k + 1, ("put", "untouched", "in place", "unmoved"))):
+        if p.words[k] in ("stay", "stays", "remain", "remains") and (
+            still := p.any_of(k + 1, ("put", "untouched", "in place", "unmoved"))
+        ):
             manner_ = Manner(kind="stay", span=p.span(k, still))
             return [(Clause(verb="be", theme=theme, adjuncts=(manner_,), mode=mode, span=p.span(i, still)), still)]
         lasting = p.words[k] in ("stays", "stay", "remains", "remain", "staying", "remaining")
@@ -439,7 +532,7 @@ def _predicate_after_be(p: Parser, i: int, k: int, theme: Meaning, mode: str, ne
 
 
 def _stays(found: Clause) -> Clause:
-    """"stays on the patch": there from the start on; "stays empty" is about the end."""
+    """ "stays on the patch": there from the start on; "stays empty" is about the end."""
     placed = any(isinstance(a, Loc | In) for a in found.adjuncts)
     return _ever(found, placed)
 
@@ -451,7 +544,11 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
             end_particle = p.opt(j + 1, *_PARTICLES) if p.words[j] not in ("put", "placed") else j + 1
             for at_ in dict.fromkeys((j + 1, end_particle)):
                 for found, k in adjuncts(p, at_):
-                    if found or sense in ("swap", "stack", "keep") or (negated and lemma in ("move", "touch", "disturb", "shift")):
+                    if (
+                        found
+                        or sense in ("swap", "stack", "keep")
+                        or (negated and lemma in ("move", "touch", "disturb", "shift"))
+                    ):
                         yield (
                             Clause(
                                 verb=sense,
@@ -508,7 +605,23 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
                 ]
             for found, end in readings:
                 yield replace(found, adjuncts=(using, *found.adjuncts), negated=negated, mode=mode), end
-    if (j := p.any_of(k, ("swap places", "swap positions", "trade places", "change places", "exchange places", "switch places", "be swapped", "exchange positions", "swap", "switch positions"))) and not negated:
+    if (
+        j := p.any_of(
+            k,
+            (
+                "swap places",
+                "swap positions",
+                "trade places",
+                "change places",
+                "exchange places",
+                "switch places",
+                "be swapped",
+                "exchange positions",
+                "swap",
+                "switch positions",
+            ),
+        )
+    ) and not negated:
         yield Clause(verb="swap", lemma="swap", theme=theme, mode=mode, span=p.span(i, j)), j
     if j := p.one(k, frozenset({"touch", "touches"})):
         for other, end in noun_phrase(p, j):
@@ -584,21 +697,51 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
 
 @rule
 def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
-    """"a tower of three green blocks", "red block on blue block", "three red blocks stacked on ...": a picture of the end."""
+    """ "a tower of three green blocks", "red block on blue block", "three red blocks stacked on ...": a picture of the end."""
     for theme, j in noun_phrase(p, i):
-        if isinstance(theme, Pronoun) and theme.word in ("it", "them", "they", "that", "this", "one", "each", "all", "both"):
+        if isinstance(theme, Pronoun) and theme.word in (
+            "it",
+            "them",
+            "they",
+            "that",
+            "this",
+            "one",
+            "each",
+            "all",
+            "both",
+        ):
             continue
-        shaped = isinstance(theme, Structure) or (isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items))
-        for found, k in [*adjuncts(p, j), *((f, e) for f, e in (adjuncts(p, j + 1) if p.words[j : j + 1] == [","] else ()) if f)]:
+        shaped = isinstance(theme, Structure) or (
+            isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items)
+        )
+        for found, k in [
+            *adjuncts(p, j),
+            *((f, e) for f, e in (adjuncts(p, j + 1) if p.words[j : j + 1] == [","] else ()) if f),
+        ]:
             if found or shaped:
                 cost = 2 if found and isinstance(found[0], At) else 1
-                yield Clause(verb="build" if shaped else "be", theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), cost=cost), k
+                yield (
+                    Clause(
+                        verb="build" if shaped else "be",
+                        theme=theme,
+                        adjuncts=found,
+                        mode=mode,
+                        span=p.span(i, k),
+                        cost=cost,
+                    ),
+                    k,
+                )
         colon = p.opt(p.opt(j, ",", ":"), "all")
         for apposed, k in noun_phrase(p, colon) if colon > j else ():
             if isinstance(apposed, Structure) and apposed.members is None and not shaped:
                 for found, end in adjuncts(p, k):
                     into = Into(structure=apposed, span=apposed.span)
-                    yield Clause(verb="arrange", theme=theme, adjuncts=(into, *found), mode=mode, span=p.span(i, end), cost=1), end
+                    yield (
+                        Clause(
+                            verb="arrange", theme=theme, adjuncts=(into, *found), mode=mode, span=p.span(i, end), cost=1
+                        ),
+                        end,
+                    )
         for found_, k in _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode):
             yield found_, k
 
@@ -609,7 +752,19 @@ def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results
             for at_ in dict.fromkeys((p.opt(j + 1, *_PARTICLES), j + 1)):
                 for found, k in adjuncts(p, at_):
                     if found or sense == "stack":
-                        yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k), word=p.span(j, j + 1), cost=1), k
+                        yield (
+                            Clause(
+                                verb=sense,
+                                lemma=lemma,
+                                theme=theme,
+                                adjuncts=found,
+                                mode=mode,
+                                span=p.span(i, k),
+                                word=p.span(j, j + 1),
+                                cost=1,
+                            ),
+                            k,
+                        )
 
 
 def tail(p: Parser, i: int) -> int:
@@ -620,4 +775,3 @@ def tail(p: Parser, i: int) -> int:
         if not k:
             return i
         i = k
-

@@ -13,7 +13,8 @@ from rpg.passes.schema import lexicon
 from rpg.passes.schema.grammar.frames import Phrases
 from rpg.passes.schema.tokens import Token
 
-GRAMMAR = ("amounts", "adjectives", "adjuncts", "clauses", "frames", "labels", "nouns", "orders", "regions", "relations",
+GRAMMAR = ("amounts", "adjectives", "adjuncts", "clauses", "frames", "having", "labels", "nouns", "orders", "regions",
+    "relations",
            "relatives", "structures")  # fmt: skip
 LONG_WORD = 7
 """From this length on, two slips are still taken for a misspelling."""

@@ -4,10 +4,18 @@ from __future__ import annotations
 
 import math
 
+import mujoco
+import numpy as np
 import pytest
 
+from rpg.blocks import camera
+from rpg.blocks.initial import sample_start
+from rpg.blocks.physics import Physics
+from rpg.blocks.scene import SHOWN, build_spec
+from rpg.blocks.state import BlockState, World
 from rpg.blocks.visibility import NORMALS, TOWARD, UPS, dot, readable, reads, turned, visible
-from rpg.ir.assets import FACES
+from rpg.ir.assets import FACES, Face, SemanticCube
+from rpg.ir.schema import InitialState
 from tests.scene.builders import HALF, about, at, lettered, plain, tower
 
 UP, UP_GLYPH = TOWARD["up"]
@@ -92,3 +100,31 @@ def test_shortcuts_cast_no_rays() -> None:
     hidden = at(plain(2), (0.60, 0.0, HALF), (0.555, 0.0, HALF))
     assert visible(hidden, "b0", "back", assume="stack")
     assert not visible(hidden, "b0", "front", assume="stack")
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_rays_of_the_physics_engine_agree(seed: int) -> None:
+    world = World([SemanticCube(name=f"{letter}_block", label=letter) for letter in "ABCDEFGH"])
+    heap = InitialState(heaps=(tuple(world.blocks)[:6],))
+    state = sample_start(heap, world, seed)
+    physics = Physics(world, build_spec(world.assets.values(), textures=True).compile())
+    physics.write(state)
+    for name in world.blocks:
+        for face in FACES:
+            assert visible(state, name, face).value == _seen(physics, state, name, face), (name, face)
+
+
+def _seen(physics: Physics, state: BlockState, name: str, face: Face) -> bool:
+    """Do three of five of MuJoCo's rays end on the face?"""
+    axes = np.array(state.axes(name))
+    normal, up = axes @ NORMALS[face], axes @ UPS[face]
+    side = np.cross(normal, up)
+    half, eye = state.world.edge[name] / 2, np.array(camera.POSITION)
+    reached = 0
+    for a, b in ((0.0, 0.0), (0.8, 0.8), (0.8, -0.8), (-0.8, 0.8), (-0.8, -0.8)):
+        sight = np.array(state.position[name]) + half * (normal + a * side + b * up) - eye
+        geom = np.array([-1], dtype=np.int32)
+        shown = np.array(SHOWN, dtype=np.uint8)
+        distance = mujoco.mj_ray(physics.model, physics.data, eye, sight, shown, 1, -1, geom)
+        reached += normal @ sight < 0 and abs(distance - 1.0) < 1e-4 and distance > 0
+    return reached >= 3

@@ -12,8 +12,8 @@ from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
-from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Structure, cost_of, parts_of
 from rpg.passes.schema import feasibility
+from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Structure, cost_of, parts_of
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.read import Sentence
 from rpg.passes.schema.resolve import finish
@@ -27,15 +27,31 @@ from rpg.passes.schema.resolve.world import Scene, refuse, said
 MAX_COMBINATIONS = 48
 
 
-FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors", "does-not-fit", "unknown-symbol", "size-out-of-range",
+FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors",
+    "does-not-fit", "unknown-symbol", "size-out-of-range",
                    "out-of-reach", "too-many-asked"})  # fmt: skip
 """Refusals that no other reading mends: the words are understood, and what they say cannot be done."""
-SENSIBLE = frozenset({"ambiguous", "contradiction", "support-cycle", "count-mismatch", "self-reference", "one-group", "missing-symbol", "unused-block", "fixed-patch", "order-conflict"})
+SENSIBLE = frozenset(
+    {
+        "ambiguous",
+        "contradiction",
+        "support-cycle",
+        "count-mismatch",
+        "self-reference",
+        "one-group",
+        "missing-symbol",
+        "unused-block",
+        "fixed-patch",
+        "order-conflict",
+    }
+)
 """Refusals of a reading that makes sense in itself: only readings hardly less natural are tried after one."""
 PATIENCE = 0
 
 
-def build(sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None) -> TaskSchema:
+def build(
+    sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None
+) -> TaskSchema:
     """The task that the sentences state."""
     first: Refusal | None = None
     best: tuple[int, TaskSchema] | None = None
@@ -95,7 +111,8 @@ def _ambiguous(a: TaskSchema, b: TaskSchema, text: str) -> Refusal:
     from rpg.passes.schema.sketch import sketch
 
     return refuse(
-        "ambiguous", f"this can be read in two ways: {sketch(a.goal)}; or {sketch(b.goal)}", (0, len(text)), "say it in two sentences",
+        "ambiguous", f"this can be read in two ways: {sketch(a.goal)}; or {sketch(b.goal)}", (0, len(text)),
+        "say it in two sentences",
         readings=[sketch(a.goal), sketch(b.goal)],
     )  # fmt: skip
 
@@ -134,7 +151,8 @@ def resolve(
     final = reconcile(finish.renamed(goal, names))
     made = finish.assets(scene, names)
     return _schema(
-        name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start, goal=final,
+        name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start,
+        goal=final,
         assumptions=tuple(scene.assumptions),
     )  # fmt: skip
 
@@ -144,7 +162,12 @@ def _schema(**fields: Any) -> TaskSchema:
     try:
         schema = TaskSchema(**fields)
     except ValidationError:
-        raise refuse("misplaced", "this cannot be put together in one task", (0, len(fields["instruction"])), "say it in several short sentences") from None
+        raise refuse(
+            "misplaced",
+            "this cannot be put together in one task",
+            (0, len(fields["instruction"])),
+            "say it in several short sentences",
+        ) from None
     if problems := feasibility.check(schema):
         raise Refusal(problems)
     return schema
@@ -155,29 +178,66 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
     for traits, count, span in scene.closed:
         there = len(matching(traits, scene, False))
         if there != count:
-            raise refuse("count-mismatch", f"there are only {count} of these, but {there} are needed", span, f"say {there}, or use {count}", there=count, needed=there)
+            raise refuse(
+                "count-mismatch",
+                f"there are only {count} of these, but {there} are needed",
+                span,
+                f"say {there}, or use {count}",
+                there=count,
+                needed=there,
+            )
     made_up = [t for t in scene.things.values() if t.invented and t.color is not None]
     named = [t for t in scene.things.values() if not t.invented and not t.extra and not t.patch]
-    if made_up and named and any(isinstance(x, Structure) and x.det == "the" and x.members is None and x.letter is None for c in chains for x in parts_of(c)):
-        raise refuse("no-referent", "a structure is spoken of as known, but it is not said which blocks it is made of", chains[0].span, "name its blocks")
-    told = set(names_in(goal)) | {n for x in scene.start_goals for n in names_in(x)} | {n for heap in scene.heaps for n in heap}
+    if (
+        made_up
+        and named
+        and any(
+            isinstance(x, Structure) and x.det == "the" and x.members is None and x.letter is None
+            for c in chains
+            for x in parts_of(c)
+        )
+    ):
+        raise refuse(
+            "no-referent",
+            "a structure is spoken of as known, but it is not said which blocks it is made of",
+            chains[0].span,
+            "name its blocks",
+        )
+    told = (
+        set(names_in(goal))
+        | {n for x in scene.start_goals for n in names_in(x)}
+        | {n for heap in scene.heaps for n in heap}
+    )
     for thing in scene.things.values():
         if thing.name in told or thing.extra or thing.declared or thing.name in scene.spare:
             continue
         span = next((m.ref.span for m in scene.mentions if thing.name in m.ref.names), chains[0].span)
-        raise refuse("unused-block", f"{said(thing)} is spoken of, but nothing is said of where it should be", span, "say where it should be, or that it is a distractor")
+        raise refuse(
+            "unused-block",
+            f"{said(thing)} is spoken of, but nothing is said of where it should be",
+            span,
+            "say where it should be, or that it is a distractor",
+        )
 
 
 def _rest(part: Meaning) -> bool:
-    """"the others", "the rest", "another red block": what is left when some are spoken of."""
+    """ "the others", "the rest", "another red block": what is left when some are spoken of."""
     if isinstance(part, Noun):
         return part.det in ("other", "another")
-    return isinstance(part, Pronoun) and ("other" in part.word or "rest" in part.word or "remain" in part.word) and part.word not in ("each other", "one another")
+    return (
+        isinstance(part, Pronoun)
+        and ("other" in part.word or "rest" in part.word or "remain" in part.word)
+        and part.word not in ("each other", "one another")
+    )
 
 
 def _sets_scene(chain: Chain) -> bool:
     """Whether a sentence only says what there is or how it starts: it is read first."""
-    return all(isinstance(c, Clause) and (c.mode == "given" or any(isinstance(m, Manner) and m.kind == "extra" for m in c.adjuncts)) for c in chain.clauses)
+    return all(
+        isinstance(c, Clause)
+        and (c.mode == "given" or any(isinstance(m, Manner) and m.kind == "extra" for m in c.adjuncts))
+        for c in chain.clauses
+    )
 
 
 def _no_goal(scene: Scene, text: str) -> Refusal:

@@ -111,9 +111,11 @@ def _too_long(need: Requirement) -> Diagnostic:
     room = DEPTH if need.axis == "x" else WIDTH
     count = len(getattr(need.atom, "blocks", ()))
     return Diagnostic(
-        code="does-not-fit", message=f"{count} blocks take {need.extent_m * 100:.0f} cm here, but the table has {room * 100:.0f} cm of room",
+        code="does-not-fit",
+        message=f"{count} blocks take {need.extent_m * 100:.0f} cm here, but there are {room * 100:.0f} cm of room",
         span=need.atom.span, hint=f"at most {need.fits} fit",
-        facts={"extent_m": round(need.extent_m, 4), "room_m": round(room, 4), "blocks": count, "fits": need.fits}, origin="schema",
+        facts={"extent_m": round(need.extent_m, 4), "room_m": round(room, 4), "blocks": count, "fits": need.fits},
+        origin="schema",
     )  # fmt: skip
 
 
@@ -127,8 +129,10 @@ def _distances(schema: TaskSchema) -> list[Diagnostic]:
         if low > DIAGONAL:
             found.append(
                 Diagnostic(
-                    code="does-not-fit", message=f"{low * 100:.0f} cm apart is farther than the table is wide", span=atom.span,
-                    hint=f"at most {DIAGONAL * 100:.0f} cm fit", facts={"distance_m": low, "room_m": round(DIAGONAL, 4)}, origin="schema",
+                    code="does-not-fit", message=f"{low * 100:.0f} cm apart is farther than the table is wide",
+                    span=atom.span,
+                    hint=f"at most {DIAGONAL * 100:.0f} cm fit",
+                    facts={"distance_m": low, "room_m": round(DIAGONAL, 4)}, origin="schema",
                 )
             )  # fmt: skip
         a, b = getattr(atom, "a", None), getattr(atom, "b", None)
@@ -138,7 +142,8 @@ def _distances(schema: TaskSchema) -> list[Diagnostic]:
         if one[0] == two[0] and (one[1] > two[2] + 1e-9 or two[1] > one[2] + 1e-9):
             found.append(
                 Diagnostic(
-                    code="contradiction", message="these two distances contradict each other", span=two[3].span, hint="leave one of them out", origin="schema",
+                    code="contradiction", message="these two distances contradict each other", span=two[3].span,
+                    hint="leave one of them out", origin="schema",
                 )
             )  # fmt: skip
     return found
@@ -154,7 +159,9 @@ def _range(atom: g.Goal, edge: dict[str, float]) -> tuple[float, float]:
     match atom:
         case r.Distance():
             plus = half if atom.measure == "faces" else 0.0
-            return (atom.minimum or 0.0) + plus, math.inf if atom.maximum is None else (atom.maximum + plus) * (diagonal if plus else 1.0)
+            return (atom.minimum or 0.0) + plus, math.inf if atom.maximum is None else (atom.maximum + plus) * (
+                diagonal if plus else 1.0
+            )
         case r.Beside() | r.Adjacent():
             return 0.0, (half * 2 + atom.gap_edges * 2 * half) * diagonal
         case r.Near():
@@ -173,11 +180,17 @@ def suggest(diagnostics: tuple[Diagnostic, ...]) -> tuple[Repair, ...]:
     for problem in diagnostics:
         if problem.code == "too-many-labels":
             limit = problem.facts.get("limit", MAX_LETTERS)
-            found["REDUCE_LABELS_PRESERVE_GEOMETRY"] = Repair("REDUCE_LABELS_PRESERVE_GEOMETRY", f"keep the shape, with at most {limit} labels")
+            found["REDUCE_LABELS_PRESERVE_GEOMETRY"] = Repair(
+                "REDUCE_LABELS_PRESERVE_GEOMETRY", f"keep the shape, with at most {limit} labels"
+            )
         elif problem.code in ("order-misfit", "order-conflict"):
-            found["SWITCH_ORDERING_PATTERN"] = Repair("SWITCH_ORDERING_PATTERN", "order by what the blocks show: letters, numbers or colours")
+            found["SWITCH_ORDERING_PATTERN"] = Repair(
+                "SWITCH_ORDERING_PATTERN", "order by what the blocks show: letters, numbers or colours"
+            )
         elif problem.code in ("missing-symbol", "hidden-labels"):
-            found["SWITCH_TO_SPATIAL_ONLY"] = Repair("SWITCH_TO_SPATIAL_ONLY", "keep where the blocks stand and ask nothing of their symbols")
+            found["SWITCH_TO_SPATIAL_ONLY"] = Repair(
+                "SWITCH_TO_SPATIAL_ONLY", "keep where the blocks stand and ask nothing of their symbols"
+            )
     return tuple(found.values())
 
 

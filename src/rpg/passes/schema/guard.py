@@ -13,7 +13,7 @@ _CODE = re.compile(
 )
 _FOREIGN = re.compile(
     r"\b(?:der|die|das|und|auf|den|dem|einen|roten|bloque|rojo|sobre|encima|coloca|pon|le|les|sur|mets|rouge|vert|il|lo|sul|metti|rosso|"
-    r"stapel|stapele|stelle|lege|mache|empile|empilez|apila|pila|baue|turm|tour|cubo|cubes rouges|blok|rode|een|het|coloque|bloco)\b",
+    r"stapel|stapele|stelle|lege|mache|empile|empilez|apila|pila|baue|turm|tour|cubo|blok|rode|een|het|coloque|bloco)\b",
     re.IGNORECASE,
 )  # fmt: skip
 
@@ -60,7 +60,7 @@ def guard(text: str) -> None:
             "say in plain English what should be done",
         )
     foreign = _FOREIGN.findall(text)
-    if len(set(w.lower() for w in foreign)) > 1:
+    if len({w.lower() for w in foreign}) > 1:
         first = _FOREIGN.search(text)
         raise refuse(
             "other-language", "only English is understood here", first.span() if first else None, "say it in English"

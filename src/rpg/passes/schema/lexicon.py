@@ -1,7 +1,7 @@
 """The words of the language: plain tables from what people write to what it stands for.
 
-Each table maps a sense to the words that have it; `LEXICON[category][word]` is the way back. Words that only the grammar
-names (prepositions, determiners) are listed in `FUNCTION_WORDS`, so that a misspelt one is recognised too.
+Each table maps a sense to the words that have it; `LEXICON[category][word]` is the way back. Words that
+only the grammar names (prepositions, determiners) stand in its rules.
 """
 
 from __future__ import annotations
@@ -81,11 +81,13 @@ BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 
 VERBS = {
     "place": "put place move set position lay bring transfer relocate drop push slide shift carry get deliver locate "
-    "seat rest insert nudge drag pull deposit hide balance tuck perch settle stick sandwich stand mount shove scoot plop plant pop stow park",
+    "seat rest insert nudge drag pull deposit hide balance tuck perch settle stick sandwich stand mount shove scoot "
+    "plop plant pop stow park",
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap",
     "build": "build make create construct form assemble erect produce compose draw",
-    "arrange": "alphabetize space arrange align order organize organise line lay distribute spread position set rearrange",
+    "arrange": "alphabetize space arrange align order organize organise line lay distribute spread position set "
+    "rearrange",
     "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch",
     "spell": "spell write",
     "turn": "rotate turn flip spin face orient point tip",
@@ -98,11 +100,13 @@ VERBS = {
     "remove": "remove clear empty",
 }
 PAST = {
-    "put": "put", "place": "placed", "move": "moved", "set": "set", "lay": "laid", "bring": "brought", "drop": "dropped",
-    "get": "got", "take": "taken", "stack": "stacked", "pile": "piled", "build": "built", "make": "made", "form": "formed",
+    "put": "put", "place": "placed", "move": "moved", "set": "set", "lay": "laid", "bring": "brought",
+    "get": "got", "take": "taken", "stack": "stacked", "pile": "piled", "build": "built", "make": "made",
+    "form": "formed",
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
     "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
-    "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped", "grab": "grabbed", "carry": "carried",
+    "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped",
+    "grab": "grabbed", "carry": "carried",
     "classify": "classified", "empty": "emptied", "slide": "slid", "stand": "stood",
 }  # fmt: skip
 DOUBLED = {
@@ -111,41 +115,10 @@ DOUBLED = {
     "grab": "grabbing", "sit": "sitting",
 }  # fmt: skip
 POSTURES = (
-    "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying stays stay staying remains remain remaining "
+    "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "
+    "stays stay staying remains remain remaining "
     "ends end goes go located positioned placed put found situated ending resides reside belong belongs hidden"
 )
-
-FUNCTION_WORDS = """
-a an the this that these those both all each every any no none some several few many multiple various another other others
-rest remaining either neither own its their it them they one ones itself themselves my your our his her
-and or but then plus as well while with without within using out of from into in to for by at on onto upon atop top over
-above below under underneath beneath bottom up down left right front back behind ahead before after between among middle
-center centre centred centered beside next adjacent adjoining alongside near nearby close closer far farther further away
-apart touching touch touches side sides hand end ends edge corner half directly immediately immediate right just exactly
-precisely roughly about around approximately somewhere anywhere against along across through inside not never nothing do
-does did should must shall will would can could may might have has had having be is are there here where which who what so
-such that same different distinct unique alternating alternate alternately mirrored mirror symmetrical symmetric palindrome
-order ordered ordering alphabetical alphabetic alphabetically numeric numerical numerically ascending descending increasing
-decreasing increasingly strictly sorted rainbow gradient spectrum color colors colour colours colored coloured colorful
-colourful matching match matches corresponding respective respectively specific named labelled labeled marked showing show
-shows reading read reads saying say says called bearing carrying spelling spells facing faces upright upside upward upwards
-downward downwards sideways clockwise counterclockwise anticlockwise first second last finally lastly next initially
-initial start starts starting begin begins beginning started given assume assuming suppose originally currently already
-final finish finishing end ending time once again together close evenly equally spaced spacing gap gaps space distance
-tolerance least most more less than fewer exactly only maximum minimum couple pair dozen half empty free vacant unoccupied
-clear filled solid hollow outline outlined long short tall high wide deep higher lower tallest height length width size
-sized base layer layers level levels floor story storey tier tiers row rows column columns per also too additionally
-however instead vowel vowels consonant consonants even odd ignore extra distractor distractors additional spare please
-kindly simple simply nice new horizontal horizontally vertical vertically straight diagonal diagonally single double triple
-correct valid true math mathematical arithmetic addition subtraction multiplication division minus times equals equal
-divided plain uncoloured uncolored ordinary normal regular assorted mixed random arbitrary sandwiched surrounded leftmost
-rightmost topmost uppermost lowermost bottommost lowest highest frontmost rearmost nearest farthest furthest closest
-largest biggest smallest greatest tallest shortest reverse reversed reading unrotated orientation face facing side
-consisting composed made containing contains contain consist comprising constructed you i we want would like love need
-wish see goal task robot let us me make sure ensure try able possible desired configuration arrangement picture scene table
-shape shaped form forms pattern whose who when until unless during always never at everything anything one's cubic
-horizontal semantic target designated temporal exact respective tower's every everything stacked whole entire total
-"""  # fmt: skip
 
 
 def _back(table: dict[str, str]) -> dict[str, str]:

@@ -247,7 +247,7 @@ class Quality(Meaning):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class That(Meaning):
-    """ "so that ..." with the clauses that follow, or "without ..." (`kind` "without"), "starting with ..." ("start")."""
+    """ "so that ..." with the clauses that follow, or "without ..." (`kind` "without")."""
 
     kind: str
     clauses: Meaning

@@ -29,7 +29,15 @@ _THEN = (
     "after this",
 )
 
-_EARLIER = ("before that", "but before that", "beforehand", "but first", "before this", "before doing so", "before you do that")
+_EARLIER = (
+    "before that",
+    "but before that",
+    "beforehand",
+    "but first",
+    "before this",
+    "before doing so",
+    "before you do that",
+)
 
 
 @dataclass(frozen=True)
@@ -130,5 +138,6 @@ def stuck(p: Parser) -> Diagnostic:
     token = p.tokens[at]
     return Diagnostic(
         code="misplaced-word", message=f"{token.raw!r} does not fit here", span=token.span,
-        hint="say it in a sentence of its own, or in other words", facts={"word": token.raw, "understood": " ".join(t.raw for t in p.tokens[:at])}, origin="schema",
+        hint="say it in a sentence of its own, or in other words",
+        facts={"word": token.raw, "understood": " ".join(t.raw for t in p.tokens[:at])}, origin="schema",
     )  # fmt: skip

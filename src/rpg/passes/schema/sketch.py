@@ -54,7 +54,8 @@ def _value(value: Any) -> str:
     if isinstance(value, Highest):
         return f"highest({' '.join(value.highest)})"
     if isinstance(value, BaseModel):
-        parts = [_value(getattr(value, n)) if n in ("by", "kind") else f"{n}={_value(getattr(value, n))}" for n, f in type(value).model_fields.items()
+        parts = [_value(getattr(value, n)) if n in ("by", "kind") else f"{n}={_value(getattr(value, n))}" for n,
+            f in type(value).model_fields.items()
                  if getattr(value, n) != f.default]  # fmt: skip
         return "[" + " ".join(parts) + "]"
     if isinstance(value, tuple):

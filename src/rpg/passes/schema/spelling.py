@@ -13,7 +13,10 @@ from rpg.passes.schema import lexicon
 from rpg.passes.schema.grammar.frames import Phrases
 from rpg.passes.schema.tokens import Token
 
-GRAMMAR = ("amounts", "adjectives", "adjuncts", "clauses", "frames", "having", "labels", "nouns", "orders", "regions",
+GRAMMAR = (
+    "lists",
+    "sizes",
+    "having","amounts", "adjectives", "adjuncts", "clauses", "frames", "having", "labels", "nouns", "orders", "regions",
     "relations",
            "relatives", "structures")  # fmt: skip
 LONG_WORD = 7
@@ -47,7 +50,7 @@ _NOT_LITERAL = frozenset(
 @cache
 def vocabulary() -> frozenset[str]:
     """Every word of the language: those of the lexicon's tables and those that the grammar names."""
-    words: set[str] = set(lexicon.FUNCTION_WORDS.split()) | set(lexicon.DEGREES.split())
+    words: set[str] = set(lexicon.DEGREES.split())
     for value in vars(lexicon).values():
         if isinstance(value, dict | frozenset):
             words.update(str(word) for word in value)

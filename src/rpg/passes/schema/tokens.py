@@ -35,8 +35,10 @@ CONTRACTIONS = {
 }  # fmt: skip
 
 AMERICAN = {
-    "colour": "color", "colours": "colors", "coloured": "colored", "colourful": "colorful", "grey": "gray", "centre": "center",
-    "centres": "centers", "centred": "centered", "neighbour": "neighbor", "neighbours": "neighbors", "neighbouring": "neighboring",
+    "colour": "color", "colours": "colors", "coloured": "colored", "colourful": "colorful", "grey": "gray",
+    "centre": "center",
+    "centres": "centers", "centred": "centered", "neighbour": "neighbor", "neighbours": "neighbors",
+    "neighbouring": "neighboring",
     "metre": "meter", "metres": "meters", "organise": "organize", "multicoloured": "multicolored", "storey": "story",
 }  # fmt: skip
 """Spellings that are read as one."""

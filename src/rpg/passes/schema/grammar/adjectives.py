@@ -1,4 +1,4 @@
-"""What describes a block or a patch: colours, sizes, labels, kinds; before the noun, or after it with "of" and "with"."""
+"""What describes a block or a patch: colours, sizes, labels, kinds; before the noun or after it."""
 
 from __future__ import annotations
 
@@ -24,9 +24,12 @@ EMPTY = Marks()
 _PLAIN = {
     "empty": ("empty", True), "free": ("empty", True), "vacant": ("empty", True), "unoccupied": ("empty", True),
     "long": ("long", True), "elongated": ("long", True), "plain": ("kind", "plain"), "ordinary": ("kind", "plain"),
-    "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"), "symbols": ("kind", "symbol"), "extra": ("extra", True), "distractor": ("extra", True),
-    "additional": ("extra", True), "matching": ("matching", True), "corresponding": ("matching", True), "respective": ("matching", True),
-    "even": ("quality", "even"), "odd": ("quality", "odd"), "vowel": ("quality", "vowel"), "consonant": ("quality", "consonant"),
+    "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"), "symbols": ("kind", "symbol"),
+    "extra": ("extra", True), "distractor": ("extra", True),
+    "additional": ("extra", True), "matching": ("matching", True), "corresponding": ("matching", True),
+    "respective": ("matching", True),
+    "even": ("quality", "even"), "odd": ("quality", "odd"), "vowel": ("quality", "vowel"),
+    "consonant": ("quality", "consonant"),
     "alphabet": ("kind", "letter"), "alphabetic": ("kind", "letter"), "lettered": ("kind", "letter"),
     "numbered": ("kind", "digit"), "letter": ("kind", "letter"), "letters": ("kind", "letter"),
     "number": ("kind", "digit"), "digit": ("kind", "digit"), "numeric": ("kind", "digit"),
@@ -42,7 +45,8 @@ _PLAIN = {
     "leftmost": ("rank", "left"), "rightmost": ("rank", "right"), "frontmost": ("rank", "front"),
     "nearest": ("rank", "front"), "rearmost": ("rank", "back"), "farthest": ("rank", "back"),
     "base": ("rank", "bottom"), "largest": ("rank", "largest"), "biggest": ("rank", "largest"),
-    "smallest": ("rank", "smallest"), "cubic": ("target", True), "new": ("target", True), "individual": ("target", True),
+    "smallest": ("rank", "smallest"), "cubic": ("target", True), "new": ("target", True),
+    "individual": ("target", True),
     "loose": ("target", True), "single": ("target", True), "lone": ("target", True),
     "same": ("scheme", "same"), "different": ("scheme", "different"), "unique": ("scheme", "different"),
 }  # fmt: skip
@@ -129,7 +133,7 @@ def colors(p: Parser, i: int) -> Results[tuple[tuple[str, ...], bool]]:
             joined = p.one(k, frozenset({"and", "or", "&"}))
             if k == at and not joined:
                 break
-            more = [r for r in color(p, joined or k)]
+            more = list(color(p, joined or k))
             if not more:
                 break
             either = either or bool(joined and p.words[k] == "or")
@@ -168,7 +172,9 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
         yield Marks({"rank": "last"}), p.reach(i + 1)
     for (labels, more), j in label_list(p, i):
         plural = lexicon.BLOCK.get(p.words[j]) if j < p.end else None
-        if len(labels) == 1 and (plural is not False or (p.words[i - 1 : i] not in (["the"], ["a"], ["an"]) and labels[0].isdigit())):
+        if len(labels) == 1 and (
+            plural is not False or (p.words[i - 1 : i] not in (["the"], ["a"], ["an"]) and labels[0].isdigit())
+        ):
             continue
         if len(labels) > 1 and plural is not True:
             continue
@@ -191,27 +197,47 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
             yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
         yield from _labelled(p, i)
         if p.words[i - 1] in ("blocks", "cubes", "bricks"):
-            yield from ((Marks({"colors": listed}), k) for (listed, either), k in colors(p, p.opt(i, ":")) if len(listed) > 1 and not either)
+            yield from (
+                (Marks({"colors": listed}), k)
+                for (listed, either), k in colors(p, p.opt(i, ":"))
+                if len(listed) > 1 and not either
+            )
     for phrase, value in (
-        ("of the same color", "same"), ("of the same colour", "same"), ("of one color", "same"), ("of one colour", "same"),
+        ("of the same color", "same"), ("of the same colour", "same"), ("of one color", "same"),
+        ("of one colour", "same"),
         ("of a single color", "same"), ("of identical color", "same"), ("in the same color", "same"),
-        ("of different colors", "different"), ("of different colours", "different"), ("in different colors", "different"),
-        ("of a different color", "different"), ("each of a different color", "different"), ("with different colors", "different"),
+        ("of different colors", "different"), ("of different colours", "different"),
+        ("in different colors", "different"),
+        ("of a different color", "different"), ("each of a different color", "different"),
+        ("with different colors", "different"),
         ("of distinct colors", "different"), ("of various colors", "different"), ("of assorted colors", "mixed"),
         ("of mixed colors", "mixed"), ("of any color", "mixed"), ("of all different colors", "different"),
         ("all of different colors", "different"), ("of multiple colors", "different"), ("in assorted colors", "mixed"),
-        ("of varying colors", "different"), ("in a single color", "same"), ("of just one color", "same"), ("in various colors", "different"),
+        ("of varying colors", "different"), ("in a single color", "same"), ("of just one color", "same"),
+        ("in various colors", "different"),
     ):  # fmt: skip
         if j := p.seq(i, phrase):
             yield Marks({"scheme": value}), j
     if j := p.any_of(i, (", all of them", ", all in", ", all", ", each", ", both", ", every one of them")):
-        for (listed, either), k in colors(p, j):
+        for (listed, _either), k in colors(p, j):
             if len(listed) == 1:
                 yield Marks({"colors": listed}), k
-    if head == "patch" and (j := p.any_of(i, ("designated on the table", "on the table", "marked on the table", "painted on the table", "drawn on the table"))):
+    if head == "patch" and (
+        j := p.any_of(
+            i,
+            (
+                "designated on the table",
+                "on the table",
+                "marked on the table",
+                "painted on the table",
+                "drawn on the table",
+            ),
+        )
+    ):
         yield Marks({"target": True}), j
     for phrase in ("of its color", "of its own color", "of the same color", "of matching color", "of that color",
-                   "of its colour", "of its own colour", "of the corresponding color", "of their color", "in its color", "of their own color",
+                   "of its colour", "of its own colour", "of the corresponding color", "of their color",
+                   "in its color", "of their own color",
                    "of the matching color", "with matching color", "that matches its color",
                    "matching its color", "that matches their color", "matching their color", "matching in color",
                    "with its color", "that match its color", "that match their color", "with the matching color",

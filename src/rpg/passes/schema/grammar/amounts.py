@@ -21,7 +21,8 @@ class Quantity(NamedTuple):
 THE = frozenset({"the", "these", "those", "this", "that", "my", "your", "our"})
 _VAGUE = (
     "several", "a few", "many", "multiple", "various", "a number of", "a set of", "a collection of", "a series of",
-    "a bunch of", "a handful of", "some", "lots of", "a lot of", "a variety of", "a group of", "a mix of", "a mixture of", "any number of",
+    "a bunch of", "a handful of", "some", "lots of", "a lot of", "a variety of", "a group of", "a mix of",
+    "a mixture of", "any number of",
 )  # fmt: skip
 _LOW = ("at least", "no fewer than", "no less than", "a minimum of", "minimum")
 _HIGH = ("at most", "no more than", "up to", "a maximum of", "maximum", "not more than")
@@ -77,7 +78,11 @@ def amount(p: Parser, i: int) -> Results[Amount]:
 def quantity(p: Parser, i: int) -> Results[Quantity]:
     """Everything that may stand before the adjectives of a noun phrase."""
     yield from _universal(p, i)
-    if p.words[i : i + 1] in (["n"], ["k"]) and i + 1 < p.end and (p.words[i + 1].endswith("s") or p.words[i + 2 : i + 3] != [""]):
+    if (
+        p.words[i : i + 1] in (["n"], ["k"])
+        and i + 1 < p.end
+        and (p.words[i + 1].endswith("s") or p.words[i + 2 : i + 3] != [""])
+    ):
         yield Quantity("some", None, True), p.reach(i + 1)
     if j := p.one(i, frozenset({"a", "an"})):
         yield Quantity("a", Amount(1, 1), False), j
@@ -87,7 +92,15 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
         yield Quantity("the"), j
         for found, k in amount(p, j):
             yield Quantity("the", found, found.high != 1), k
-    if j := p.any_of(i, ("at least one but not all of", "some but not all of", "some , but not all of", "at least one , but not all of")):
+    if j := p.any_of(
+        i,
+        (
+            "at least one but not all of",
+            "some but not all of",
+            "some , but not all of",
+            "at least one , but not all of",
+        ),
+    ):
         yield Quantity("some", Amount(1, -1, True), True, partitive=True), j
     for found, j in amount(p, i):
         yield Quantity("bare", found, found.high != 1), j
@@ -103,7 +116,8 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
 
 
 def _universal(p: Parser, i: int) -> Results[Quantity]:
-    for word, det in (("all", "all"), ("both", "both"), ("each", "each"), ("every", "each"), ("any", "any"), ("no", "no"),
+    for word, det in (("all", "all"), ("both", "both"), ("each", "each"), ("every", "each"), ("any", "any"),
+        ("no", "no"),
                       ("none", "no"), ("neither", "no"), ("either", "any"), ("one", "any")):  # fmt: skip
         j = p.one(i, word)
         if not j:

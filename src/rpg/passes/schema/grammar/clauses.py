@@ -91,7 +91,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         bare = previous is not None and not previous.adjuncts and link == "and" and p.words[j - 1] in (",", ";")
         for item, k in items:
             if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
-                item = replace(item, cost=item.cost + 1)
+                item = replace(item, cost=item.cost + 2)
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, link), k)
@@ -126,7 +126,8 @@ def _link(p: Parser, i: int) -> Results[str]:
         yield "and", j
 
 
-_ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also", "while", "but also", "but", "as well as", "also", "whereas", "&",
+_ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also", "while", "but also", "but",
+    "as well as", "also", "whereas", "&",
          "yet", "although", "though")  # fmt: skip
 
 
@@ -157,7 +158,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         if isinstance(first, Absolute | Size):
             continue
         j = p.opt(j, ",", ":")
-        k = p.any_of(j, ("there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits", "stands", "lies", "go", "you put",
+        k = p.any_of(j, ("there is", "there are", "there should be", "there must be", "is", "are", "should be",
+            "comes", "goes", "sits", "stands", "lies", "go", "you put",
                          "place", "put", "comes then", "come"))  # fmt: skip
         if isinstance(first, Loc | In | At):
             for theme, end in noun_phrase(p, k or j):
@@ -450,7 +452,8 @@ def _state(p: Parser, i: int, mode: str) -> Results[Meaning]:
 
 
 _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
-_STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off", "start out", "initially is", "initially sits",
+_STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
+    "start out", "initially is", "initially sits",
            "starts the episode")  # fmt: skip
 _FILLERS = frozenset(
     {
@@ -683,9 +686,12 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
     )
     mode = "goal"
     if not j:
-        j = p.any_of(i, ("there are already", "there is already", "there are", "there is", "you have", "we have", "i have", "you are given", "we are given", "you get",
-                         "given are", "here are", "the scene has", "the scene contains", "the table has", "the workspace contains", "the table holds", "there also are",
-                         "you start with", "there were", "there was", "the table contains", "on the table there are", "on the table are", "on the table there is"))  # fmt: skip
+        j = p.any_of(i, ("there are already", "there is already", "there are", "there is", "you have", "we have",
+            "i have", "you are given", "we are given", "you get",
+                         "given are", "here are", "the scene has", "the scene contains", "the table has",
+                         "the workspace contains", "the table holds", "there also are",
+                         "you start with", "there were", "there was", "the table contains", "on the table there are",
+                         "on the table are", "on the table there is"))  # fmt: skip
         mode = "given"
     if not j:
         return
@@ -697,7 +703,7 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
 
 @rule
 def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
-    """ "a tower of three green blocks", "red block on blue block", "three red blocks stacked on ...": a picture of the end."""
+    """ "a tower of three green blocks", "three red blocks stacked on ...": a picture of the end."""
     for theme, j in noun_phrase(p, i):
         if isinstance(theme, Pronoun) and theme.word in (
             "it",

@@ -10,7 +10,8 @@ from rpg.passes.schema.grammar.nouns import noun_phrase
 from rpg.passes.schema.meaning import At, Clause, Loc, Meaning, PartOf, Pronoun, Structure, TableTop
 
 _HAS = (
-    "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have", "ends up with", "gets",
+    "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have",
+    "ends up with", "gets",
     "get", "should get", "needs", "should end up with", "must end up with", "should be left with",
 )  # fmt: skip
 _CARRIES = (

@@ -12,7 +12,7 @@ _TO = frozenset({"to", "through", "thru", "until", "till"})
 
 
 def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
-    """The symbol at i. `spoken`: after "letter", where "a" and "i" are letters, and after "number", where words count."""
+    """The symbol at i. `spoken`: after "letter" or "number", where "a" is a letter and "two" a digit."""
     token = p.token(i)
     if token is None:
         return None
@@ -46,7 +46,11 @@ def _between(first: str, last: str) -> tuple[str, ...]:
 def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[str, ...], bool]]:
     """Labels in the order said, longest list first, and whether it goes on ("A, B, C...")."""
     first = symbol(p, i, spoken)
-    if first is None or (first in "+-*/=" and p.words[i] in ("plus", "times", "minus", "equals", "equal", "divided", "divide") and not spoken):
+    if first is None or (
+        first in "+-*/="
+        and p.words[i] in ("plus", "times", "minus", "equals", "equal", "divided", "divide")
+        and not spoken
+    ):
         return
     if (j := p.one(i + 1, _TO)) and (last := symbol(p, j, spoken)) and (run := _between(first, last)):
         yield (run, False), j + 1
@@ -71,7 +75,7 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
 
 
 def _bare_row(p: Parser, at: int) -> bool:
-    """"A B C", "7 8 9": symbols side by side without commas."""
+    """ "A B C", "7 8 9": symbols side by side without commas."""
     token = p.token(at)
     return token is not None and (token.kind in ("sign", "number") or (len(token.raw) == 1 and token.raw.isupper()))
 

@@ -36,7 +36,7 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
-    """"four blocks, red, blue, red, blue": a list of just as many."""
+    """ "four blocks, red, blue, red, blue": a list of just as many."""
     start = p.opt(j, "namely")
     for first, k in simple(p, start):
         for found, end in _list(p, i, (first,), k, None):
@@ -46,19 +46,33 @@ def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
 
 
 def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
-    """"three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
+    """ "three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
     if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, ","):
         return
     for found, k in amounts.quantity(p, j + 1):
         if found.partitive and (end := p.any_of(k, ("them", "these", "those", "which"))):
-            yield Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)), end
+            yield (
+                Noun(
+                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
+                ),
+                end,
+            )
     if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and whole.traits == Traits():
         for named, k in _list_of(p, i, j + 1, whole.amount.low):
             yield named, k
     if isinstance(whole, Noun) and whole.amount is None:
         for some, k in amounts.amount(p, j + 1):
             k = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those")) or k
-            yield replace(whole, amount=some, plural=some.high != 1, det="bare" if whole.det == "some" else whole.det, span=p.span(i, k)), k
+            yield (
+                replace(
+                    whole,
+                    amount=some,
+                    plural=some.high != 1,
+                    det="bare" if whole.det == "some" else whole.det,
+                    span=p.span(i, k),
+                ),
+                k,
+            )
     if k := p.any_of(j + 1, ("none", "all", "each", "both")):
         det = {"none": "no"}.get(p.words[k - 1], p.words[k - 1])
         yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
@@ -77,7 +91,7 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
     now = {"or": "or", "nor": "or"}.get(word, "and") if joined else op
     if comma == at and not joined:
         return
-    if joined and p.words[joined - 1] == "then" or word == "then":
+    if (joined and p.words[joined - 1] == "then") or word == "then":
         now = "then"
     if op is not None and now != op and op != "comma":
         return
@@ -127,7 +141,7 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
-    """"of the four red blocks, two ..."."""
+    """ "of the four red blocks, two ..."."""
     for whole, j in simple(p, of):
         if isinstance(whole, Noun) and (whole.plural or whole.amount):
             for found, k in amounts.amount(p, p.opt(j, ",")):
@@ -137,14 +151,28 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
 def _pronoun(p: Parser, i: int) -> Results[Meaning]:
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
-    for phrase in ("their up faces", "their top faces", "their upper faces", "their faces", "their letters", "the up faces", "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces"):
+    for phrase in (
+        "their up faces",
+        "their top faces",
+        "their upper faces",
+        "their faces",
+        "their letters",
+        "the up faces",
+        "the top faces",
+        "their symbols",
+        "the letters on top",
+        "their numbers",
+        "the up facing faces",
+    ):
         if j := p.seq(i, phrase):
             yield Pronoun(word="them", span=p.span(i, j)), j
     for phrase in ("each other", "one another", "the other ones", "the other one", "the others", "the rest", "others",
-                   "the other two", "the latter", "the former", "everything else", "both of them", "all of them", "everything", "both",
+                   "the other two", "the latter", "the former", "everything else", "both of them", "all of them",
+                   "everything", "both",
                    "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
                    "the other", "one", "nothing else", "nothing", "either of them", "neither of them", "each of them",
-                   "none of them", "that", "this", "those", "these", "each one", "any other one", "any other", "any of the others", "each", "all others", "all the others", "all the rest",
+                   "none of them", "that", "this", "those", "these", "each one", "any other one", "any other",
+                   "any of the others", "each", "all others", "all the others", "all the rest",
                    "all"):  # fmt: skip
         if j := p.seq(i, phrase):
             yield Pronoun(word=phrase, span=p.span(i, j)), j
@@ -266,7 +294,16 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
             if digit and (_goes_on(p, k) or quantity.det == "all"):
                 continue
             if held is not None and (len(labels) == 1 or quantity.det != "a"):
-                yield from _finish(p, i, k, quantity, "block", len(labels) > 1, held, cost=2 if digit or (len(labels) > 1 and "and" not in p.words[j:k] and "," in p.words[j:k]) else 1)
+                yield from _finish(
+                    p,
+                    i,
+                    k,
+                    quantity,
+                    "block",
+                    len(labels) > 1,
+                    held,
+                    cost=2 if digit or (len(labels) > 1 and "and" not in p.words[j:k] and "," in p.words[j:k]) else 1,
+                )
 
 
 def _list_goes_on(p: Parser, j: int) -> bool:
@@ -278,8 +315,31 @@ def _list_goes_on(p: Parser, j: int) -> bool:
 def _goes_on(p: Parser, k: int) -> bool:
     """Whether what follows a digit makes it a number: "3 blocks", "2 red ..."."""
     word = p.words[k] if k < p.end else ""
-    tables = (lexicon.BLOCK, lexicon.LOOSE_BLOCK, lexicon.COLOR, lexicon.STRUCTURE, lexicon.UNIT, lexicon.LETTER, lexicon.DIGIT, lexicon.SIZE, lexicon.PATCH)
-    return any(word in table for table in tables) or word in ("of", "by", "x", "more", "steps", "rows", "layers", "high", "wide", "each", "other", "letters")
+    tables = (
+        lexicon.BLOCK,
+        lexicon.LOOSE_BLOCK,
+        lexicon.COLOR,
+        lexicon.STRUCTURE,
+        lexicon.UNIT,
+        lexicon.LETTER,
+        lexicon.DIGIT,
+        lexicon.SIZE,
+        lexicon.PATCH,
+    )
+    return any(word in table for table in tables) or word in (
+        "of",
+        "by",
+        "x",
+        "more",
+        "steps",
+        "rows",
+        "layers",
+        "high",
+        "wide",
+        "each",
+        "other",
+        "letters",
+    )
 
 
 def _finish(

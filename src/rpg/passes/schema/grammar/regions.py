@@ -95,14 +95,26 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
         found.append(("middle", p.opt(k, "part", "area"), False))
     if k := p.one(j, "edge"):
         found.append(("edge", k, False))
-    if k := p.any_of(j, ("of the corners", "of the four corners", "one of the corners", "one of the four corners", "any one of the four corners", "any of the corners", "any of the four corners")):
+    if k := p.any_of(
+        j,
+        (
+            "of the corners",
+            "of the four corners",
+            "one of the corners",
+            "one of the four corners",
+            "any one of the four corners",
+            "any of the corners",
+            "any of the four corners",
+        ),
+    ):
         found.append(("corner", k, True))
     if k := p.any_of(j, ("of the edges", "one of the edges", "any of the edges", "one of the four edges")):
         found.append(("edge", k, True))
     if k := p.one(j, "corner"):
         found.append(("corner", k, True))
     if k := p.any_of(j, ("half", "side")):
-        for phrase, name in (("closest to the robot", "near_half"), ("nearest to the robot", "near_half"), ("nearest the robot", "near_half"),
+        for phrase, name in (("closest to the robot", "near_half"), ("nearest to the robot", "near_half"),
+            ("nearest the robot", "near_half"),
                              ("near the robot", "near_half"), ("farthest from the robot", "far_half"),
                              ("furthest from the robot", "far_half"), ("far from the robot", "far_half")):  # fmt: skip
             of = _of_table(p, k) or k

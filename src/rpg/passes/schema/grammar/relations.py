@@ -11,16 +11,21 @@ from rpg.passes.schema.grammar.regions import region
 from rpg.passes.schema.meaning import Coord, Loc, Meaning, Noun, PartOf, Pronoun, TableTop
 
 _SIMPLE = {
-    "on top of": "on", "on the top of": "on", "atop of": "on", "atop": "on", "on top": "on", "onto": "on", "on to": "on", "upon": "on",
-    "on": "on", "onto the top of": "on", "to the top of": "on", "over": "above", "above": "above", "over the top of": "above",
-    "on to the top of": "on", "at the top of": "on", "on the surface of": "on", "supported by": "on", "carried by": "on", "to rest on": "on",
+    "on top of": "on", "on the top of": "on", "atop of": "on", "atop": "on", "on top": "on", "onto": "on",
+    "on to": "on", "upon": "on",
+    "on": "on", "onto the top of": "on", "to the top of": "on", "over": "above", "above": "above",
+    "over the top of": "above",
+    "on to the top of": "on", "at the top of": "on", "on the surface of": "on", "supported by": "on",
+    "carried by": "on", "to rest on": "on",
     "in": "in", "inside": "in", "inside of": "in", "into": "in", "within": "in", "at": "in", "to": "in",
     "under": "under", "underneath": "under", "beneath": "under", "below": "under",
     "in front of": "front", "ahead of": "front", "to the front of": "front", "on the front side of": "front",
     "at the front of": "front", "on the near side of": "front", "on the front of": "front", "nearer than": "front",
-    "behind": "behind", "in back of": "behind", "to the back of": "behind", "at the back of": "behind", "to the rear of": "behind",
+    "behind": "behind", "in back of": "behind", "to the back of": "behind", "at the back of": "behind",
+    "to the rear of": "behind",
     "on the back side of": "behind", "beyond": "behind", "on the far side of": "behind", "at the rear of": "behind",
-    "next to": "beside", "beside": "beside", "alongside": "beside", "by the side of": "beside", "at the side of": "beside",
+    "next to": "beside", "beside": "beside", "alongside": "beside", "by the side of": "beside",
+    "at the side of": "beside",
     "side by side with": "beside", "by": "beside", "to the side of": "beside", "besides": "beside",
     "adjacent to": "adjacent", "adjoining": "adjacent", "adjacent with": "adjacent", "right next to": "adjacent",
     "touching": "touching", "in contact with": "touching", "against": "touching", "up against": "touching",
@@ -109,7 +114,8 @@ def loc(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, negated=True), k
 
 
-_SPOTS = ("to a spot", "to a place", "to a position", "in a spot", "in a place", "at a spot", "in a position", "to the spot", "at a point", "to a point", "at the spot", "to the place", "to a location", "at a location",
+_SPOTS = ("to a spot", "to a place", "to a position", "in a spot", "in a place", "at a spot", "in a position",
+    "to the spot", "at a point", "to a point", "at the spot", "to the place", "to a location", "at a location",
           "in the spot", "to the position", "in the position")  # fmt: skip
 
 
@@ -136,9 +142,11 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _either_relation(p: Parser, i: int) -> Results[Meaning]:
-    """"to the left or to the right of", "left of and behind": two relations with one landmark."""
+    """ "to the left or to the right of", "left of and behind": two relations with one landmark."""
     start = p.one(i, "either") or i
-    firsts = [(name, j) for (name, _), j in relation(p, start)] + [(s.rstrip("?"), j) for (s, _), j in side_relation(p, start)]
+    firsts = [(name, j) for (name, _), j in relation(p, start)] + [
+        (s.rstrip("?"), j) for (s, _), j in side_relation(p, start)
+    ]
     if p.words[start : start + 1] in (["left"], ["right"]):
         firsts.append((p.words[start], p.reach(start + 1)))
     for first, j in firsts:
@@ -149,7 +157,10 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
                 if isinstance(landmark, TableTop):
                     continue
                 span = p.span(i, end)
-                parts = (Loc(rel=first, landmark=landmark, span=span), Loc(rel=second, landmark=landmark, mods=mods, span=span))
+                parts = (
+                    Loc(rel=first, landmark=landmark, span=span),
+                    Loc(rel=second, landmark=landmark, mods=mods, span=span),
+                )
                 yield Coord(op=op, items=parts, span=span), end
 
 
@@ -159,8 +170,10 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
     if p.words[j : j + 1] and p.words[j] in ("directly", "exactly", "right", "somewhere"):
         mods, j = (("somewhere",) if p.words[j] == "somewhere" else ("directly",)), p.reach(j + 1)
     name = "between"
-    k = p.any_of(j, ("in between", "in the middle of", "midway between", "halfway between", "between", "in the middle between",
-                     "in the space between", "in the center of", "centered between", "in the gap between", "among"))  # fmt: skip
+    k = p.any_of(j, ("in between", "in the middle of", "midway between", "halfway between", "between",
+        "in the middle between",
+                     "in the space between", "in the center of", "centered between", "in the gap between",
+                     "among"))  # fmt: skip
     if not k:
         k = p.any_of(j, ("sandwiched between", "sandwiched in between", "sandwiched by"))
         name = "sandwiched"
@@ -198,35 +211,50 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _bare(p: Parser, i: int) -> Results[Meaning]:
-    """Relations whose landmark is left unsaid: "on top", "next to it" without "it", "nearby", "apart", "side by side"."""
+    """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
     yield from _measured_bare(p, i)
     for phrase, name in (
         ("side by side", "side_by_side"), ("next to each other", "side_by_side"), ("beside each other", "side_by_side"),
-        ("adjacent to each other", "adjacent"), ("next to one another", "side_by_side"), ("beside one another", "side_by_side"),
-        ("far apart", "apart"), ("apart", "apart"), ("far away from each other", "apart"), ("separated", "apart"), ("away from each other", "apart"),
+        ("adjacent to each other", "adjacent"), ("next to one another", "side_by_side"),
+        ("beside one another", "side_by_side"),
+        ("far apart", "apart"), ("apart", "apart"), ("far away from each other", "apart"), ("separated", "apart"),
+        ("away from each other", "apart"),
         ("apart from each other", "apart"), ("far apart from each other", "apart"), ("separately", "apart"),
-        ("close together", "near"), ("together", "together"), ("near each other", "near"), ("close to each other", "near"),
+        ("close together", "near"), ("together", "together"), ("near each other", "near"),
+        ("close to each other", "near"),
         ("touching", "touching"), ("in contact", "touching"), ("adjacent", "adjacent"), ("nearby", "near"),
         ("shoulder to shoulder", "side_by_side"), ("in one place", "together"), ("spread out", "apart"),
-        ("touching each other", "touching"), ("touching one another", "touching"), ("in contact with each other", "touching"),
-        ("right next to each other", "adjacent"), ("immediately next to each other", "adjacent"), ("directly next to each other", "adjacent"),
+        ("touching each other", "touching"), ("touching one another", "touching"),
+        ("in contact with each other", "touching"),
+        ("right next to each other", "adjacent"), ("immediately next to each other", "adjacent"),
+        ("directly next to each other", "adjacent"),
         ("on top of each other", "heaped"), ("on top of one another", "heaped"), ("one on top of the other", "heaped"),
-        ("one on top of another", "heaped"), ("on each other", "heaped"), ("one upon another", "heaped"), ("one over the other", "heaped"),
-        ("one above the other", "heaped"), ("one atop the other", "heaped"), ("atop each other", "heaped"), ("atop one another", "heaped"),
-        ("one on the other", "heaped"), ("on one another", "heaped"), ("one on another", "heaped"), ("on top of itself", "heaped"),
-        ("each on top of the other", "heaped"), ("on top of each", "heaped"), ("one by one on top of each other", "heaped"),
-        ("all on top of each other", "heaped"), ("upon each other", "heaped"), ("directly on top of each other", "heaped"),
-        ("one next to the other", "side_by_side"), ("one beside the other", "side_by_side"), ("each next to the other", "side_by_side"),
-        ("in between", "between"), ("between them", "between"), ("in between them", "between"), ("between the two", "between"), ("in the space between them", "between"),
-        ("one in front of the other", "one_behind"), ("one behind the other", "one_behind"), ("one behind another", "one_behind"),
+        ("one on top of another", "heaped"), ("on each other", "heaped"), ("one upon another", "heaped"),
+        ("one over the other", "heaped"),
+        ("one above the other", "heaped"), ("one atop the other", "heaped"), ("atop each other", "heaped"),
+        ("atop one another", "heaped"),
+        ("one on the other", "heaped"), ("on one another", "heaped"), ("one on another", "heaped"),
+        ("on top of itself", "heaped"),
+        ("each on top of the other", "heaped"), ("on top of each", "heaped"),
+        ("one by one on top of each other", "heaped"),
+        ("all on top of each other", "heaped"), ("upon each other", "heaped"),
+        ("directly on top of each other", "heaped"),
+        ("one next to the other", "side_by_side"), ("one beside the other", "side_by_side"),
+        ("each next to the other", "side_by_side"),
+        ("in between", "between"), ("between them", "between"), ("in between them", "between"),
+        ("between the two", "between"), ("in the space between them", "between"),
+        ("one in front of the other", "one_behind"), ("one behind the other", "one_behind"),
+        ("one behind another", "one_behind"),
     ):  # fmt: skip
         if j := p.seq(i, phrase):
             landmark = Pronoun(word="them" if name == "between" else "each other", span=p.span(i, j))
             yield Loc(rel=name, landmark=landmark, span=p.span(i, j)), j
 
 
-_AMONG = ("between them", "between each other", "in between them", "in between", "between the two", "between the blocks", "between each", "between neighbors",
-          "between neighboring blocks", "between each block", "between blocks", "between each pair", "between each of them", "between every two blocks", "between adjacent blocks",
+_AMONG = ("between them", "between each other", "in between them", "in between", "between the two",
+    "between the blocks", "between each", "between neighbors",
+          "between neighboring blocks", "between each block", "between blocks", "between each pair",
+          "between each of them", "between every two blocks", "between adjacent blocks",
           "between each of the blocks")  # fmt: skip
 _AROUND = (
     ("about", 0.25),
@@ -242,8 +270,10 @@ _AROUND = (
 def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
     """A length as a range: "5 cm" is ±1 cm, "about 5 cm" ±25 %, "at least 5 cm", "no more than 5 cm"."""
     for phrase, kind in (("at least", "low"), ("more than", "low"), ("no less than", "low"), ("a minimum of", "low"),
-                         ("at most", "high"), ("less than", "high"), ("no more than", "high"), ("within", "high"), ("up to", "high"),
-                         ("not more than", "high"), ("a maximum of", "high"), ("closer than", "high"), ("over", "low"), ("under", "high")):  # fmt: skip
+                         ("at most", "high"), ("less than", "high"), ("no more than", "high"), ("within", "high"),
+                         ("up to", "high"),
+                         ("not more than", "high"), ("a maximum of", "high"), ("closer than", "high"),
+                         ("over", "low"), ("under", "high")):  # fmt: skip
         if j := p.seq(i, phrase):
             for metres, k in length(p, j):
                 yield ((metres, None) if kind == "low" else (None, metres)), k
@@ -268,7 +298,9 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
 
 def _measured(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm from the red block", "at least 10 cm to the left of it", "within 3 cm of ..."."""
-    start = p.any_of(i, ("at a distance of", "with a distance of", "a distance of")) or (i + 1 if p.words[i] == "at" and p.words[i + 1] not in ("least", "most") else i)
+    start = p.any_of(i, ("at a distance of", "with a distance of", "a distance of")) or (
+        i + 1 if p.words[i] == "at" and p.words[i + 1] not in ("least", "most") else i
+    )
     for (low, high), j in bounds(p, start):
         if k := p.any_of(j, ("away from", "from", "of", "apart from", "far from", "distance from")):
             for landmark, end in noun_phrase(p, k):
@@ -294,13 +326,17 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
     start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
     for (low, high), j in bounds(p, start):
-        end = p.any_of(j, ("apart from each other", "from each other", "away from each other", "apart", "from one another",
-                           "of each other", "of one another", "center to center", "from center to center", "between centers", "apart from one another"))  # fmt: skip
+        end = p.any_of(j, ("apart from each other", "from each other", "away from each other", "apart",
+            "from one another",
+                           "of each other", "of one another", "center to center", "from center to center",
+                           "between centers", "apart from one another"))  # fmt: skip
         measure = "centres"
         if not end:
             end = p.any_of(j, ("between them", "between each other", "in between them", "in between", "between the two",
-                               "between the blocks", "between each", "between neighbors", "between each block", "between neighboring blocks",
-                               "of space between them", "of empty space between them", "of space between the blocks"))  # fmt: skip
+                               "between the blocks", "between each", "between neighbors", "between each block",
+                               "between neighboring blocks",
+                               "of space between them", "of empty space between them",
+                               "of space between the blocks"))  # fmt: skip
             measure = "faces"
         if not end and p.words[start - 1 : start] == ["by"]:
             end, measure = j, "faces"
@@ -313,20 +349,37 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
             yield Loc(rel="moved", low=low, high=high, span=p.span(i, j), cost=1), j
     if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")):
         for (low, high), k in bounds(p, j):
-            gap = p.any_of(k, ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance"))
+            gap = p.any_of(
+                k,
+                ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance"),
+            )
             end = p.any_of(gap, _AMONG) if gap else 0
             if gap:
                 measure = "centres" if p.words[gap - 1] in ("spacing", "distance") else "faces"
                 each = Pronoun(word="each other", span=p.span(i, end or gap))
-                yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end or gap)), end or gap
-            if end := p.any_of(k, ("between their centers", "between centers", "between the centers", "from center to center", "center to center")):
+                yield (
+                    Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end or gap)),
+                    end or gap,
+                )
+            if end := p.any_of(
+                k,
+                (
+                    "between their centers",
+                    "between centers",
+                    "between the centers",
+                    "from center to center",
+                    "center to center",
+                ),
+            ):
                 each = Pronoun(word="each other", span=p.span(i, end))
                 yield Loc(rel="distance", landmark=each, low=low, high=high, span=p.span(i, end)), end
     if j := p.any_of(i, ("with a gap of", "with gaps of", "leaving a gap of", "with a spacing of", "leaving gaps of",
                          "at intervals of", "with a distance of", "with spacing of")):  # fmt: skip
         for (low, high), k in bounds(p, j):
-            end = p.any_of(k, ("between them", "between the blocks", "between each other", "between the two", "between blocks",
-                               "between each block", "between each", "between neighbors", "between neighbours")) or k  # fmt: skip
+            end = p.any_of(k, ("between them", "between the blocks", "between each other", "between the two",
+                "between blocks",
+                               "between each block", "between each", "between neighbors",
+                               "between neighbours")) or k  # fmt: skip
             measure = "faces" if "gap" in p.words[i:j] or "gaps" in p.words[i:j] else "centres"
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
@@ -338,7 +391,12 @@ def _listed_cost(landmark: Meaning) -> int:
         return 1 if landmark.op == "and" else 0
     if not isinstance(landmark, Noun):
         return 0
-    return 1 if (landmark.head == "any" and len(landmark.traits.colors) > 1) or (landmark.det == "bare" and len(landmark.traits.labels) > 1) else 0
+    return (
+        1
+        if (landmark.head == "any" and len(landmark.traits.colors) > 1)
+        or (landmark.det == "bare" and len(landmark.traits.labels) > 1)
+        else 0
+    )
 
 
 def is_part(meaning: Meaning) -> bool:

@@ -46,7 +46,10 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
 def _conditions(p: Parser, i: int, loc: Any, asserted: bool) -> Results[tuple[Meaning, ...]]:
     """Places; after a comma ("..., which is on the patch") they are said of the goal as well."""
     for first, j in loc(p, i):
-        yield ((replace(first, mods=(*first.mods, "asserted")),) if asserted and isinstance(first, Loc) else (first,)), j
+        yield (
+            ((replace(first, mods=(*first.mods, "asserted")),) if asserted and isinstance(first, Loc) else (first,)),
+            j,
+        )
 
 
 def _shown(p: Parser, i: int) -> Results[Traits]:

@@ -9,11 +9,13 @@ from rpg.passes.schema.meaning import Size
 _BY = frozenset({"by", "x", "times"})
 _BLOCKS = ("block", "blocks", "cube", "cubes", "level", "levels", "layer", "layers")
 _UNITS = {
-    "high": "high", "tall": "high", "in height": "high", "long": "long", "in length": "long", "wide": "wide", "in width": "wide", "across": "wide",
+    "high": "high", "tall": "high", "in height": "high", "long": "long", "in length": "long", "wide": "wide",
+    "in width": "wide", "across": "wide",
     "deep": "deep", "in a row": "long",
 }  # fmt: skip
 _PARTS = {
-    "steps": "steps", "step": "steps", "stairs": "steps", "levels": "layers", "layers": "layers", "tiers": "layers", "stories": "layers", "floors": "layers",
+    "steps": "steps", "step": "steps", "stairs": "steps", "levels": "layers", "layers": "layers", "tiers": "layers",
+    "stories": "layers", "floors": "layers",
     "rows": "rows", "columns": "columns", "layer": "layers", "row": "rows", "column": "columns",
 }  # fmt: skip
 _BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom row", "ground floor")
@@ -21,7 +23,7 @@ _BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom r
 
 @rule
 def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
-    """"3x3", "3 by 3 by 3", "two by four"."""
+    """ "3x3", "3 by 3 by 3", "two by four"."""
     token = p.token(i)
     if token is not None and token.kind == "dims" and isinstance(token.value, tuple):
         yield token.value, p.reach(i + 1)
@@ -41,24 +43,65 @@ def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
 def size_phrase(p: Parser, i: int) -> Results[Size]:
     """One statement of size after the noun."""
     j = p.opt(i, ",", "and", "but")
-    j = p.any_of(j, ("that is", "which is", "that are", "each", "all", "of which each is", "each of them", "with a size of", "of size", "measuring", "it is")) or j
+    j = (
+        p.any_of(
+            j,
+            (
+                "that is",
+                "which is",
+                "that are",
+                "each",
+                "all",
+                "of which each is",
+                "each of them",
+                "with a size of",
+                "of size",
+                "measuring",
+                "it is",
+            ),
+        )
+        or j
+    )
     for found, k in amounts.amount(p, j):
         k = p.opt(k, *_BLOCKS)
         for unit, what in _UNITS.items():
             if end := p.seq(k, unit):
                 yield Size(what=what, amount=found, span=p.span(i, end)), end
     for dims, k in dimensions(p, j):
-        yield Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1), p.any_of(k, ("in size", "blocks", "cubes")) or k
+        yield (
+            Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),
+            p.any_of(k, ("in size", "blocks", "cubes")) or k,
+        )
     yield from _led(p, i, j)
 
 
 def _led(p: Parser, i: int, j: int) -> Results[Size]:
     """After "with", "of", "having"."""
-    for lead, what in (("of height", "high"), ("with height", "high"), ("with a height of", "high"), ("of length", "long"), ("with a length of", "long"), ("of size", "size"),
+    for lead, what in (("of height", "high"), ("with height", "high"), ("with a height of", "high"),
+        ("of length", "long"), ("with a length of", "long"), ("of size", "size"),
                        ("with a width of", "wide"), ("of width", "wide"), ("in height", "high")):  # fmt: skip
         if k := p.seq(i, lead):
-            yield from ((Size(what=what, amount=a, span=p.span(i, e)), p.opt(e, *_BLOCKS)) for a, e in amounts.amount(p, k))
-    k = p.any_of(j, ("with", "of", "having", "that has", "which has", "that have", "containing", "in", "whose", "has", "on", "with each side", "the")) or (j if j > i else 0)
+            yield from (
+                (Size(what=what, amount=a, span=p.span(i, e)), p.opt(e, *_BLOCKS)) for a, e in amounts.amount(p, k)
+            )
+    k = p.any_of(
+        j,
+        (
+            "with",
+            "of",
+            "having",
+            "that has",
+            "which has",
+            "that have",
+            "containing",
+            "in",
+            "whose",
+            "has",
+            "on",
+            "with each side",
+            "the",
+        ),
+    ) or (j if j > i else 0)
     if not k:
         return
     k = p.opt(k, "a", "an", "the", "its")
@@ -66,21 +109,60 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
         for part, what in _PARTS.items():
             if end := p.one(e, part):
                 yield Size(what=what, amount=found, span=p.span(i, end)), end
-        if end := p.any_of(e, ("block base", "blocks base", "cube base", "wide base", "block wide base", "base", "blocks wide base", "blocks wide bottom")):
+        if end := p.any_of(
+            e,
+            (
+                "block base",
+                "blocks base",
+                "cube base",
+                "wide base",
+                "block wide base",
+                "base",
+                "blocks wide base",
+                "blocks wide bottom",
+            ),
+        ):
             yield Size(what="base", amount=found, span=p.span(i, end)), end
-        if end := p.any_of(e, ("blocks each", "cubes each", "blocks per row", "blocks in each row", "cubes per row", "per row", "blocks in every row", "each")):
+        if end := p.any_of(
+            e,
+            (
+                "blocks each",
+                "cubes each",
+                "blocks per row",
+                "blocks in each row",
+                "cubes per row",
+                "per row",
+                "blocks in every row",
+                "each",
+            ),
+        ):
             yield Size(what="columns", amount=found, span=p.span(i, end)), end
-        if end := p.any_of(e, ("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side", "per side", "cubes on each side")):
+        if end := p.any_of(
+            e,
+            (
+                "blocks per side",
+                "cubes per side",
+                "blocks on each side",
+                "blocks along each side",
+                "blocks to a side",
+                "per side",
+                "cubes on each side",
+            ),
+        ):
             yield Size(what="side", amount=found, span=p.span(i, end)), end
-        if end := p.any_of(e, ("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row", "blocks at its base", "blocks in the base",
-                               "cubes at the bottom", "cubes in the bottom row", "blocks in the bottom layer", "blocks as its base", "at the base")):  # fmt: skip
+        if end := p.any_of(e, ("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom",
+            "on the bottom", "in the bottom row", "blocks at its base", "blocks in the base",
+                               "cubes at the bottom", "cubes in the bottom row", "blocks in the bottom layer",
+                               "blocks as its base", "at the base")):  # fmt: skip
             yield Size(what="base", amount=found, span=p.span(i, end), cost=1), end
     for dims, e in dimensions(p, k):
         if end := p.any_of(p.opt(e, "block", "blocks"), _BASES):
             yield Size(what="base", dims=dims, span=p.span(i, end)), end
     for base in ("side of", "sides of", "side length of", "sides"):
         if e := p.seq(k, base):
-            yield from ((Size(what="side", amount=a, span=p.span(i, m)), p.opt(m, *_BLOCKS)) for a, m in amounts.amount(p, e))
+            yield from (
+                (Size(what="side", amount=a, span=p.span(i, m)), p.opt(m, *_BLOCKS)) for a, m in amounts.amount(p, e)
+            )
     for base in _BASES:
         if (e := p.seq(k, base)) and (e := p.any_of(e, ("of", "is", "that is", "which is", "being", "should be"))):
             yield from ((Size(what="base", dims=d, span=p.span(i, m)), p.opt(m, *_BLOCKS)) for d, m in dimensions(p, e))

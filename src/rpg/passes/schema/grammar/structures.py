@@ -1,10 +1,9 @@
-"""Structures as noun phrases: towers, rows, grids, pyramids, figures, words, equations, with their sizes and members."""
+"""Structures as noun phrases: towers, rows, grids, figures, words, equations, with their sizes and members."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import Any
 
 from rpg.core.diagnostics import Span
 from rpg.passes.schema import lexicon
@@ -15,15 +14,31 @@ from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.labels import literal
 from rpg.passes.schema.grammar.lists import listed
 from rpg.passes.schema.grammar.sizes import dimensions, size_phrase
-from rpg.passes.schema.meaning import Amount, Coord, Manner, Meaning, Noun, OrderBy, Pattern, Pronoun, Size, Spacing, Structure, Traits
+from rpg.passes.schema.meaning import (
+    Amount,
+    Coord,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pattern,
+    Pronoun,
+    Size,
+    Spacing,
+    Structure,
+    Traits,
+)
 
 _LETTER_SHAPES = frozenset("LTVUX")
 _MODIFIERS = {
     "straight": {}, "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
     "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
     "simple": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {}, "upright": {"upright": True},
-    "single file": {}, "standing": {"upright": True}, "tall": {}, "long": {}, "closed": {}, "proper": {}, "full": {"filled": True},
-    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {}, "big": {}, "huge": {}, "large": {}, "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {}, "addition": {}, "small": {},
+    "single file": {}, "standing": {"upright": True}, "tall": {}, "long": {}, "closed": {}, "proper": {},
+    "full": {"filled": True},
+    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
+    "big": {}, "huge": {}, "large": {}, "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
+    "addition": {}, "small": {},
     "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
 }  # fmt: skip
 _OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
@@ -31,13 +46,18 @@ _OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "divis
 
 _NOWHERE = (0, 0)
 _DETAILS: dict[str, OrderBy | Spacing | Manner] = {
-    "equally tall": Manner(kind="equal", span=_NOWHERE), "equal": Manner(kind="equal", span=_NOWHERE), "equally high": Manner(kind="equal", span=_NOWHERE),
+    "equally tall": Manner(kind="equal", span=_NOWHERE), "equal": Manner(kind="equal", span=_NOWHERE),
+    "equally high": Manner(kind="equal", span=_NOWHERE),
     "alternating": OrderBy(by="alternating", span=_NOWHERE), "symmetric": OrderBy(by="mirrored", span=_NOWHERE),
     "symmetrical": OrderBy(by="mirrored", span=_NOWHERE), "mirrored": OrderBy(by="mirrored", span=_NOWHERE),
-    "alphabetical": OrderBy(by="label", span=_NOWHERE), "alphabetically sorted": OrderBy(by="label", span=_NOWHERE), "palindromic": OrderBy(by="mirrored", span=_NOWHERE),
-    "rainbow": OrderBy(by="rainbow", span=_NOWHERE), "touching": Spacing(kind="touching", span=_NOWHERE), "tight": Spacing(kind="touching", span=_NOWHERE),
-    "evenly spaced": Spacing(kind="even", span=_NOWHERE), "equally spaced": Spacing(kind="even", span=_NOWHERE), "gapless": Spacing(kind="touching", span=_NOWHERE),
-    "sorted": OrderBy(by="in_order", span=_NOWHERE), "ordered": OrderBy(by="in_order", span=_NOWHERE), "numerical": OrderBy(by="number", span=_NOWHERE),
+    "alphabetical": OrderBy(by="label", span=_NOWHERE), "alphabetically sorted": OrderBy(by="label", span=_NOWHERE),
+    "palindromic": OrderBy(by="mirrored", span=_NOWHERE),
+    "rainbow": OrderBy(by="rainbow", span=_NOWHERE), "touching": Spacing(kind="touching", span=_NOWHERE),
+    "tight": Spacing(kind="touching", span=_NOWHERE),
+    "evenly spaced": Spacing(kind="even", span=_NOWHERE), "equally spaced": Spacing(kind="even", span=_NOWHERE),
+    "gapless": Spacing(kind="touching", span=_NOWHERE),
+    "sorted": OrderBy(by="in_order", span=_NOWHERE), "ordered": OrderBy(by="in_order", span=_NOWHERE),
+    "numerical": OrderBy(by="number", span=_NOWHERE),
 }  # fmt: skip
 
 
@@ -91,9 +111,12 @@ def _join(a: _Before, b: _Before) -> _Before | None:
 
 
 _BEFORE_UNITS = {
-    "block high": "high", "blocks high": "high", "block tall": "high", "blocks tall": "high", "block long": "long", "high": "high", "tall": "high",
-    "block": "size", "blocks": "size", "cube": "size", "cubes": "size", "level": "layers", "layer": "layers", "step": "steps", "story": "layers",
-    "tier": "layers", "letter": "size", "stepped": "steps", "tiered": "layers", "layered": "layers", "digit": "size", "block wide": "wide",
+    "block high": "high", "blocks high": "high", "block tall": "high", "blocks tall": "high", "block long": "long",
+    "high": "high", "tall": "high",
+    "block": "size", "blocks": "size", "cube": "size", "cubes": "size", "level": "layers", "layer": "layers",
+    "step": "steps", "story": "layers",
+    "tier": "layers", "letter": "size", "stepped": "steps", "tiered": "layers", "layered": "layers", "digit": "size",
+    "block wide": "wide",
     "blocks wide": "wide", "brick": "size", "item": "size", "wide": "wide",
 }  # fmt: skip
 
@@ -101,7 +124,10 @@ _BEFORE_UNITS = {
 def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     for phrase, update in _MODIFIERS.items():
         if j := p.seq(i, phrase):
-            yield _Before(upright=update.get("upright"), filled=update.get("filled"), operator=_OPERATORS.get(phrase)), j
+            yield (
+                _Before(upright=update.get("upright"), filled=update.get("filled"), operator=_OPERATORS.get(phrase)),
+                j,
+            )
     for word, detail in _DETAILS.items():
         if j := p.seq(i, word):
             yield _Before(details=(replace(detail, span=p.span(i, j)),)), j
@@ -124,7 +150,11 @@ def _noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
     found = p.lex(i, lexicon.STRUCTURE)
     if found is not None and p.tokens[i].kind == "word":
         kind, plural = found
-        j = i + 1 if kind in ("stack", "pile", "word") else p.opt(i + 1, "shape", "formation", "outline", "pattern", "arrangement", "figure", "sign")
+        j = (
+            i + 1
+            if kind in ("stack", "pile", "word")
+            else p.opt(i + 1, "shape", "formation", "outline", "pattern", "arrangement", "figure", "sign")
+        )
         j = p.opt(j, "tower") if kind == "pyramid" else j
         yield kind, plural, j
     shape = p.lex(i, lexicon.SHAPE_ADJECTIVE)
@@ -138,29 +168,44 @@ def _noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
     yield from _letter_shapes(p, i)
 
 
-_FORMS = frozenset({"shape", "arrangement", "formation", "pattern", "layout", "outline", "figure", "form", "line", "ring"})
-_TAILS = ("shape", "shapes", "formation", "shaped figure", "shaped structure", "shaped pattern", "shaped arrangement", "figure", "shaped formation",
+_FORMS = frozenset(
+    {"shape", "arrangement", "formation", "pattern", "layout", "outline", "figure", "form", "line", "ring"}
+)
+_TAILS = ("shape", "shapes", "formation", "shaped figure", "shaped structure", "shaped pattern", "shaped arrangement",
+    "figure", "shaped formation",
           "shaped line", "shaped form", "shaped outline")  # fmt: skip
-_LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "form of a", "figure of an", "figure of a", "shape of the", "outline of a", "outline of an",
-          "form of the letter", "capital", "figure of the letter", "letter", "shape of capital", "shape of a capital", "shape")  # fmt: skip
+_LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "form of a", "figure of an",
+    "figure of a", "shape of the", "outline of a", "outline of an",
+          "form of the letter", "capital", "figure of the letter", "letter", "shape of capital", "shape of a capital",
+          "shape")  # fmt: skip
 
 
 _FORMING = frozenset({"like", "form", "forms", "make", "draw", "build", "create", "into", "as", "forming", "of"})
 
 
 def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
-    """"L shape", "shape of a T", "an L"."""
+    """ "L shape", "shape of a T", "an L"."""
     letter = _letter_at(p, i)
     if letter:
         for tail in _TAILS:
             if j := p.seq(i + 1, tail):
                 yield letter, tail == "shapes", j
-        if p.words[i - 1 : i] in (["a"], ["an"]) and i > 0 and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK) and p.tokens[i].raw.isupper():
+        if (
+            p.words[i - 1 : i] in (["a"], ["an"])
+            and i > 0
+            and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK)
+            and p.tokens[i].raw.isupper()
+        ):
             yield letter, False, p.reach(i + 1)
     for lead in _LEADS:
         if j := p.seq(i, lead):
             letter = _letter_at(p, j)
-            if letter and (lead not in ("letter", "the letter") or p.one(j + 1, frozenset({"shape", "formation"})) or p.words[i - 1] == "like" or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)):
+            if letter and (
+                lead not in ("letter", "the letter")
+                or p.one(j + 1, frozenset({"shape", "formation"}))
+                or p.words[i - 1] == "like"
+                or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
+            ):
                 yield letter, False, p.opt(p.reach(j + 1), "shape", "formation")
             elif not letter and lead not in ("capital", "letter"):
                 inner = p.lex(j, lexicon.STRUCTURE)
@@ -181,14 +226,19 @@ def _letter_at(p: Parser, i: int) -> str | None:
 
 def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Results[Meaning]:
     for kind, plural, k in _noun(p, j):
-        if kind == "cube" and len(before.dims) != 3 and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "with", ",")):
+        if (
+            kind == "cube"
+            and len(before.dims) != 3
+            and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "with", ","))
+        ):
             continue
         if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
             continue
         operator = before.operator or (_OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
         base = Structure(
             kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
-            traits=Traits(**before.marks), filled=before.filled, upright=before.upright, letter=operator, details=before.details,
+            traits=Traits(**before.marks), filled=before.filled, upright=before.upright, letter=operator,
+            details=before.details,
             span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
         )  # fmt: skip
         yield from _tail(p, i, k, base)
@@ -202,7 +252,7 @@ _WORD_EQUALS = ("is equal to", "equals", "equal", "is", "makes", "gives", "equal
 
 @rule
 def equation(p: Parser, i: int) -> Results[str]:
-    """"2+3=5", "two plus three equals five"."""
+    """ "2+3=5", "two plus three equals five"."""
     token = p.token(i)
     if token is not None and token.kind == "equation" and isinstance(token.value, str):
         yield token.value, p.reach(i + 1)
@@ -264,7 +314,7 @@ def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meanin
 
 
 def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
-    """"a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
+    """ "a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
     from rpg.passes.schema.grammar.adjuncts import sided
 
     if p.words[k : k + 1] and p.words[k] in ("with", ",", "having", "where", ":", "whose"):
@@ -273,7 +323,7 @@ def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
 
 
 def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
-    """"two towers ..., one red and one blue"."""
+    """ "two towers ..., one red and one blue"."""
     if not base.plural or not p.one(k, ","):
         return
     found: list[str] = []
@@ -297,7 +347,7 @@ def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: S
 
 @rule
 def per_color(p: Parser, i: int) -> Results[Pattern]:
-    """"per colour", "for each colour"."""
+    """ "per colour", "for each colour"."""
     if j := p.any_of(i, ("per color", "for each color", "for every color", "of each color")):
         yield Pattern(unit="stack", span=p.span(i, j)), j
 
@@ -307,17 +357,35 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     yield base, j
     if len(base.sizes) > 3:
         return
-    if k := p.any_of(j, ("with nothing in the middle", "with nothing inside", "with an empty center", "with an empty middle", "with a hole in the middle", ", hollow", ", empty inside", "that is hollow", ", just the outline", ", outline only")):
+    if k := p.any_of(
+        j,
+        (
+            "with nothing in the middle",
+            "with nothing inside",
+            "with an empty center",
+            "with an empty middle",
+            "with a hole in the middle",
+            ", hollow",
+            ", empty inside",
+            "that is hollow",
+            ", just the outline",
+            ", outline only",
+        ),
+    ):
         yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
-    if k := p.any_of(j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")):
+    if k := p.any_of(
+        j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
+    ):
         yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
     for size, k in size_phrase(p, j):
         changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
         yield from _sized(p, i, k, changed)
 
 
-_OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of", "built of", "formed by", "formed of", "comprising",
-       "containing", "using", "constructed from", "out of", "built with", "made with", "with only", "from", "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
+_OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
+    "built of", "formed by", "formed of", "comprising",
+       "containing", "using", "constructed from", "out of", "built with", "made with", "with only", "from",
+       "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
 
 
 def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
@@ -330,11 +398,45 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         if not start:
             continue
         for members, end in noun_phrase(p, start):
-            if isinstance(members, Structure) or (isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)):
+            if isinstance(members, Structure) or (
+                isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)
+            ):
                 continue
-            counted = members_amount(members) is not None and base.plural and (p.words[k - 1] == "of" and p.words[j] != "out" or p.words[k - 1] in ("with", "containing") or p.one(end, frozenset({"each", "apiece"})) > 0)
+            counted = (
+                members_amount(members) is not None
+                and base.plural
+                and (
+                    (p.words[k - 1] == "of" and p.words[j] != "out")
+                    or p.words[k - 1] in ("with", "containing")
+                    or p.one(end, frozenset({"each", "apiece"})) > 0
+                )
+            )
             listed_ = replace(base, members=members, span=p.span(i, end), each_size=counted)
-            yield listed_, ((p.any_of(end, ("each", "apiece", "in each one", "in each", "in each of them", "in every one", "per tower", "in each tower", "per stack", "in each stack")) or end) if base.plural else end)
+            yield (
+                listed_,
+                (
+                    (
+                        p.any_of(
+                            end,
+                            (
+                                "each",
+                                "apiece",
+                                "in each one",
+                                "in each",
+                                "in each of them",
+                                "in every one",
+                                "per tower",
+                                "in each tower",
+                                "per stack",
+                                "in each stack",
+                            ),
+                        )
+                        or end
+                    )
+                    if base.plural
+                    else end
+                ),
+            )
     if not base.sizes and not base.plural:
         for found, end in amounts.amount(p, k):
             size = Size(what="size", amount=found, span=p.span(k, end))

@@ -27,20 +27,24 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
 
 
 def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
-    """"the patch stays empty", "keep the top of the red block clear"."""
+    """ "the patch stays empty", "keep the top of the red block clear"."""
     theme = refer(clause.theme, scene, scope) if clause.theme is not None else Ref()
     spec.qualities = []
     if theme.patch:
         return [r.Empty(patch=p, span=clause.span) for p in theme.names]
     if not theme.names:
-        raise refuse("misplaced", "patches can be empty, and blocks clear on top", clause.span, "name a patch or a block")
+        raise refuse(
+            "misplaced", "patches can be empty, and blocks clear on top", clause.span, "name a patch or a block"
+        )
     return [r.Clear(a=crown(theme), span=clause.span)]
 
 
 def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
     traits = quality.traits
-    if traits.rank or traits.target or traits.matching or traits.labels and len(traits.labels) != 1:
-        raise refuse("misplaced", "this is understood, but is no look that can be given", quality.span, "say it as a place")
+    if traits.rank or traits.target or traits.matching or (traits.labels and len(traits.labels) != 1):
+        raise refuse(
+            "misplaced", "this is understood, but is no look that can be given", quality.span, "say it as a place"
+        )
     things = [scene.things[n] for n in theme.names]
     if traits.extra:
         for thing in things:
@@ -71,4 +75,3 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
         if traits.kind and thing.kind is None:
             thing.kind = traits.kind
         thing.claims -= 1
-

@@ -26,7 +26,11 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
             continue
         begun = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "start"]
         if begun:
-            clause = replace(clause, mode="given" if clause.verb == "exist" else "start", adjuncts=tuple(m for m in clause.adjuncts if m not in begun))
+            clause = replace(
+                clause,
+                mode="given" if clause.verb == "exist" else "start",
+                adjuncts=tuple(m for m in clause.adjuncts if m not in begun),
+            )
         starts = start or clause.mode in ("start", "given")
         goals = clause_goals(clause, scene, starts)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
@@ -45,7 +49,7 @@ def _given_first(chain: Chain) -> list[tuple[str, Meaning]]:
 
 
 def in_that_order(chain: Chain) -> Chain:
-    """"..., in that order" behind several clauses with a block each: one after the other."""
+    """ "..., in that order" behind several clauses with a block each: one after the other."""
     last = chain.clauses[-1]
     if len(chain.clauses) < 2 or not isinstance(last, Clause) or not isinstance(last.theme, Noun) or last.theme.plural:
         return chain
@@ -53,11 +57,15 @@ def in_that_order(chain: Chain) -> Chain:
     if not orders:
         return chain
     bare = replace(last, adjuncts=tuple(a for a in last.adjuncts if a not in orders))
-    return replace(chain, clauses=(*chain.clauses[:-1], bare), links=(chain.links[0], *("then" for _ in chain.links[1:])))
+    return replace(
+        chain, clauses=(*chain.clauses[:-1], bare), links=(chain.links[0], *("then" for _ in chain.links[1:]))
+    )
 
 
 def _time(clause: object) -> float | None:
-    found = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "time"] if isinstance(clause, Clause) else []
+    found = (
+        [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "time"] if isinstance(clause, Clause) else []
+    )
     return float(found[0].value or 0.0) if found else None
 
 
@@ -80,7 +88,9 @@ def untimed(chain: Chain) -> Chain:
             kept = tuple(m for m in clause.adjuncts if not (isinstance(m, Manner) and m.kind == "time"))
             clause = replace(clause, adjuncts=kept)
         bare.append(clause)
-    links = tuple("then" if index and times[order[index]] != times[order[index - 1]] else "and" for index in range(len(order)))
+    links = tuple(
+        "then" if index and times[order[index]] != times[order[index - 1]] else "and" for index in range(len(order))
+    )
     return replace(chain, clauses=tuple(bare), links=links)
 
 

@@ -10,13 +10,38 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Lowest
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import At, Chain, Clause, Coord, In, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward, Traits
+from rpg.passes.schema.meaning import (
+    At,
+    Chain,
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Structure,
+    Toward,
+    Traits,
+)
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.orders import alternatives, order_of
 from rpg.passes.schema.resolve.refer import continued, give, refer
-from rpg.passes.schema.resolve.relations import conj, crown, foot, matching_patches, negation, place, reciprocal, related, spread
+from rpg.passes.schema.resolve.relations import (
+    conj,
+    crown,
+    foot,
+    matching_patches,
+    negation,
+    place,
+    reciprocal,
+    related,
+    spread,
+)
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.structures import either, make, row_node, stack_built
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
@@ -49,7 +74,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
 
 
 def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
-    """"without moving the blue block, place ... to its left": what stands in front is spoken of first."""
+    """ "without moving the blue block, place ... to its left": what stands in front is spoken of first."""
     for that in list(spec.thats):
         if that.kind == "without" and that.span[1] <= theme.span[0]:
             scene.goals.setdefault(scene.clause, []).extend(turning.without(that, scene))
@@ -57,17 +82,21 @@ def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
 
 
 def _not_both(goals: Goals, span: Span) -> Goals:
-    """"either ... or ..., but not both"."""
+    """ "either ... or ..., but not both"."""
     if len(goals) != 1 or not isinstance(goals[0], g.Any):
-        raise refuse("misplaced", "'but not both' needs two alternatives", span, "say 'either ... or ..., but not both'")
+        raise refuse(
+            "misplaced", "'but not both' needs two alternatives", span, "say 'either ... or ..., but not both'"
+        )
     parts = goals[0].goals
     return [g.All(goals=(goals[0], g.Not(goal=g.All(goals=parts, span=span), span=span)), span=span)]
 
 
 def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
-    """"at all times": true from the start on, so that it is arranged at the start too."""
+    """ "at all times": true from the start on, so that it is arranged at the start too."""
     goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
-    scene.start_goals += [x for x in goals if not isinstance(x, g.Not | g.Always | r.OnTable) and x not in scene.start_goals]
+    scene.start_goals += [
+        x for x in goals if not isinstance(x, g.Not | g.Always | r.OnTable) and x not in scene.start_goals
+    ]
     return [g.Always(goal=conj(goals, span), span=span)] if goals else []
 
 
@@ -79,11 +108,21 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
             scene.mentions.pop()
             spec.usings.remove(using)
     for place_ in list(spec.places):
-        if isinstance(place_, Loc) and place_.rel == "between" and place_.landmark is not None and is_extra(place_.landmark):
+        if (
+            isinstance(place_, Loc)
+            and place_.rel == "between"
+            and place_.landmark is not None
+            and is_extra(place_.landmark)
+        ):
             refer(place_.landmark, scene, Scope())
             scene.mentions.pop()
             spec.places.remove(place_)
-    if clause.verb not in ("be", "exist") or clause.theme is None or _is_shape(clause.theme) or spec.manner("extra") is None:
+    if (
+        clause.verb not in ("be", "exist")
+        or clause.theme is None
+        or _is_shape(clause.theme)
+        or spec.manner("extra") is None
+    ):
         return False
     marked = as_extra(clause.theme)
     refer(marked, scene, Scope())
@@ -128,7 +167,12 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return turning.keep(clause, spec, scene, scope)
     if clause.verb == "place" and any(isinstance(p, Loc) and p.rel == "moved" for p in spec.places):
         return turning.moved(clause, spec, scene, scope)
-    if clause.verb == "place" and clause.lemma in ("move", "shift", "nudge", "relocate", "push", "drag") and not clause.adjuncts and not clause.negated:
+    if (
+        clause.verb == "place"
+        and clause.lemma in ("move", "shift", "nudge", "relocate", "push", "drag")
+        and not clause.adjuncts
+        and not clause.negated
+    ):
         theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
         scene.assume("moved: at least 5 cm away from where it started")
         return [spread(theme, lambda a: r.Moved(a=a, span=clause.span), clause.span, together=True)]
@@ -143,7 +187,9 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.lemma == "alphabetize":
         spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
     shape = _kind_of_shape(spec)
-    if clause.lemma in ("spread", "distribute") and not (spec.orders or spec.intos or spec.toward or spec.spacings or spec.places):
+    if clause.lemma in ("spread", "distribute") and not (
+        spec.orders or spec.intos or spec.toward or spec.spacings or spec.places
+    ):
         each = Pronoun(word="each other", span=clause.span)
         spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
     theme = refer(_counted(clause.theme, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
@@ -152,10 +198,12 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
 
 def _partly(clause: Clause, scene: Scene, scope: Scope) -> Goals:
-    """"start partially stacked": two of the blocks, in a way that the goal does not ask for."""
+    """ "start partially stacked": two of the blocks, in a way that the goal does not ask for."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     pairs = [(a, b) for a in theme.names for b in theme.names if a != b and scene.on_top.get(a) != b]
-    pairs.sort(key=lambda two: (scene.on_top.get(two[1]) == two[0], theme.names.index(two[0]) < theme.names.index(two[1])))
+    pairs.sort(
+        key=lambda two: (scene.on_top.get(two[1]) == two[0], theme.names.index(two[0]) < theme.names.index(two[1]))
+    )
     if clause.mode != "start" or not pairs:
         raise refuse("misplaced", "only a start can be partial", clause.span, "say which block goes on which")
     scene.assume("partially stacked at the start: one block lies on another")
@@ -164,13 +212,17 @@ def _partly(clause: Clause, scene: Scene, scope: Scope) -> Goals:
 
 def _sandwich(clause: Clause, spec: Spec) -> None:
     if clause.lemma == "sandwich":
-        spec.places = [replace(p, rel="sandwiched") if isinstance(p, Loc) and p.rel == "between" else p for p in spec.places]
+        spec.places = [
+            replace(p, rel="sandwiched") if isinstance(p, Loc) and p.rel == "between" else p for p in spec.places
+        ]
 
 
 def _kind_of_shape(spec: Spec) -> str:
     """Whether the adjuncts speak of several towers."""
     towers = any(p.unit in ("stack", "pile") for p in spec.patterns)
-    towers = towers or any(isinstance(i.structure, Structure) and i.structure.kind == "stack" and i.structure.plural for i in spec.intos)
+    towers = towers or any(
+        isinstance(i.structure, Structure) and i.structure.kind == "stack" and i.structure.plural for i in spec.intos
+    )
     return "towers" if towers or any(o.by == "attribute" for o in spec.orders) else ""
 
 
@@ -201,7 +253,11 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if theme.table:
         raise refuse("misplaced", "the table stays where it is", theme.span, "name blocks")
     if verb == "stack":
-        spec.intos = [i for i in spec.intos if not (isinstance(i.structure, Structure) and i.structure.kind == "pile" and not i.structure.plural)]
+        spec.intos = [
+            i
+            for i in spec.intos
+            if not (isinstance(i.structure, Structure) and i.structure.kind == "pile" and not i.structure.plural)
+        ]
     heaped = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
     spec.places = [p for p in spec.places if p not in heaped]
     temporal = next((o for o in spec.orders if o.by == "temporal" or _in_time(o, verb, theme, spec)), None)
@@ -228,14 +284,16 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     goals = [*goals, *_places(ref, spec, scene, scope, span)]
     goals += loose_ats(ref, spec, scene, span) if spec.ats else []
     if not goals and not structured and not spec.thats and not (verb == "be" and spec.absolutes):
-        raise refuse("no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'")
+        raise refuse(
+            "no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'"
+        )
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
     return goals
 
 
 def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:
-    """"stack letters so that they read SUN": the word says which blocks; the verb only that it stands upright."""
+    """ "stack letters so that they read SUN": the word says which blocks; the verb only that it stands upright."""
     upright = verb == "stack" or any(getattr(i.structure, "kind", "") == "stack" for i in spec.intos)
     flat = not upright and any(getattr(i.structure, "kind", "") in ("row", "line") for i in spec.intos)
     if not (upright or flat) or not all(scene.things[n].elastic for n in theme.names):
@@ -252,15 +310,15 @@ def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:
 
 
 def _in_time(order: OrderBy, verb: str, theme: Ref, spec: Spec) -> bool:
-    """"put A, B and C on the patch in that order": an order of blocks that form no line is one in time."""
-    if order.by != "given" or spec.intos or spec.toward or len(theme.names) < 2 and not order.items:
+    """ "put A, B and C on the patch in that order": an order of blocks that form no line is one in time."""
+    if order.by != "given" or spec.intos or spec.toward or (len(theme.names) < 2 and not order.items):
         return False
     placed = verb == "place" and any(isinstance(p, Loc) and p.rel in ("on", "in") for p in spec.places)
     return placed or (not order.items and theme.op == "then")
 
 
 def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
-    """"red, then green, then blue on the patch"; "in temporal order (blue first, then red)": one stage for each."""
+    """ "red, then green, then blue on the patch"; "in temporal order (blue first, then red)": one stage for each."""
     units = theme.parts
     if temporal is not None and temporal.items:
         found = [refer(item, scene, Scope(pool=theme.names)) for item in temporal.items]
@@ -272,7 +330,9 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
                 del scene.things[name]
             extra = []
         if extra:
-            raise refuse("count-mismatch", "the order leaves some of the blocks out", temporal.span, "name every block once")
+            raise refuse(
+                "count-mismatch", "the order leaves some of the blocks out", temporal.span, "name every block once"
+            )
         units = tuple(found)
     if not units:
         units = tuple(Ref(names=(n,)) for n in theme.names)
@@ -287,7 +347,13 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
 def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
     if spec.orders or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
         return True
-    return verb == "arrange" and not [p for p in spec.places if not isinstance(p, In)] and not spec.thats and not spec.ats and len(theme.names) > 1
+    return (
+        verb == "arrange"
+        and not [p for p in spec.places if not isinstance(p, In)]
+        and not spec.thats
+        and not spec.ats
+        and len(theme.names) > 1
+    )
 
 
 def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:
@@ -311,7 +377,9 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
         raise refuse("ambiguous", "it is not said which of the blocks", theme.span, "name the blocks")
     built, goals = make(target, spec, theme, scene, scope)
     spec.orders = []
-    ref = replace(theme, names=tuple(dict.fromkeys(n for b in built for n in b.members)) or theme.names, built=tuple(built))
+    ref = replace(
+        theme, names=tuple(dict.fromkeys(n for b in built for n in b.members)) or theme.names, built=tuple(built)
+    )
     scene.mention(ref, "theme")
     return ref, goals
 
@@ -350,8 +418,11 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
                 span,
                 "name every block from the bottom up",
             )
-        order = Order(by="given", ranks=tuple((*((b,) for b in base), *ranks)), first="bottom")
-    nodes = [s.Stack(blocks=names, order=o, readable=o.by in ("label", "number"), span=span) for o in alternatives(order, scene)]
+        order = Order(by="given", ranks=(*((b,) for b in base), *ranks), first="bottom")
+    nodes = [
+        s.Stack(blocks=names, order=o, readable=o.by in ("label", "number"), span=span)
+        for o in alternatives(order, scene)
+    ]
     built = stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, span)
     ref = replace(theme, names=names, built=(built,))
     scene.mention(ref, "theme")
@@ -418,19 +489,29 @@ def _places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goa
 
 
 def _merge_sides(spec: Spec) -> None:
-    """"right next to the blue block, on its right side": one relation; "beside it on the right" too."""
-    close = next((p for p in spec.places if isinstance(p, Loc) and p.rel in ("adjacent", "beside") and p.landmark is not None), None)
+    """ "right next to the blue block, on its right side": one relation; "beside it on the right" too."""
+    close = next(
+        (p for p in spec.places if isinstance(p, Loc) and p.rel in ("adjacent", "beside") and p.landmark is not None),
+        None,
+    )
     if close is None:
         return
     tight = close.rel == "adjacent" or "immediate" in close.mods
     for at_ in [a for a in spec.ats if a.side in ("left", "right", "front", "back") and a.index is None]:
         spec.ats.remove(at_)
-        spec.places[spec.places.index(close)] = replace(close, rel={"back": "behind"}.get(at_.side, at_.side), mods=("immediate",) if tight else ())
+        spec.places[spec.places.index(close)] = replace(
+            close, rel={"back": "behind"}.get(at_.side, at_.side), mods=("immediate",) if tight else ()
+        )
         if not tight:
             spec.places.append(close)
         return
     for index, side in enumerate(spec.places):
-        if isinstance(side, Loc) and side.rel in ("left", "right", "front", "behind") and tight and isinstance(side.landmark, Pronoun):
+        if (
+            isinstance(side, Loc)
+            and side.rel in ("left", "right", "front", "behind")
+            and tight
+            and isinstance(side.landmark, Pronoun)
+        ):
             spec.places[index] = replace(side, landmark=close.landmark, mods=("immediate",))
             spec.places.remove(close)
             return
@@ -488,7 +569,7 @@ def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
 
 
 def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"with a red block next to it", "with the letter A on top": further conditions, on the structure where they name its parts."""
+    """ "with a red block next to it", "with the letter A on top": further conditions, or parts of the structure."""
     goals: Goals = []
     for item in spec.absolutes:
         if is_extra(item.theme):
@@ -497,15 +578,27 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             continue
         theme = refer(item.theme, scene, replace(scope, role="theme"))
         if any(scene.things[n].invented for n in ref.names) and not set(theme.names) & set(ref.names) and ref.built:
-            raise refuse("ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks")
+            raise refuse(
+                "ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks"
+            )
         inner = sort_adjuncts(item.adjuncts)
         _merge_sides(inner)
         for at_ in list(inner.ats):
-            if len(ref.built) == 1 and not set(theme.names) & set(ref.names) and at_.side in ("top", "bottom") and at_.index is None:
+            if (
+                len(ref.built) == 1
+                and not set(theme.names) & set(ref.names)
+                and at_.side in ("top", "bottom")
+                and at_.index is None
+            ):
                 inner.ats.remove(at_)
                 goals += _at_end(theme, ref, at_, scene, item.span)
         if inner.ats and ref.built and not set(theme.names) & set(ref.names):
-            raise refuse("misplaced", "this place does not fit the structure", inner.ats[0].span, "say 'on top', or name the block among its members")
+            raise refuse(
+                "misplaced",
+                "this place does not fit the structure",
+                inner.ats[0].span,
+                "say 'on top', or name the block among its members",
+            )
         if inner.ats:
             goals += loose_ats(theme, inner, scene, item.span)
         for adjunct in inner.places:
@@ -555,7 +648,9 @@ def _shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         else:
             ref = refer(shape, scene, scope)
             if not ref.built and not spec.places:
-                raise refuse("no-goal", "it is not said where these blocks should be", shape.span, "say where they should be")
+                raise refuse(
+                    "no-goal", "it is not said where these blocks should be", shape.span, "say where they should be"
+                )
             built += ref.built
             parts.append(ref)
     names = tuple(dict.fromkeys(n for p in parts for n in p.names))
@@ -682,7 +777,11 @@ def _sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         node = s.GroupBy(groups=(theme.names,), span=clause.span)
         ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
         return [node, *_places(ref, spec, scene, scope, clause.span)]
-    if clause.lemma in ("separate", "split", "divide") and attribute is None and (apart is not None or len(theme.parts) == 2):
+    if (
+        clause.lemma in ("separate", "split", "divide")
+        and attribute is None
+        and (apart is not None or len(theme.parts) == 2)
+    ):
         return _separate(theme, apart, spec, scene, scope, clause)
     shape = _pile_target(spec)
     attribute = attribute_of(spec)
@@ -723,7 +822,7 @@ def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Sc
 
 
 def _spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"spell CAT with ...", "the cubes read A, B, C"."""
+    """ "spell CAT with ...", "the cubes read A, B, C"."""
     theme = None
     if spec.usings and _mentioned(spec.usings[0].members):
         theme = refer(spec.usings.pop(0).members, scene, scope)
@@ -737,11 +836,13 @@ def _spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
 
 def _mentioned(meaning: Meaning) -> bool:
-    return isinstance(meaning, Pronoun) or (isinstance(meaning, Noun) and meaning.det in ("the", "all", "both", "these"))
+    return isinstance(meaning, Pronoun) or (
+        isinstance(meaning, Noun) and meaning.det in ("the", "all", "both", "these")
+    )
 
 
 def _read_row(clause: Clause, said: Noun, theme: Ref | None, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"their up-faces read A, B, C ...": a row in reading order."""
+    """ "their up-faces read A, B, C ...": a row in reading order."""
     labels = continued(said.traits.labels, None) if said.traits.open_ended else said.traits.labels
     if theme is not None and all(scene.things[n].elastic for n in theme.names):
         names = scene.fit(theme.names, len(labels))
@@ -801,4 +902,3 @@ def _leftovers(spec: Spec, clause: Clause) -> None:
                 manner.span,
                 "say it in a sentence of its own",
             )
-

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -24,10 +26,17 @@ def check(goal: g.Goal, scene: Scene) -> None:
 
 def _turned_in_words(parts: list[g.Goal]) -> None:
     """A word is read upright: one of its cubes cannot be turned at the same time."""
-    read = {n for x in parts if isinstance(x, s.Spells) or (isinstance(x, s.Row | s.Stack) and x.readable) for n in x.blocks}
+    read = {
+        n for x in parts if isinstance(x, s.Spells) or (isinstance(x, s.Row | s.Stack) and x.readable) for n in x.blocks
+    }
     for part in parts:
         if isinstance(part, r.Facing) and part.block in read and (part.turn or part.toward != "up"):
-            raise refuse("contradiction", "a block of a word is read upright, and cannot be turned as well", part.span, "leave the turn out")
+            raise refuse(
+                "contradiction",
+                "a block of a word is read upright, and cannot be turned as well",
+                part.span,
+                "leave the turn out",
+            )
 
 
 def _clash(a: g.Goal, b: g.Goal) -> Exception:
@@ -36,7 +45,8 @@ def _clash(a: g.Goal, b: g.Goal) -> Exception:
     first, second = a.span or (0, 0), b.span or (0, 0)
     labels = ((first, "this"),) if first != second else ()
     return refuse(
-        "contradiction", "two parts of this cannot both hold at the end", second, "leave one of them out, or say 'then' if one comes after the other", labels=labels,
+        "contradiction", "two parts of this cannot both hold at the end", second,
+        "leave one of them out, or say 'then' if one comes after the other", labels=labels,
         clash=[sketch(a), sketch(b)],
     )  # fmt: skip
 
@@ -48,7 +58,7 @@ def _supports(parts: list[g.Goal]) -> list[tuple[str, str, Span | None]]:
             edges += [(a, b, part.span) for a in part.a for b in part.b]
         elif isinstance(part, s.Stack) and part.order.by == "given":
             ranks = part.order.ranks if part.order.first != "top" else part.order.ranks[::-1]
-            for lower, upper in zip(ranks, ranks[1:], strict=False):
+            for lower, upper in itertools.pairwise(ranks):
                 edges += [(a, b, part.span) for a in upper for b in lower]
     return edges
 
@@ -58,7 +68,8 @@ def _cycles(parts: list[g.Goal]) -> None:
     if cycle:
         spans = [span for span in cycle if span]
         raise refuse(
-            "support-cycle", "these blocks would have to lie on each other in a circle", spans[-1] if spans else None, "let one of them lie on the table",
+            "support-cycle", "these blocks would have to lie on each other in a circle", spans[-1] if spans else None,
+            "let one of them lie on the table",
             labels=tuple((span, "this") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]),
         )  # fmt: skip
 
@@ -73,8 +84,9 @@ def _direction_cycles(parts: list[g.Goal]) -> None:
         cycle = _find_cycle(edges)
         if cycle:
             spans = [span for span in cycle if span]
-            raise refuse("contradiction", "these places contradict each other", spans[-1] if spans else None, "leave one of them out",
-                         labels=tuple((span, "this") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]))  # fmt: skip
+            raise refuse("contradiction", "these places contradict each other", spans[-1] if spans else None,
+                "leave one of them out",
+                         labels=tuple((s_, "this") for s_ in dict.fromkeys(spans[:-1]) if s_ != spans[-1]))  # fmt: skip
 
 
 def _find_cycle(edges: list[tuple[str, str, Span | None]]) -> list[Span | None]:

@@ -18,7 +18,7 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
 
-PALETTE = tuple(c for c in COLORS if c not in ("black", "white", "gray", "brown")) + ("brown", "white", "black", "gray")
+PALETTE = (*tuple(c for c in COLORS if c not in ("black", "white", "gray", "brown")), "brown", "white", "black", "gray")
 
 Made = tuple[list[Built], list[g.Goal]]
 
@@ -56,19 +56,28 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if shape.kind == "rectangle" and shape.dims and shape.filled is not False and not spec.patterns and not spec.orders:
         return _rectangle(shape, spec, theme, scene, scope)
     if shape.kind in ("square", "rectangle") and shape.filled is not False:
-        square = shape.kind == "square" and count is not None and count % 4 and math.isqrt(count) ** 2 == count and count > 1
+        square = (
+            shape.kind == "square" and count is not None and count % 4 and math.isqrt(count) ** 2 == count and count > 1
+        )
         if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
             return grid(shape, spec, theme, scene, scope)
     sides, need = _outline(shape, count)
     names = members_of(shape, spec, theme, need, FEWEST[shape.kind], scene, scope)
     least = 4 if shape.kind in ("square", "circle", "rectangle") else 3
     if len(names) < least:
-        raise refuse("too-few", f"{len(names)} blocks do not show a {shape.kind}", shape.span, f"use {FEWEST[shape.kind]}", blocks=len(names))
+        raise refuse(
+            "too-few",
+            f"{len(names)} blocks do not show a {shape.kind}",
+            shape.span,
+            f"use {FEWEST[shape.kind]}",
+            blocks=len(names),
+        )
     pointing = _pointing(shape.kind, spec)
     filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
     pattern, readable = pattern_of(shape, spec, names, None, scene, scope)
     node = s.Figure(
-        blocks=names, shape=shape.kind, filled=filled, sides=sides, pointing=pointing, pattern=pattern, readable=readable, span=shape.span  # type: ignore[arg-type]
+        blocks=names, shape=shape.kind, filled=filled, sides=sides, pointing=pointing, pattern=pattern,
+        readable=readable, span=shape.span  # type: ignore[arg-type]
     )  # fmt: skip
     return _made(shape.kind, _fitting(node, shape, scene), names, shape.span, scene)
 
@@ -106,11 +115,18 @@ def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | Non
     if side is not None and shape.kind == "triangle":
         return (side, side), side * (side + 1) // 2 if shape.filled else 3 * side - 3
     if shape.kind == "square" and count is not None and count % 4:
-        raise refuse("count-mismatch", f"{count} blocks do not make the outline of a square", shape.span, f"use {count - count % 4} or {count + 4 - count % 4}", blocks=count)
+        raise refuse(
+            "count-mismatch",
+            f"{count} blocks do not make the outline of a square",
+            shape.span,
+            f"use {count - count % 4} or {count + 4 - count % 4}",
+            blocks=count,
+        )
     return None, count if count is not None else None
 
 
-_POINTERS = {"V": ("tip", "point", "apex", "corner", "base"), "triangle": ("tip", "point", "apex", "top"), "L": ("foot", "base"), "U": ("opening", "side", "end", "top"),
+_POINTERS = {"V": ("tip", "point", "apex", "corner", "base"), "triangle": ("tip", "point", "apex", "top"),
+    "L": ("foot", "base"), "U": ("opening", "side", "end", "top"),
              "T": ("stem", "tail", "base")}  # fmt: skip
 
 
@@ -123,8 +139,7 @@ def _pointing(kind: str, spec: Spec) -> str | None:
     if (
         kind not in _POINTERS
         or (word and word not in _POINTERS[kind])
-        or not word
-        and kind not in ("V", "triangle", "U")
+        or (not word and kind not in ("V", "triangle", "U"))
     ):
         raise refuse(
             "misplaced",
@@ -159,23 +174,41 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
 def _centred(
     centre: Absolute, shape: Structure, spec: Spec, theme: Ref | None, dims: tuple[int, int], scene: Scene, scope: Scope
 ) -> Made:
-    """"a 3x3 square of red blocks with a blue one in the center"."""
+    """ "a 3x3 square of red blocks with a blue one in the center"."""
     spec.absolutes.remove(centre)
     rows, columns = dims
     total = rows * columns
     if total % 2 == 0 or rows % 2 == 0:
-        raise refuse("misplaced", f"a {rows} by {columns} grid has no single middle cell", centre.span, "use odd numbers of rows and columns")
+        raise refuse(
+            "misplaced",
+            f"a {rows} by {columns} grid has no single middle cell",
+            centre.span,
+            "use odd numbers of rows and columns",
+        )
     others = members_of(shape, spec, theme, total - 1, total - 1, scene, scope)
     if len({(t.color, t.label) for t in (scene.things[n] for n in others)}) > 1:
-        raise refuse("ambiguous", "it is not said how the other blocks are laid out", shape.span, "use blocks of one colour around it")
+        raise refuse(
+            "ambiguous",
+            "it is not said how the other blocks are laid out",
+            shape.span,
+            "use blocks of one colour around it",
+        )
     for name in others:
         scene.things[name].scheme = scene.things[name].scheme or "same"
     middle = refer(centre.theme, scene, Scope()).names
     if len(middle) != 1 or middle[0] in others:
-        raise refuse("misplaced", "one further block goes in the middle", centre.span, "name one block of another colour")
+        raise refuse(
+            "misplaced", "one further block goes in the middle", centre.span, "name one block of another colour"
+        )
     half = len(others) // 2
     order = Order(by="given", ranks=(others[:half], middle, others[half:]))
-    node = s.Grid(blocks=(*others, *middle), rows=rows, columns=columns, pattern=Pattern(kind="reading", order=order), span=shape.span)
+    node = s.Grid(
+        blocks=(*others, *middle),
+        rows=rows,
+        columns=columns,
+        pattern=Pattern(kind="reading", order=order),
+        span=shape.span,
+    )
     return _made(shape.kind, node, node.blocks, shape.span, scene)
 
 
@@ -198,7 +231,9 @@ def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         return (rows, other, layers) if rows else (other, columns or 1, layers)
     if total is None:
         if shape.kind == "cube":
-            raise refuse("ambiguous", "the size of the cube is not said", shape.span, "say '2x2x2 cube' or '3x3x3 cube'")
+            raise refuse(
+                "ambiguous", "the size of the cube is not said", shape.span, "say '2x2x2 cube' or '3x3x3 cube'"
+            )
         scene.assume("the size of the grid is not said: 3 by 3")
         return 3, 3, 1
     return _fill(shape, total, scene)
@@ -209,20 +244,34 @@ def _fill(shape: Structure, total: int, scene: Scene) -> tuple[int, int, int]:
     if shape.kind == "cube":
         edge = round(total ** (1 / 3))
         if edge**3 != total:
-            raise refuse("count-mismatch", f"{total} blocks do not fill a cube", shape.span, "use 8 or 27", blocks=total)
+            raise refuse(
+                "count-mismatch", f"{total} blocks do not fill a cube", shape.span, "use 8 or 27", blocks=total
+            )
         return edge, edge, edge
     side = math.isqrt(total)
     if shape.kind in ("square", "checkerboard") and side * side != total:
-        raise refuse("count-mismatch", f"{total} blocks do not fill a square", shape.span, f"use {side * side} or {(side + 1) ** 2}", blocks=total)
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks do not fill a square",
+            shape.span,
+            f"use {side * side} or {(side + 1) ** 2}",
+            blocks=total,
+        )
     rows = next(r for r in range(side, 0, -1) if total % r == 0)
     if rows == 1 and total > 3:
-        raise refuse("count-mismatch", f"{total} blocks do not fill a grid of several rows", shape.span, f"use {total + 1}", blocks=total)
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks do not fill a grid of several rows",
+            shape.span,
+            f"use {total + 1}",
+            blocks=total,
+        )
     scene.assume(f"the shape of the grid is not said: {rows} by {total // rows}")
     return rows, total // rows, 1
 
 
 def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
-    """"a wall of six blocks", "a wall three wide and two high": one row, several layers."""
+    """ "a wall of six blocks", "a wall three wide and two high": one row, several layers."""
     _plain(shape)
     columns, layers = shape.extent("wide", "long", "columns"), shape.extent("high", "layers", "rows")
     if len(shape.dims) >= 2:
@@ -233,12 +282,20 @@ def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         layers = layers or (total // columns if columns else next((n for n in (2, 3) if total % n == 0), 1))
         columns = columns or total // layers
         if layers < 2 or columns * layers != total:
-            raise refuse("count-mismatch", f"{total} blocks do not fill a wall of several layers", shape.span, f"use {total + 1}", blocks=total)
+            raise refuse(
+                "count-mismatch",
+                f"{total} blocks do not fill a wall of several layers",
+                shape.span,
+                f"use {total + 1}",
+                blocks=total,
+            )
         scene.assume(f"the wall is {columns} blocks wide and {layers} high")
     need = columns * layers
     names = members_of(shape, spec, theme, need, need, scene, scope)
     pattern, readable = pattern_of(shape, spec, names, (1, columns, layers), scene, scope)
-    node = s.Grid(blocks=names, rows=1, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span)
+    node = s.Grid(
+        blocks=names, rows=1, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
+    )
     return _made("wall", node, names, shape.span, scene)
 
 
@@ -269,11 +326,21 @@ def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         size = math.isqrt(max(layers)) if square and len(layers) > 1 else max(layers)
     options = [(n, 1) for n in range(2, 8)] + [(n, n) for n in range(2, 5)]
     if total is not None:
-        fits = [b for b in options if pyramid_size(b) == total and (size is None or b[0] == size or (b[1] > 1 and b[0] * b[1] == size))]
+        fits = [
+            b
+            for b in options
+            if pyramid_size(b) == total and (size is None or b[0] == size or (b[1] > 1 and b[0] * b[1] == size))
+        ]
         if not fits:
             counts = sorted(pyramid_size(b) for b in options)
             near = sorted(counts, key=lambda c: (abs(c - total), c))[:2]
-            raise refuse("count-mismatch", f"{total} blocks do not make a pyramid", shape.span, f"use {near[0]} or {near[1]}", blocks=total)
+            raise refuse(
+                "count-mismatch",
+                f"{total} blocks do not make a pyramid",
+                shape.span,
+                f"use {near[0]} or {near[1]}",
+                blocks=total,
+            )
         scene.assume(f"the base of the pyramid is {fits[0][0]} by {fits[0][1]} blocks")
         return fits[0]
     if size is not None:
@@ -289,7 +356,7 @@ def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
 
 
 def _layers(spec: Spec) -> list[int]:
-    """"four blocks at the bottom and one on top": how many blocks each layer has."""
+    """ "four blocks at the bottom and one on top": how many blocks each layer has."""
     found: list[int] = []
     for item in list(spec.absolutes):
         at_ = item.adjuncts[0]

@@ -30,13 +30,24 @@ def members_of(
     count = need or (len(listed) if listed else None)
     if source is not None:
         source = _with_kind(source, implied_kind(spec), shape.traits)
-        named = refer(source, scene, Scope(start=scope.start, given=scope.start, need=count or default, role="member", share=count is not None))
+        named = refer(
+            source,
+            scene,
+            Scope(start=scope.start, given=scope.start, need=count or default, role="member", share=count is not None),
+        )
         _fix_parts(named)
         named = certain(named, scene)
         if shape.traits.colors and not {scene.things[n].color for n in named.names} <= set(shape.traits.colors):
-            raise refuse("contradiction", "the blocks have other colours than the structure", shape.span, "name one colour for both")
+            raise refuse(
+                "contradiction",
+                "the blocks have other colours than the structure",
+                shape.span,
+                "name one colour for both",
+            )
         spec.listed = spec.listed or named.listed
-        names = scene.fit(named.names, count or (default if all(scene.things[n].elastic for n in named.names) else None))
+        names = scene.fit(
+            named.names, count or (default if all(scene.things[n].elastic for n in named.names) else None)
+        )
         return _checked(names, need, shape.span, scene)
     if need is None and listed:
         whole = refer(Coord(op="and", items=listed, span=shape.span), scene, Scope(role="member"))
@@ -58,18 +69,27 @@ def members_of(
 def _agrees(shape: Structure, names: tuple[str, ...], scene: Scene) -> None:
     """What is said of a structure's blocks must hold of the blocks that are to form it."""
     if shape.members is not None:
-        raise refuse("misplaced", "two sets of blocks are named for one structure", shape.members.span, "name its blocks once")
+        raise refuse(
+            "misplaced", "two sets of blocks are named for one structure", shape.members.span, "name its blocks once"
+        )
     things = [scene.things[n] for n in names]
     colors = shape.traits.colors
     for thing in things:
         if colors and thing.color is None and thing.kind is None and len(colors) == 1:
             thing.color = colors[0]
     if colors and not {t.color for t in things} <= set(colors):
-        raise refuse("contradiction", "the blocks have other colours than the structure", shape.span, "name one colour for both")
+        raise refuse(
+            "contradiction", "the blocks have other colours than the structure", shape.span, "name one colour for both"
+        )
     if shape.traits.kind in ("letter", "digit") and any(t.kind not in (shape.traits.kind, "symbol") for t in things):
         open_ = [t for t in things if t.kind is None and t.color is None]
         if len(open_) < len(things):
-            raise refuse("contradiction", "the blocks do not show what the structure asks for", shape.span, "name letter or number blocks")
+            raise refuse(
+                "contradiction",
+                "the blocks do not show what the structure asks for",
+                shape.span,
+                "name letter or number blocks",
+            )
         for thing in open_:
             thing.kind = shape.traits.kind
 
@@ -83,7 +103,11 @@ def certain(ref: Ref, scene: Scene) -> Ref:
     if ref.quant is None:
         return ref
     things = [scene.things[n] for n in ref.names]
-    if ref.quant.low != ref.quant.high or ref.quant.low == 0 or len({(t.color, t.label, t.kind, t.size) for t in things}) > 1:
+    if (
+        ref.quant.low != ref.quant.high
+        or ref.quant.low == 0
+        or len({(t.color, t.label, t.kind, t.size) for t in things}) > 1
+    ):
         raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
     for thing in things:
         thing.scheme = thing.scheme or "same"
@@ -101,7 +125,11 @@ def _name_items(spec: Spec, whole: Ref) -> None:
     """The items of an order that brought its blocks into the task stand for just these."""
     for index, order in enumerate(spec.orders):
         if order.items:
-            spec.orders[index] = replace(order, by="given", items=tuple(Pronoun(word="=" + " ".join(part.names), span=order.span) for part in whole.parts))
+            spec.orders[index] = replace(
+                order,
+                by="given",
+                items=tuple(Pronoun(word="=" + " ".join(part.names), span=order.span) for part in whole.parts),
+            )
 
 
 def _order_items(spec: Spec) -> tuple[Meaning, ...]:
@@ -129,7 +157,8 @@ def _with_kind(source: Meaning, kind: str | None, traits: Traits) -> Meaning:
 def _checked(names: tuple[str, ...], need: int | None, span: Span, scene: Scene) -> tuple[str, ...]:
     if need is not None and len(names) != need:
         raise refuse(
-            "count-mismatch", f"this takes {need} blocks, but {len(names)} are named", span, f"name {need} blocks, or change the size",
+            "count-mismatch", f"this takes {need} blocks, but {len(names)} are named", span,
+            f"name {need} blocks, or change the size",
             needed=need, named=len(names),
         )  # fmt: skip
     return names
@@ -147,7 +176,12 @@ def _from_absolutes(spec: Spec, need: int | None, scene: Scene) -> tuple[str, ..
         if item not in inside:
             continue
         theme = item.theme
-        if isinstance(theme, Noun) and theme.traits.colors and any(scene.things[n].color in theme.traits.colors for n in names) and not theme.det == "the":
+        if (
+            isinstance(theme, Noun)
+            and theme.traits.colors
+            and any(scene.things[n].color in theme.traits.colors for n in names)
+            and theme.det != "the"
+        ):
             theme = replace(theme, det="another", amount=theme.amount or Amount(1, 1))
         found = refer(theme, scene, Scope(role="member")).names
         scene.mentions.pop()

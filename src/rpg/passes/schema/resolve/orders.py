@@ -1,4 +1,4 @@
-"""Orders of lines and stacks: from what was said to `Order`, labelling or colouring members where that was left open."""
+"""Orders of lines and stacks: from what was said to `Order`, with looks for members where they were left open."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
 
 OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
-SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"), "line": ("left", "right", "front", "back"),
+SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"),
+    "line": ("left", "right", "front", "back"),
          "column": ("front", "back", "left", "right")}  # fmt: skip
 MAX_ALTERNATIVES = 60
 
@@ -66,7 +67,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
 
 
 def _doubled(names: tuple[str, ...], scene: Scene) -> bool:
-    """"black, white, white, black": a list that names a look twice, not side by side, is meant as an order."""
+    """ "black, white, white, black": a list that names a look twice, not side by side, is meant as an order."""
     looks = [(scene.things[n].color, scene.things[n].label) for n in names]
     runs = [look for i, look in enumerate(looks) if i == 0 or looks[i - 1] != look]
     return len(set(runs)) < len(runs)
@@ -82,7 +83,10 @@ def alternatives(order: Order, scene: Scene) -> list[Order]:
     if len(free) < 2:
         return [order]
     pool = [n for index in free for n in order.ranks[index]]
-    if len({(t.color, t.label, t.size, t.kind) for t in (scene.things[n] for n in pool)}) == 1 and scene.things[pool[0]].color:
+    if (
+        len({(t.color, t.label, t.size, t.kind) for t in (scene.things[n] for n in pool)}) == 1
+        and scene.things[pool[0]].color
+    ):
         return [order]
     found = []
     for shares in _share_out(tuple(pool), [len(order.ranks[index]) for index in free]):
@@ -166,7 +170,8 @@ def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scop
     missing = [n for n in names if n not in listed]
     if missing or len(set(listed)) != len(listed):
         raise refuse(
-            "count-mismatch", f"the order lists {len(set(listed))} of {len(names)} blocks", order.span, "list every block once",
+            "count-mismatch", f"the order lists {len(set(listed))} of {len(names)} blocks", order.span,
+            "list every block once",
             listed=len(set(listed)), blocks=len(names),
         )  # fmt: skip
     if first is None:
@@ -331,10 +336,14 @@ def _positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scop
         else:
             indices = _indices(at_, total, len(found), sides, kind)
         if set(found) >= set(names) or any(not 0 <= i < total for i in indices):
-            raise refuse("contradiction", "so many blocks have no room there", item.span, "name fewer blocks", blocks=total)
+            raise refuse(
+                "contradiction", "so many blocks have no room there", item.span, "name fewer blocks", blocks=total
+            )
         for index, name in zip(indices, found, strict=False):
             if index in places and places[index] != (name,):
-                raise refuse("contradiction", "two blocks are given the same place", item.span, "give each a place of its own")
+                raise refuse(
+                    "contradiction", "two blocks are given the same place", item.span, "give each a place of its own"
+                )
             places[index] = (name,)
         last = max(indices) if sides[0] not in ("top",) else None
         spec.absolutes.remove(item)

@@ -8,7 +8,8 @@ from rpg.passes.schema.meaning import Noun, Pronoun
 from rpg.passes.schema.resolve.world import Mention, Ref, Scene, Scope, refuse
 
 _EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
-_REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two", "everything else", "the remaining ones", "the remainder", "all others",
+_REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two", "everything else",
+    "the remaining ones", "the remainder", "all others",
                    "all the others", "all the rest"})  # fmt: skip
 _OTHER = frozenset({"the other one", "the other", "the second one", "another"})
 
@@ -87,7 +88,11 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
 
 
 def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
-    own = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme"] if scope.role == "landmark" else []
+    own = (
+        [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
+        if scope.role == "landmark"
+        else []
+    )
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     for mention in reversed(scene.mentions):
         if before and mention in own:
@@ -134,7 +139,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         n
         for m in scene.mentions
         for n in m.ref.names
-        if len(m.ref.names) == 1 or m.ref.quant is None and _partial(m, scene)
+        if len(m.ref.names) == 1 or (m.ref.quant is None and _partial(m, scene))
     }
     taken |= scene.used
     if scene.whole and not noun.traits.colors:

@@ -48,7 +48,11 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     parts: list[Ref] = []
     seen: list[Traits] = []
     last = meaning.items[-1]
-    if isinstance(last, Noun) and last.head == "patch" and all(isinstance(x, Noun) and x.head in ("patch", "any") for x in meaning.items):
+    if (
+        isinstance(last, Noun)
+        and last.head == "patch"
+        and all(isinstance(x, Noun) and x.head in ("patch", "any") for x in meaning.items)
+    ):
         scope = replace(scope, like_patch=True)
     for item in meaning.items:
         if isinstance(item, Noun) and _repeats(item, seen, scene):
@@ -56,33 +60,57 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         if isinstance(item, Noun):
             seen.append(item.traits)
             if item.det == "each" and item.part_of is not None:
-                raise refuse("ambiguous", "it is not clear what belongs to 'each'", item.span, "say it in two sentences")
+                raise refuse(
+                    "ambiguous", "it is not clear what belongs to 'each'", item.span, "say it in two sentences"
+                )
         parts.append(refer(item, scene, scope))
         scene.mentions.pop()
         if parts[-1].table:
             raise refuse("misplaced", "the table is no block", parts[-1].span)
     if len({part.patch for part in parts}) > 1:
-        raise refuse("misplaced", "blocks and patches are listed together here", meaning.span, "name them in clauses of their own")
+        raise refuse(
+            "misplaced",
+            "blocks and patches are listed together here",
+            meaning.span,
+            "name them in clauses of their own",
+        )
     names = tuple(dict.fromkeys(n for part in parts for n in part.names))
     built = tuple(b for part in parts for b in part.built)
     single = all(len(part.names) == 1 or part.listed for part in parts)
-    return Ref(names=names, patch=parts[0].patch, built=built, op=meaning.op, parts=tuple(parts), plural=True, span=meaning.span, listed=single)
+    return Ref(
+        names=names,
+        patch=parts[0].patch,
+        built=built,
+        op=meaning.op,
+        parts=tuple(parts),
+        plural=True,
+        span=meaning.span,
+        listed=single,
+    )
 
 
 def _repeats(item: Noun, seen: list[Traits], scene: Scene) -> bool:
-    """"red, yellow, yellow, red": the second of the same kind in a list is another block."""
-    return item.traits in seen and not item.plural and item.det in ("bare", "a") and item.amount in (None, Amount(1, 1)) and bool(item.traits.colors)
+    """ "red, yellow, yellow, red": the second of the same kind in a list is another block."""
+    return (
+        item.traits in seen
+        and not item.plural
+        and item.det in ("bare", "a")
+        and item.amount in (None, Amount(1, 1))
+        and bool(item.traits.colors)
+    )
 
 
 def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
-    """"all blocks except the red one", "the red but not the blue block"."""
+    """ "all blocks except the red one", "the red but not the blue block"."""
     out = refer(meaning.items[-1], scene, scope)
     whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
     del scene.mentions[-len(meaning.items) :]
     names = tuple(dict.fromkeys(n for part in whole for n in part.names if n not in out.names))
     if not names:
         raise refuse("no-referent", "no block is left to speak of", meaning.span)
-    return Ref(names=names, patch=whole[0].patch, op="except", parts=(Ref(names=names), out), plural=True, span=meaning.span)
+    return Ref(
+        names=names, patch=whole[0].patch, op="except", parts=(Ref(names=names), out), plural=True, span=meaning.span
+    )
 
 
 def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
@@ -104,12 +132,17 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     patch = _is_patch(noun, scene, scope)
     if patch and noun.traits.matching:
         return Ref(patch=True, matching=True, plural=noun.plural, det=noun.det)
-    if noun.det in ("other",) or noun.det == "another" and noun.amount is None:
+    if noun.det in ("other",) or (noun.det == "another" and noun.amount is None):
         return others(noun, scene, scope, patch)
     if len(noun.traits.labels) > 1 or (len(noun.traits.colors) > 1 and not noun.traits.either):
         return _listed(noun, scene, scope, patch)
     if noun.det == "no" and noun.traits == Traits() and noun.head == "block":
-        return Ref(names=tuple(t.name for t in scene.blocks() if not t.extra), quant=Amount(0, 0, True), plural=True, everything=True)
+        return Ref(
+            names=tuple(t.name for t in scene.blocks() if not t.extra),
+            quant=Amount(0, 0, True),
+            plural=True,
+            everything=True,
+        )
     if noun.traits.either:
         return _alternatives(noun, scene, scope, patch)
     names = _counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
@@ -120,13 +153,18 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 
 def _counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
-    """"at most one white block" counts all the white blocks there are."""
+    """ "at most one white block" counts all the white blocks there are."""
     amount = noun.amount
     if amount is None or not amount.strict or noun.det not in ("bare", "some"):
         return ()
     there = [t for t in matching(noun.traits, scene, patch) if t.declared]
     if amount.low == 0 and len(there) <= (amount.high or 0):
-        raise refuse("ambiguous", "it is not said how many such blocks there are", noun.span, "say for example 'at most one of the three white blocks'")
+        raise refuse(
+            "ambiguous",
+            "it is not said how many such blocks there are",
+            noun.span,
+            "say for example 'at most one of the three white blocks'",
+        )
     return tuple(t.name for t in there) if len(there) > amount.low else ()
 
 
@@ -151,7 +189,7 @@ def _quantified(found: Ref, noun: Noun) -> Ref:
 
 
 def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
-    """"two of the four red blocks", "none of them"."""
+    """ "two of the four red blocks", "none of them"."""
     whole = refer(noun.part_of, scene, scope) if noun.part_of else Ref()
     scene.mentions.pop()
     amount = noun.amount
@@ -191,9 +229,22 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
     free = [n for n in whole.names if n not in scene.parted]
     things = [scene.things[n] for n in free]
     if not _alike(things) and any(t.color or t.label for t in things):
-        raise refuse("ambiguous", f"it is not said which of {len(free)} different blocks are meant", noun.span, "name the blocks", blocks=len(free))
+        raise refuse(
+            "ambiguous",
+            f"it is not said which of {len(free)} different blocks are meant",
+            noun.span,
+            "name the blocks",
+            blocks=len(free),
+        )
     if len(free) < count:
-        raise refuse("too-many-asked", f"{count} are asked for, but only {len(free)} are left", noun.span, f"ask for at most {len(free)}", asked=count, there=len(free))
+        raise refuse(
+            "too-many-asked",
+            f"{count} are asked for, but only {len(free)} are left",
+            noun.span,
+            f"ask for at most {len(free)}",
+            asked=count,
+            there=len(free),
+        )
     for thing in things:
         thing.scheme = thing.scheme or "same"
     scene.parted.update(free[:count])
@@ -217,7 +268,7 @@ def _extras(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 
 def _listed(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
-    """"blocks A, B and C"; "red, green and blue blocks": one phrase per member."""
+    """ "blocks A, B and C"; "red, green and blue blocks": one phrase per member."""
     count = noun.amount.low if noun.amount else None
     labels = noun.traits.labels
     if noun.traits.open_ended:
@@ -231,32 +282,62 @@ def _listed(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         if share is not None and share > 1:
             one = replace(noun, traits=traits, amount=Amount(share, share), plural=True, det="the" if have else "bare")
         else:
-            one = replace(noun, traits=traits, amount=None, plural=noun.det == "all" and len(have) > 1, det="a" if noun.det == "a" else "the")
-        if (key == "labels" and value in [scene.things[n].label for n in names]) or (key == "colors" and value in [scene.things[n].color for n in names]):
+            one = replace(
+                noun,
+                traits=traits,
+                amount=None,
+                plural=noun.det == "all" and len(have) > 1,
+                det="a" if noun.det == "a" else "the",
+            )
+        if (key == "labels" and value in [scene.things[n].label for n in names]) or (
+            key == "colors" and value in [scene.things[n].color for n in names]
+        ):
             names.append(create(traits, scene, patch).name)
         elif key == "colors" and noun.plural and len(have) > 1 and share in (None, 1):
             names += [t.name for t in have]
         else:
             names += [n for n in select(one, scene, scope, patch) if n not in names]
-    found = Ref(names=tuple(names), patch=patch, det=noun.det, plural=True, each=noun.det == "each", listed=len(names) == len(values))
+    found = Ref(
+        names=tuple(names),
+        patch=patch,
+        det=noun.det,
+        plural=True,
+        each=noun.det == "each",
+        listed=len(names) == len(values),
+    )
     return _quantified(found, replace(noun, amount=None) if noun.det not in ("no", "any") else noun)
 
 
 def _shares(noun: Noun, scope: Scope, values: int, count: int | None) -> list[int | None]:
     """How many blocks each listed value has."""
     total = count
-    if count is None and scope.share and scope.need is not None and scope.need > values and noun.plural and noun.traits.colors:
+    if (
+        count is None
+        and scope.share
+        and scope.need is not None
+        and scope.need > values
+        and noun.plural
+        and noun.traits.colors
+    ):
         total = scope.need
     if total is None or total == values:
         each = scope.need_each if scope.need_each > 1 and not noun.traits.labels else None
         return [each] * values
     if total < values or (total % values and values != 2) or noun.traits.labels:
         raise refuse(
-            "count-mismatch", f"{total} are asked for, but {values} are listed", noun.span, f"say {values}, or say how many of each",
+            "count-mismatch", f"{total} are asked for, but {values} are listed", noun.span,
+            f"say {values}, or say how many of each",
             asked=total, listed=values,
         )  # fmt: skip
     if total % values and count is not None:
-        raise refuse("count-mismatch", f"{total} blocks cannot be shared evenly by {values} colours", noun.span, "say how many of each", asked=total, listed=values)
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks cannot be shared evenly by {values} colours",
+            noun.span,
+            "say how many of each",
+            asked=total,
+            listed=values,
+        )
     return [total // values + (1 if index < total % values else 0) for index in range(values)]
 
 
@@ -271,7 +352,9 @@ def continued(labels: tuple[str, ...], count: int | None) -> tuple[str, ...]:
 def _alternatives(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     parts = []
     for color in noun.traits.colors:
-        one = replace(noun, traits=replace(noun.traits, colors=(color,), either=False), plural=noun.plural and noun.head != "any")
+        one = replace(
+            noun, traits=replace(noun.traits, colors=(color,), either=False), plural=noun.plural and noun.head != "any"
+        )
         parts.append(Ref(names=select(one, scene, scope, patch), patch=patch, span=noun.span))
     names = tuple(n for part in parts for n in part.names)
     return Ref(names=names, patch=patch, op="or", parts=tuple(parts), plural=True)
@@ -331,7 +414,8 @@ def create(traits: Traits, scene: Scene, patch: bool) -> Thing:
         kind = "digit" if traits.quality in ("even", "odd") else "letter"
     return scene.fresh(
         patch=patch, color=traits.colors[0] if traits.colors else None, label=label, kind=kind, quality=traits.quality,
-        edge=traits.edge if not patch else None, size=traits.size, shape=traits.shape if patch else None, long=traits.long,
+        edge=traits.edge if not patch else None, size=traits.size, shape=traits.shape if patch else None,
+        long=traits.long,
         extent=(traits.edge, traits.edge) if patch and traits.edge else None, scheme=traits.scheme,
     )  # fmt: skip
 
@@ -348,7 +432,12 @@ def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ..
     if scope.pool and not patch:
         inside = [t for t in found if t.name in scope.pool]
         found = inside or found
-    if noun.traits.scheme in ("same", "different") and found and noun.det in ("the", "bare", "all") and noun.amount is None:
+    if (
+        noun.traits.scheme in ("same", "different")
+        and found
+        and noun.det in ("the", "bare", "all")
+        and noun.amount is None
+    ):
         colors = {t.color for t in found}
         if None in colors or len(colors) != (1 if noun.traits.scheme == "same" else len(found)):
             raise refuse("ambiguous", "it is not clear which of the blocks are meant", noun.span, "name their colours")
@@ -366,7 +455,11 @@ def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ..
 def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
     count = wanted(noun, scene, scope, patch)
     free = [t for t in found if t.name not in scene.used and (t.declared or t.name in scope.pool)]
-    if noun.det == "another" and scene.parted and (left := [t for t in found if t.declared and t.name not in scene.parted | scene.used]):
+    if (
+        noun.det == "another"
+        and scene.parted
+        and (left := [t for t in found if t.declared and t.name not in scene.parted | scene.used])
+    ):
         scene.parted.add(left[0].name)
         return (left[0].name,)
     if noun.det != "another" and not scope.given and len(free) >= count:
@@ -413,7 +506,7 @@ def open_to(thing: Thing, traits: Traits) -> bool:
         return False
     if traits.colors and (thing.color is not None or thing.label is not None):
         return False
-    if traits.labels and (thing.label is not None or thing.color is not None and thing.kind is None):
+    if traits.labels and (thing.label is not None or (thing.color is not None and thing.kind is None)):
         return False
     return bool(traits.colors or traits.labels or traits.size)
 
@@ -488,7 +581,11 @@ def wanted(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> int:
 
 def is_open(noun: Noun) -> bool:
     """Whether a phrase leaves the number of its objects open."""
-    return noun.amount is None and not (not noun.plural and noun.det in ("a", "the", "bare", "another", "its")) and noun.det != "both"
+    return (
+        noun.amount is None
+        and not (not noun.plural and noun.det in ("a", "the", "bare", "another", "its"))
+        and noun.det != "both"
+    )
 
 
 def elastic(things: list[Thing], noun: Noun, patch: bool) -> list[Thing]:

@@ -82,7 +82,10 @@ def spread(theme: Ref, atom: Callable[[Operand], g.Goal], span: Span, together: 
         return conj(negation([spread(part, atom, span) for part in theme.parts], span), span)
     if theme.op == "xor":
         parts = [spread(part, atom, span, together) for part in theme.parts]
-        return g.All(goals=(g.Any(goals=tuple(parts), span=span), g.Not(goal=g.All(goals=tuple(parts), span=span), span=span)), span=span)
+        return g.All(
+            goals=(g.Any(goals=tuple(parts), span=span), g.Not(goal=g.All(goals=tuple(parts), span=span), span=span)),
+            span=span,
+        )
     if theme.op == "or":
         return disj([spread(part, atom, span, together) for part in theme.parts], span)
     if theme.built and len(theme.built) == 1 and not theme.each:
@@ -124,14 +127,26 @@ def crown(ref: Ref) -> Operand:
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
-    if isinstance(loc.landmark, Pronoun) and loc.landmark.word in ("another", "any other", "any other one", "any of the others") and len(theme.names) > 1:
+    if (
+        isinstance(loc.landmark, Pronoun)
+        and loc.landmark.word in ("another", "any other", "any other one", "any of the others")
+        and len(theme.names) > 1
+    ):
         return reciprocal(theme, loc, span)
-    if theme.everything and isinstance(loc.landmark, Noun) and loc.landmark.det in ("another", "any", "other") and not loc.landmark.traits.colors and len(theme.names) > 1:
+    if (
+        theme.everything
+        and isinstance(loc.landmark, Noun)
+        and loc.landmark.det in ("another", "any", "other")
+        and not loc.landmark.traits.colors
+        and len(theme.names) > 1
+    ):
         return reciprocal(theme, loc, span)
     like = scope.like_patch or (scene.last_landmark_patch and loc.rel in ("on", "in"))
     if (found := _any_of_them(theme, loc, scene)) is not None:
         units = [Ref(names=(n,)) for n in theme.names]
-        return [conj([disj([_relate(one, Ref(names=(m,)), loc, scene, span) for m in found], span) for one in units], span)]
+        return [
+            conj([disj([_relate(one, Ref(names=(m,)), loc, scene, span) for m in found], span) for one in units], span)
+        ]
     mark = refer(
         loc.landmark,
         scene,
@@ -141,9 +156,16 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
 
 
 def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
-    """"every red block is beside a blue one": any of the blue ones, for each of the red."""
+    """ "every red block is beside a blue one": any of the blue ones, for each of the red."""
     mark = loc.landmark
-    if not isinstance(mark, Noun) or mark.det != "a" or mark.head == "patch" or len(theme.names) < 2 or theme.built or theme.quant is not None:
+    if (
+        not isinstance(mark, Noun)
+        or mark.det != "a"
+        or mark.head == "patch"
+        or len(theme.names) < 2
+        or theme.built
+        or theme.quant is not None
+    ):
         return None
     there = [t.name for t in matching(mark.traits, scene, False) if t.declared]
     return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *_LEVEL, "on") else None
@@ -159,7 +181,13 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [_table(theme, loc, scene, span)]
     if loc.rel in ("between", "sandwiched"):
         return [_between(theme, mark, loc, scene, span)]
-    if theme.quant is not None and theme.quant.high == 0 and theme.everything and loc.rel in ("on", "above") and not mark.patch:
+    if (
+        theme.quant is not None
+        and theme.quant.high == 0
+        and theme.everything
+        and loc.rel in ("on", "above")
+        and not mark.patch
+    ):
         return [r.Clear(a=crown(mark), span=span)]
     if theme.everything and theme.quant is not None and mark.patch and loc.rel in ("on", "above", "in"):
         return [r.Empty(patch=p, span=span) for p in mark.names]
@@ -246,7 +274,7 @@ def _beside_foot(theme: Ref, mark: Ref, scene: Scene) -> Operand:
 def _vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     if loc.rel == "under":
         return _under(theme, mark, loc, scene, span)
-    if loc.rel == "above" and not ({"directly", "immediate"} & set(loc.mods)) or "somewhere" in loc.mods:
+    if (loc.rel == "above" and not ({"directly", "immediate"} & set(loc.mods))) or "somewhere" in loc.mods:
         b = crown(mark) if mark.built else mark.names
         return spread(theme, lambda a: r.Above(a=a, b=b, span=span), span)
     if theme.quant is None and theme.op == "and" and len(theme.names) > 1 and len(mark.names) == 1 and not theme.built:
@@ -284,7 +312,7 @@ def _on_operand(a: Operand, b: Operand, scene: Scene, span: Span) -> g.Goal:
 def _several_on_one(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     """ "stack the green and the yellow block on the red one": a tower on it in the order named, if it says so."""
     raise refuse(
-        "ambiguous", "several blocks on one: this could be a tower in the order named, or all of them side by side on it", span,
+        "ambiguous", "several blocks on one: a tower of them in the order named, or all side by side on it?", span,
         "say which block goes on which",
     )  # fmt: skip
 
@@ -302,7 +330,7 @@ def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     direct = {"directly", "immediate"} & set(loc.mods)
     lower = crown(theme) if theme.built else theme.names
     upper: Operand = foot(mark) if mark.built else mark.names
-    if len(theme.names) > 1 and not theme.built or len(mark.names) > 1 and not mark.built:
+    if (len(theme.names) > 1 and not theme.built) or (len(mark.names) > 1 and not mark.built):
         parts = [r.Above(a=(b,), b=(a,), span=span) for a in theme.names for b in mark.names]
         return conj(parts, span)
     if direct:
@@ -316,12 +344,15 @@ def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g
     node = DIRECTIONS[loc.rel]
     b = foot(mark)
     flags = {
-        "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods, "somewhere": "somewhere" in loc.mods,
+        "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods,
+        "somewhere": "somewhere" in loc.mods,
     }  # fmt: skip
     if theme.quant is not None or theme.op == "or":
         goal = spread(theme, lambda a: node(a=a, b=b, span=span, **flags), span)
     else:
-        goal = node(a=_carrier(foot(theme), theme, scene), b=b if mark.patch else _carrier(b, mark, scene), span=span, **flags)
+        goal = node(
+            a=_carrier(foot(theme), theme, scene), b=b if mark.patch else _carrier(b, mark, scene), span=span, **flags
+        )
     if loc.low is not None or loc.high is not None:
         near = r.Distance(a=foot(theme), b=b, minimum=loc.low, maximum=loc.high, span=span)
         return conj([goal, near], span)
@@ -345,7 +376,12 @@ def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
         )
     if theme.built or theme.patch:
         return g.All(goals=())
-    if theme.quant is None and theme.op == "and" and any(scene.on_clause.get(n) == scene.clause for n in theme.names) and loc.rel == "on":
+    if (
+        theme.quant is None
+        and theme.op == "and"
+        and any(scene.on_clause.get(n) == scene.clause for n in theme.names)
+        and loc.rel == "on"
+    ):
         names = tuple(n for n in theme.names if n not in scene.on_top)
         lower = {base_of(n, scene) for n in theme.names}
         theme = Ref(names=tuple(dict.fromkeys((*names, *sorted(lower)))))
@@ -373,12 +409,18 @@ def _on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     patches = mark.names
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
-    if mark.op == "or" or mark.quant is not None and mark.quant.low == 1:
+    if mark.op == "or" or (mark.quant is not None and mark.quant.low == 1):
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
     if mark.each and theme.det in ("a", "bare", "some") and theme.quant is None and not theme.built:
-        return conj([r.OnPatch(a=names, patch=p, span=span) for names, p in zip(_one_lot_each(theme, len(patches), scene), patches, strict=True)], span)
+        return conj(
+            [
+                r.OnPatch(a=names, patch=p, span=span)
+                for names, p in zip(_one_lot_each(theme, len(patches), scene), patches, strict=True)
+            ],
+            span,
+        )
     units = theme.built if len(theme.built) == len(patches) else ()
     if units:
         return conj(
@@ -391,7 +433,7 @@ def _on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
 
 
 def _one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
-    """"two blocks on each patch": as many again for every further patch."""
+    """ "two blocks on each patch": as many again for every further patch."""
     made = [theme.names]
     for _ in range(lots - 1):
         more = []
@@ -484,7 +526,12 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
     names = theme.names
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
-    if theme.quant is not None and theme.quant.high == 0 and len(names) > 1 and loc.rel in ("on", "above", "heaped", "under"):
+    if (
+        theme.quant is not None
+        and theme.quant.high == 0
+        and len(names) > 1
+        and loc.rel in ("on", "above", "heaped", "under")
+    ):
         return [g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span) for a in names for b in names if a != b]
     if theme.quant is not None and theme.quant.high == 0 and len(names) > 1:
         inside = [replace(theme, names=pair, quant=None, built=(), parts=()) for pair in combinations(names, 2)]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -67,7 +69,12 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
     if kind == "row" and node.axis == "x":
         order = order.model_copy(update={"first": "front"})
-    fixed = either([node.model_copy(update={"order": o, **({"axis": node.axis or "y"} if kind == "row" else {})}) for o in alternatives(order, scene)])
+    fixed = either(
+        [
+            node.model_copy(update={"order": o, **({"axis": node.axis or "y"} if kind == "row" else {})})
+            for o in alternatives(order, scene)
+        ]
+    )
     return transform(goal, lambda x: fixed if x == node else x)
 
 
@@ -104,7 +111,7 @@ def _across(loose: list[Loose]) -> g.Goal:
     sides = {item[1].side for item in loose if isinstance(item[1], At)}
     node: type[r.Directional] = r.InFrontOf if sides & {"front", "back"} else r.LeftOf
     goals: list[g.Goal] = []
-    for (a, _, span), (b, _, _) in zip(ranked, ranked[1:], strict=False):
+    for (a, _, span), (b, _, _) in itertools.pairwise(ranked):
         goals.append(node(a=a.names, b=b.names, span=span))
     return conj(goals)
 

@@ -56,7 +56,8 @@ class Spec:
 
 
 _KINDS: dict[type, str] = {
-    OrderBy: "orders", Toward: "toward", At: "ats", Absolute: "absolutes", Using: "usings", Pattern: "patterns", Spacing: "spacings",
+    OrderBy: "orders", Toward: "toward", At: "ats", Absolute: "absolutes", Using: "usings", Pattern: "patterns",
+    Spacing: "spacings",
     Size: "sizes", Manner: "manners", Loc: "places", In: "places", Into: "intos", That: "thats", Quality: "qualities",
 }  # fmt: skip
 

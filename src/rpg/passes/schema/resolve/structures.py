@@ -30,7 +30,9 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=names, built=tuple(known), plural=len(known) > 1, each=shape.det == "each")
     spec = Spec()
     built, goals = make(shape, spec, None, scene, scope)
-    ref = Ref(names=tuple(dict.fromkeys(n for b in built for n in b.members)), built=tuple(built), plural=len(built) > 1)
+    ref = Ref(
+        names=tuple(dict.fromkeys(n for b in built for n in b.members)), built=tuple(built), plural=len(built) > 1
+    )
     if spec.absolutes:
         from rpg.passes.schema.resolve.clauses import absolutes
 
@@ -71,11 +73,19 @@ def _known(shape: Structure, scene: Scene) -> list[Built]:
 
 def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Build a structure (or several) from `theme`, its own members, or new blocks."""
-    shape = replace(shape, sizes=(*shape.sizes, *spec.sizes), dims=shape.dims or next((z.dims for z in (*shape.sizes, *spec.sizes) if z.what == "dims"), ()))
+    shape = replace(
+        shape,
+        sizes=(*shape.sizes, *spec.sizes),
+        dims=shape.dims or next((z.dims for z in (*shape.sizes, *spec.sizes) if z.what == "dims"), ()),
+    )
     spec.sizes = []
     if shape.details:
         inner = sort_adjuncts(shape.details)
-        spec.orders, spec.spacings, spec.patterns = [*inner.orders, *spec.orders], [*inner.spacings, *spec.spacings], [*inner.patterns, *spec.patterns]
+        spec.orders, spec.spacings, spec.patterns = (
+            [*inner.orders, *spec.orders],
+            [*inner.spacings, *spec.spacings],
+            [*inner.patterns, *spec.patterns],
+        )
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     _known_sizes(shape)
@@ -88,11 +98,16 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
 
 
 _SIZES = {
-    "stack": {"size", "high", "layers"}, "row": {"size", "long", "columns", "wide"}, "line": {"size", "long", "columns", "wide"}, "column": {"size", "long", "columns"},
-    "grid": {"size", "rows", "columns", "layers", "high", "wide", "long", "deep", "side", "dims"}, "wall": {"size", "wide", "long", "columns", "high", "layers", "rows", "dims"},
-    "pyramid": {"size", "base", "layers", "high", "dims"}, "staircase": {"size", "steps", "high", "layers"}, "cube": {"dims", "side", "size"},
-    "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep"}, "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
-    "triangle": {"size", "side"}, "circle": {"size"}, "checkerboard": {"dims", "rows", "columns", "size", "side"}, "gradient": {"size", "long"}, "word": {"size"},
+    "stack": {"size", "high", "layers"}, "row": {"size", "long", "columns", "wide"},
+    "line": {"size", "long", "columns", "wide"}, "column": {"size", "long", "columns"},
+    "grid": {"size", "rows", "columns", "layers", "high", "wide", "long", "deep", "side", "dims"},
+    "wall": {"size", "wide", "long", "columns", "high", "layers", "rows", "dims"},
+    "pyramid": {"size", "base", "layers", "high", "dims"}, "staircase": {"size", "steps", "high", "layers"},
+    "cube": {"dims", "side", "size"},
+    "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep"},
+    "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
+    "triangle": {"size", "side"}, "circle": {"size"}, "checkerboard": {"dims", "rows", "columns", "size", "side"},
+    "gradient": {"size", "long"}, "word": {"size"},
 }  # fmt: skip
 
 
@@ -130,22 +145,53 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         raise refuse("ambiguous", "the height of the tower is left open", shape.span, "say one number, or 'at least'")
     if least and theme is not None:
         theme = replace(theme, names=_alike(theme, shape, scene)[: shape.size.low if shape.size else 2])
-    if theme is not None and need is not None and theme.names and len(theme.names) > need and not any(scene.things[n].elastic for n in theme.names):
+    if (
+        theme is not None
+        and need is not None
+        and theme.names
+        and len(theme.names) > need
+        and not any(scene.things[n].elastic for n in theme.names)
+    ):
         theme = replace(theme, names=_alike(theme, shape, scene)[:need])
-    names = members_of(shape, spec, theme, need if not least else shape.size.low if shape.size else None, amount_of(shape.members) or 3, scene, scope)
+    names = members_of(
+        shape,
+        spec,
+        theme,
+        need if not least else shape.size.low if shape.size else None,
+        amount_of(shape.members) or 3,
+        scene,
+        scope,
+    )
     if len(names) < 2:
         raise refuse("too-few", "a lone block is no tower", shape.span, "name at least two blocks", blocks=len(names))
     order = order_of(spec, names, "stack", scene, scope, shape.span)
-    counted = need is not None or source is None and theme is None or isinstance(source, Noun) and source.det in ("bare", "a", "some")
-    nodes = [s.Stack(blocks=names, order=o, exact=counted and not least, readable=o.by in ("label", "number"), span=shape.span) for o in alternatives(order, scene)]
-    return [stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, shape.span)], [either(nodes)]
+    counted = (
+        need is not None
+        or (source is None and theme is None)
+        or (isinstance(source, Noun) and source.det in ("bare", "a", "some"))
+    )
+    nodes = [
+        s.Stack(
+            blocks=names, order=o, exact=counted and not least, readable=o.by in ("label", "number"), span=shape.span
+        )
+        for o in alternatives(order, scene)
+    ]
+    return [stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, shape.span)], [
+        either(nodes)
+    ]
 
 
 def _alike(theme: Ref, shape: Structure, scene: Scene) -> tuple[str, ...]:
     """Blocks of which some are to be chosen must look alike, so that it does not matter which."""
     looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in theme.names)}
     if len(looks) > 1 or theme.quant is not None:
-        raise refuse("count-mismatch", f"it is not said which of {len(theme.names)} different blocks are used", shape.span, "name the blocks", blocks=len(theme.names))
+        raise refuse(
+            "count-mismatch",
+            f"it is not said which of {len(theme.names)} different blocks are used",
+            shape.span,
+            "name the blocks",
+            blocks=len(theme.names),
+        )
     for name in theme.names:
         scene.things[name].scheme = scene.things[name].scheme or "same"
         scene.spare.add(name)
@@ -184,19 +230,20 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         raise refuse(
             "ambiguous", "it is not said which blocks go into which row", shape.span, "say how many blocks each row has"
         )
-    if any(t.axis == "z" for t in spec.toward):
-        if shape.kind == "line" or shape.kind == "column":
-            return _stack(replace(shape, kind="stack"), spec, theme, scene, scope)
+    if any(t.axis == "z" for t in spec.toward) and (shape.kind == "line" or shape.kind == "column"):
+        return _stack(replace(shape, kind="stack"), spec, theme, scene, scope)
     names = members_of(shape, spec, theme, exact_size(shape), amount_of(shape.members) or 4, scene, scope)
     if len(names) < 2:
         raise refuse("too-few", "one block is no line", shape.span, "name at least two blocks", blocks=len(names))
     node = row_node(names, shape.kind, spec, scene, scope, shape.span, shape.upright is False)
     nodes = [node.model_copy(update={"order": o}) for o in alternatives(node.order, scene)]
-    return [row_built(node, shape.kind, scene) if len(nodes) == 1 else scene.add_built(shape.kind, names, False, shape.span)], [either(nodes)]
+    return [
+        row_built(node, shape.kind, scene) if len(nodes) == 1 else scene.add_built(shape.kind, names, False, shape.span)
+    ], [either(nodes)]
 
 
 def _gradient(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
-    """"a colour gradient": a line in the order of the rainbow."""
+    """ "a colour gradient": a line in the order of the rainbow."""
     spec.orders = [OrderBy(by="rainbow", span=shape.span), *[o for o in spec.orders if o.by != "rainbow"]]
     return _row(replace(shape, kind="line"), spec, theme, scene, scope)
 
@@ -267,7 +314,13 @@ def _several_rows(shape: Structure, spec: Spec, scene: Scene, scope: Scope) -> M
             if isinstance(shape.members, Noun)
             else None
         )
-        single = replace(shape, plural=False, amount=Amount(1, 1), members=members, sizes=(Size(what="size", amount=Amount(per, per), span=shape.span),))
+        single = replace(
+            shape,
+            plural=False,
+            amount=Amount(1, 1),
+            members=members,
+            sizes=(Size(what="size", amount=Amount(per, per), span=shape.span),),
+        )
         one = Spec(**vars(spec)) if index else spec
         more, atoms = _row(single, one, None, scene, scope)
         built += more
@@ -284,7 +337,7 @@ MAKERS: dict[str, Maker] = {
     "pile": groups.piles,
     "word": symbols.word,
     "equation": symbols.equation,
-    **{kind: figures.figure for kind in ("square", "rectangle", "triangle", "circle", "L", "T", "V", "U", "plus", "X")},
+    **dict.fromkeys(("square", "rectangle", "triangle", "circle", "L", "T", "V", "U", "plus", "X"), figures.figure),
     "grid": figures.grid,
     "checkerboard": figures.grid,
     "cube": figures.grid,

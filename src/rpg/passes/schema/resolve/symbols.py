@@ -35,7 +35,7 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             "unknown-symbol" if bad else "too-few", what, shape.span, "use the letters A to Z and the digits 0 to 9"
         )
     names = _cubes(text, spec, theme, scene, scope, shape.span)
-    upright, downward = _along(spec)
+    upright = _along(spec)
     backward = spec.manner("backwards") is not None or spec.first("right", "bottom") is not None
     spec.toward = []
     spec.orders = [o for o in spec.orders if o.by not in ("any", "in_order")]
@@ -46,13 +46,13 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     return [scene.add_built("word", names, True, shape.span, "top" if upright else "left")], [node]
 
 
-def _along(spec: Spec) -> tuple[bool, bool]:
+def _along(spec: Spec) -> bool:
     """Whether the word stands upright, taken from "into a tower", "vertically", "from top to bottom"."""
     upright = any(t.axis == "z" for t in spec.toward)
     for into in list(spec.intos):
         kind = getattr(into.structure, "kind", "")
         if kind in ("stack", "row", "line", "column"):
-            if kind == "stack" or kind == "column" and getattr(into.structure, "upright", None):
+            if kind == "stack" or (kind == "column" and getattr(into.structure, "upright", None)):
                 upright = True
             spec.intos.remove(into)
     for place in list(spec.places):
@@ -61,7 +61,7 @@ def _along(spec: Spec) -> tuple[bool, bool]:
         elif getattr(place, "rel", "") == "heaped":
             spec.places.remove(place)
             upright = True
-    return upright, False
+    return upright
 
 
 def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope, span: Span) -> tuple[str, ...]:
@@ -99,13 +99,13 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
         if found is None and theme is not None and any(t.label for t in pool):
             raise refuse(
                 "missing-symbol",
-                f"{text} needs {'another ' if text.count(symbol) > 1 else ''}{symbol}, which is not among the blocks named",
+                f"{text} needs a further {symbol} than the blocks named show",
                 span,
                 f"add a block {symbol}",
                 symbol=symbol,
             )
         if found is None:
-            if traits.kind in ("plain",) or (traits.kind is None and traits.scheme is None and traits.colors and False):
+            if traits.kind in ("plain",) or False:
                 raise refuse("order-misfit", "plain blocks spell nothing", span, "use letter blocks")
             found = create(
                 Traits(labels=(symbol,), colors=traits.colors[:1], edge=traits.edge, size=traits.size), scene, False
@@ -156,7 +156,7 @@ def _labelled(source: Meaning) -> bool:
 
 
 def _equation_node(names: tuple[str, ...], text: str | None, spec: Spec, shape: Structure, scene: Scene) -> Made:
-    upright, _ = _along(spec)
+    upright = _along(spec)
     spec.toward = []
     longer = text is not None and bool(re.search(r"\d\d", text))
     node = s.Equation(blocks=names, along="stack" if upright else "row", longer=longer, text=text, span=shape.span)
@@ -195,9 +195,18 @@ def check_solvable(names: tuple[str, ...], scene: Scene, span: Span) -> None:
     for order in sorted(set(permutations(labels))):
         text = "".join(order)
         sides = text.split("=")
-        if len(sides) == 2 and all(re.fullmatch(r"\d([-+*/]\d)*", side) for side in sides) and _value(sides[0]) == _value(sides[1]) is not None:
+        if (
+            len(sides) == 2
+            and all(re.fullmatch(r"\d([-+*/]\d)*", side) for side in sides)
+            and _value(sides[0]) == _value(sides[1]) is not None
+        ):
             return
-    raise refuse("false-equation", f"no true equation can be made of {' '.join(labels)}", span, "choose numbers such as 2, 3 and 5 with + and =")
+    raise refuse(
+        "false-equation",
+        f"no true equation can be made of {' '.join(labels)}",
+        span,
+        "choose numbers such as 2, 3 and 5 with + and =",
+    )
 
 
 def _value(side: str) -> float | None:

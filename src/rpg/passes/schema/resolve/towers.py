@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import Coord, Meaning, Noun, Structure, Traits
+from rpg.passes.schema.meaning import Meaning, Noun, Structure, Traits
 from rpg.passes.schema.resolve.members import certain, declared, new_members
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -19,16 +19,26 @@ Made = tuple[list[Built], list[g.Goal]]
 
 
 def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
-    """"two towers of three red blocks", "towers, one per colour", "two stacks"."""
+    """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
     spec.patterns = [p for p in spec.patterns if p.unit not in ("stack", "pile")]
-    by_color = bool(patterns) or shape.traits.scheme == "same" or any(_matching(p) for p in (*spec.places, *(x for a in spec.absolutes for x in a.adjuncts)))
+    by_color = (
+        bool(patterns)
+        or shape.traits.scheme == "same"
+        or any(_matching(p) for p in (*spec.places, *(x for a in spec.absolutes for x in a.adjuncts)))
+    )
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
     per = shape.extent("size", "high", "layers")
     equal = spec.manner("equal") is not None
     fresh = theme is None
     theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)
-    if theme is not None and count is None and not by_color and len(theme.parts) > 1 and all(len(p.names) > 1 for p in theme.parts):
+    if (
+        theme is not None
+        and count is None
+        and not by_color
+        and len(theme.parts) > 1
+        and all(len(p.names) > 1 for p in theme.parts)
+    ):
         return _one_each(theme, shape, scene)
     if theme is not None:
         names, count = _given(theme, shape, count, per, by_color, scene)
@@ -36,7 +46,8 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         names, count = _new(shape.traits, shape, count, per, by_color, scene)
     heights = (per,) * count if per is not None and count is not None and fresh else None
     node = s.Towers(
-        blocks=names, count=count, heights=heights, equal=equal, each="color" if by_color else None, separate=by_color, span=shape.span
+        blocks=names, count=count, heights=heights, equal=equal, each="color" if by_color else None,
+        separate=by_color, span=shape.span
     )  # fmt: skip
     return _remember(node, by_color, scene), [node]
 
@@ -50,7 +61,14 @@ def _matching(place: object) -> bool:
 
 
 def _source(
-    shape: Structure, spec: Spec, theme: Ref | None, per: int | None, count: int | None, by_color: bool, scene: Scene, scope: Scope
+    shape: Structure,
+    spec: Spec,
+    theme: Ref | None,
+    per: int | None,
+    count: int | None,
+    by_color: bool,
+    scene: Scene,
+    scope: Scope,
 ) -> tuple[Ref | None, int | None]:
     """The blocks that were named for the towers, and how many are in each where that was said."""
     if theme is not None:
@@ -75,13 +93,17 @@ def _source(
 
 
 def _each(source: Noun, amount: int, shape: Structure, count: int | None, by_color: bool, scene: Scene) -> Ref:
-    """"two towers of three red blocks": three for each tower."""
-    towers = count or (len(source.traits.colors) if len(source.traits.colors) > 1 else DEFAULT_COLORS if by_color else 2)
+    """ "two towers of three red blocks": three for each tower."""
+    towers = count or (
+        len(source.traits.colors) if len(source.traits.colors) > 1 else DEFAULT_COLORS if by_color else 2
+    )
     names, _ = _new(source.traits, shape, towers, amount, by_color, scene)
     return Ref(names=names)
 
 
-def _given(theme: Ref, shape: Structure, count: int | None, per: int | None, by_color: bool, scene: Scene) -> tuple[tuple[str, ...], int | None]:
+def _given(
+    theme: Ref, shape: Structure, count: int | None, per: int | None, by_color: bool, scene: Scene
+) -> tuple[tuple[str, ...], int | None]:
     names = theme.names
     colors = list(dict.fromkeys(scene.things[n].color for n in names))
     if by_color and None in colors:
@@ -93,20 +115,29 @@ def _given(theme: Ref, shape: Structure, count: int | None, per: int | None, by_
         return names, towers
     if by_color:
         if count is not None and count != len(colors):
-            raise refuse("count-mismatch", f"{count} towers, but {len(colors)} colours", shape.span, f"say {len(colors)} towers", towers=count)
+            raise refuse(
+                "count-mismatch",
+                f"{count} towers, but {len(colors)} colours",
+                shape.span,
+                f"say {len(colors)} towers",
+                towers=count,
+            )
         count = len(colors)
     elif count is not None:
         names = scene.fit(names, max(len(names), count * (per or DEFAULT_HEIGHT)))
     if count is not None and (len(names) < 2 * count or (per is not None and per * count != len(names))):
         needed = per * count if per is not None else 2 * count
         raise refuse(
-            "count-mismatch", f"{count} towers take {needed} blocks or more, but {len(names)} are named", shape.span, f"use {needed}",
+            "count-mismatch", f"{count} towers take {needed} blocks or more, but {len(names)} are named", shape.span,
+            f"use {needed}",
             blocks=len(names), towers=count,
         )  # fmt: skip
     return names, count
 
 
-def _new(traits: Traits, shape: Structure, count: int | None, per: int | None, by_color: bool, scene: Scene) -> tuple[tuple[str, ...], int]:
+def _new(
+    traits: Traits, shape: Structure, count: int | None, per: int | None, by_color: bool, scene: Scene
+) -> tuple[tuple[str, ...], int]:
     """New blocks for towers that name none."""
     colors = traits.colors
     if count is None:
@@ -118,7 +149,13 @@ def _new(traits: Traits, shape: Structure, count: int | None, per: int | None, b
     if not by_color and len(colors) < 2:
         return new_members(traits, height * count, None, scene), count
     if len(colors) > 1 and len(colors) != count:
-        raise refuse("count-mismatch", f"{count} towers, but {len(colors)} colours", shape.span, "name one colour for each tower", towers=count)
+        raise refuse(
+            "count-mismatch",
+            f"{count} towers, but {len(colors)} colours",
+            shape.span,
+            "name one colour for each tower",
+            towers=count,
+        )
     names: list[str] = []
     for color in colors if len(colors) == count else STACK_COLORS[:count]:
         names += new_members(replace(traits, colors=(color,), scheme=None), height, None, scene)
@@ -126,7 +163,7 @@ def _new(traits: Traits, shape: Structure, count: int | None, per: int | None, b
 
 
 def _one_each(theme: Ref, shape: Structure, scene: Scene) -> Made:
-    """"towers of two black and two pink cubes": each part a tower of its own."""
+    """ "towers of two black and two pink cubes": each part a tower of its own."""
     nodes: list[g.Goal] = [s.Stack(blocks=p.names, exact=True, span=shape.span) for p in theme.parts]
     return [scene.add_built("stack", p.names, False, shape.span) for p in theme.parts], nodes
 
@@ -136,5 +173,8 @@ def _remember(node: s.Towers, by_color: bool, scene: Scene) -> list[Built]:
     names = node.blocks
     colors = list(dict.fromkeys(scene.things[n].color for n in names))
     if by_color and None not in colors:
-        return [scene.add_built("stack", [n for n in names if scene.things[n].color == c], False, node.span or (0, 0)) for c in colors]
+        return [
+            scene.add_built("stack", [n for n in names if scene.things[n].color == c], False, node.span or (0, 0))
+            for c in colors
+        ]
     return [scene.add_built("towers", names, False, node.span or (0, 0))]

@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.passes.schema.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, That, Using
+from rpg.passes.schema.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, That, Using
 from rpg.passes.schema.resolve.finish import label_of
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import conj, place
@@ -38,7 +38,7 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
 
 def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """"move the red block by at least 10 cm"."""
+    """ "move the red block by at least 10 cm"."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     far = next(p for p in spec.places if isinstance(p, Loc) and p.rel == "moved")
     spec.places.remove(far)
@@ -236,7 +236,7 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 
 
 def _either_way(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
-    """"sideways" is a quarter turn either way."""
+    """ "sideways" is a quarter turn either way."""
     found = _facing(name, facing, flat, scene, span)
     if flat is None or flat.value != 90.0 or not isinstance(found, r.Facing):
         return found
@@ -246,7 +246,12 @@ def _either_way(name: str, facing: Manner | None, flat: Manner | None, scene: Sc
 def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
     thing = scene.things[name]
     if thing.kind is None and thing.label is None:
-        raise refuse("order-misfit", "a plain block looks the same on every side", span, "use a letter block, or say 'by 90 degrees'")
+        raise refuse(
+            "order-misfit",
+            "a plain block looks the same on every side",
+            span,
+            "use a letter block, or say 'by 90 degrees'",
+        )
     toward = str(facing.value) if facing is not None else "up"
     label = label_of(thing, scene)
     turned = float(flat.value or 0.0) if flat is not None else None
@@ -265,4 +270,3 @@ def _target(clause: Clause, spec: Spec) -> bool:
 def _target_letter(theme: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
     """ "so that the target letter is in the target orientation": the letter is chosen."""
     return []
-

@@ -156,7 +156,15 @@ class Scene:
         kept = list(names[:need])
         while len(kept) < need:
             like = things[0]
-            more = self.fresh(kind=like.kind, color=like.color, scheme=like.scheme, elastic=like.elastic, size=like.size, edge=like.edge, quality=like.quality)
+            more = self.fresh(
+                kind=like.kind,
+                color=like.color,
+                scheme=like.scheme,
+                elastic=like.elastic,
+                size=like.size,
+                edge=like.edge,
+                quality=like.quality,
+            )
             more.batch = like.batch
             kept.append(more.name)
         for mention in self.mentions:

@@ -500,6 +500,8 @@ _ADVERBS = frozenset(
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     words: set[str] = set()
     while j < p.end and p.words[j] in _MODALS | _FILLERS | _NOT:
+        if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
+            break
         words.add(p.words[j])
         j = p.reach(j + 1)
     return j, words

@@ -465,7 +465,7 @@ _FILLERS = frozenset(
         "both",
         "each",
         "ever",
-        "end",
+        "end", "ends",
         "gets",
         "get",
         "up",

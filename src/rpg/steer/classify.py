@@ -76,7 +76,7 @@ def _violation(category: Category, identity: Identity, proof: Proof) -> str | No
 
 
 def _not_a_tweak(identity: Identity) -> str | None:
-    if not same_shape(identity.old.goal, identity.new.goal):
+    if not same_shape(identity):
         return "the goal changed its shape, not only parameters"
     return None if same_duties(identity) else "blocks have other parts in the goal"
 

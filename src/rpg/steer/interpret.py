@@ -10,7 +10,8 @@ from pydantic import ValidationError
 
 from rpg.blocks.english import describe, describe_goal
 from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.ir.edits import Edit, Overwrite, SetText, apply
+from rpg.ir.edits import AddCondition, Edit, Overwrite, SetText, apply
+from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.steer import requests as r
 from rpg.steer.afresh import Fresh, extended, fresh_start, mentions_known, only_known
@@ -93,8 +94,8 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
 
 
 def _changes(reading: Parsed) -> bool:
-    """Whether a reading asks for more than that things stay as they are."""
-    return not reading.requests or any(not isinstance(request, r.Keep) for request in reading.requests)
+    """Whether a reading asks for something; what is merely to keep its place is no request by itself."""
+    return not reading.requests or any(not isinstance(q, r.Keep) or q.still for q in reading.requests)
 
 
 def _only_words(request: str) -> None:
@@ -129,6 +130,9 @@ def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
     for request in requests:
         if not isinstance(request, r.Keep):
             OPERATIONS[type(request)](draft, request)
+    if all(isinstance(request, r.Keep) for request in requests):
+        draft.aim("EXTEND")
+        draft.do(AddCondition(goal=Stayed(a=draft.kept)))
 
 
 def _reference(reference: Reference | None, requests: Sequence[r.Request], history: History) -> Past:

@@ -127,9 +127,11 @@ def keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             "is | the way they are",
         )
         if end:
-            yield r.Keep(theme=theme, span=p.span(i, end)), end
+            still = p.words[i] not in ("except", "apart", "other")
+            yield r.Keep(theme=theme, still=still, span=p.span(i, end)), end
             continue
         for _, stop in place(p, k):
             yield r.Keep(theme=theme, span=p.span(i, stop)), stop
         if p.words[i] in ("except", "apart", "other", "without", "do"):
-            yield r.Keep(theme=theme, span=p.span(i, k)), k
+            moving = bool(longest(p, i, "without moving | without touching | do not move | do not touch"))
+            yield r.Keep(theme=theme, still=moving, span=p.span(i, k)), k

@@ -86,9 +86,10 @@ class Reorder(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Keep(Request):
-    """Objects that the other requests of the sentence leave where they are."""
+    """Objects that the other requests of the sentence leave where they are. `still`: they must not be moved at all."""
 
     theme: m.Meaning
+    still: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,8 +8,9 @@ from pydantic import BaseModel
 
 from rpg.ir import goal as g
 from rpg.ir.shrink import TooSmall, without
-from rpg.ir.walk import atoms, names, rename
-from rpg.steer.identity import Identity
+from rpg.ir.structures import Row, Stack
+from rpg.ir.walk import atoms, names, rename, transform
+from rpg.steer.identity import Identity, look
 
 STRUCTURES = frozenset(
     {"stack", "towers", "row", "grid", "pyramid", "staircase", "figure", "group_by", "spells", "equation"}
@@ -49,14 +50,37 @@ def duties(goal: g.Goal) -> Any:
             return goal.kind, _qualities(goal), repr(_named(goal))
 
 
-def same_shape(old: g.Goal, new: g.Goal) -> bool:
+def same_shape(identity: Identity) -> bool:
     """Whether two goals differ in parameters alone, whichever blocks they are about."""
-    return bool(_flat(shape(old)) == _flat(shape(new)))
+    return bool(_flat(shape(_aligned(identity))) == _flat(shape(identity.new.goal)))
+
+
+def _aligned(identity: Identity) -> g.Goal:
+    """The old goal in new names. Where look-alikes had no order because none could be told, it has the new one's."""
+    looks = {asset.name: repr(look(asset)) for asset in identity.old.assets}
+    orders = {
+        (node.kind, frozenset(node.blocks)): node.order
+        for node in atoms(identity.new.goal)
+        if isinstance(node, Stack | Row)
+    }
+
+    def align(node: g.Goal) -> g.Goal:
+        if not isinstance(node, Stack | Row) or node.order.by != "any" or len({looks[n] for n in node.blocks}) > 1:
+            return node
+        members = frozenset(identity.names.get(name, name) for name in node.blocks)
+        order = orders.get((node.kind, members))
+        if order is None or order.by != "given":
+            return node
+        back = {new: old for old, new in identity.names.items()}
+        ranks = tuple(tuple(back.get(name, name) for name in rank) for rank in order.ranks)
+        return node.model_copy(update={"order": order.model_copy(update={"ranks": ranks})})
+
+    return rename(transform(identity.old.goal, align), identity.names)
 
 
 def same_duties(identity: Identity) -> bool:
     """Whether every shared block has the part in the new goal that it had in the old one."""
-    old = rename(identity.old.goal, identity.names)
+    old = _aligned(identity)
     kept = set(identity.names.values())
     try:
         before = without(old, set(names(old)) - kept)

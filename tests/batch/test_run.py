@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -11,9 +11,10 @@ import pytest
 from rpg.batch import run as run_module
 from rpg.batch.entries import Entry
 from rpg.batch.ledger import LOCKFILE
+from rpg.batch.lines import Report
 from rpg.batch.pool import Job
 from rpg.batch.reports import as_data, as_junit, as_markdown
-from rpg.batch.run import Report, run_batch
+from rpg.batch.run import run_batch
 from rpg.batch.work import Result, build
 from rpg.core.diagnostics import UsageError
 from rpg.store import Workspace
@@ -30,7 +31,7 @@ class Here:
     built: list[str] = field(default_factory=list)
     stop_after: int | None = None
 
-    def map(self, jobs: Sequence[Job]) -> Iterator[Result]:
+    def map(self, jobs: Sequence[Job]) -> Generator[Result, None, None]:
         for entry, pictures in jobs:
             if self.stop_after is not None and len(self.built) >= self.stop_after:
                 raise KeyboardInterrupt

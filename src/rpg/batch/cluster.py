@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 
 from rpg.batch.pool import Job
-from rpg.batch.work import Result, build
+from rpg.batch.work import Result, build, lost
 from rpg.core.diagnostics import Unavailable
 
 RETRIES = 3
@@ -17,7 +17,7 @@ RETRIES = 3
 class RayCluster:
     """The cluster that RAY_ADDRESS names, or one of its own on this machine. Results come back through Ray."""
 
-    def map(self, jobs: Sequence[Job]) -> Iterator[Result]:
+    def map(self, jobs: Sequence[Job]) -> Generator[Result, None, None]:
         try:
             import ray
         except ImportError as error:
@@ -42,4 +42,4 @@ def _result(ray: object, reference: object) -> Result:
         return found
     except ray.exceptions.RayError as error:  # type: ignore[attr-defined]
         message = f"the cluster lost this entry {RETRIES + 1} times: {str(error).splitlines()[0]}"
-        return Result("failed", diagnostics=({"code": "worker-lost", "severity": "error", "message": message},))
+        return lost("worker-lost", message)

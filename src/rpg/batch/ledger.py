@@ -67,22 +67,25 @@ def record(workspace: Workspace, made: Mapping[str, Made]) -> Ledger:
     with locked(workspace):
         before = read_ledger(workspace)
         fresh = {made_now.family for made_now in made.values() if made_now.family}
-        kept = {digest: old for digest, old in before.entries.items() if old.family not in fresh or digest in made}
+        kept = {d: old for d, old in before.entries.items() if old.family not in fresh or _there(workspace, old)}
         after = Ledger(rpg=__version__, mujoco=mujoco_version(), entries={**kept, **made})
         if after != before:
             replace_file(workspace.root / LOCKFILE, after.text().encode())
     return after
 
 
+def _there(workspace: Workspace, made: Made) -> bool:
+    """Whether the versions of an entry are in their family still: another entry may have taken its name."""
+    return set(made.versions) <= {path.name for path in workspace.family(made.family).directories()}
+
+
 def up_to_date(workspace: Workspace, made: Made | None, pictures: bool) -> bool:
     """Whether what the ledger says of an entry is still there, byte for byte."""
     if made is None or made.status != "admitted":
         return made is not None
-    family = workspace.family(made.family)
-    present = {path.name for path in family.directories()}
-    if not set(made.versions) <= present or (pictures and not made.pictures):
+    if not _there(workspace, made) or (pictures and not made.pictures):
         return False
-    return not verify_family(family)
+    return not verify_family(workspace.family(made.family))
 
 
 def mujoco_version() -> str:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections import deque
+from collections.abc import Generator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
@@ -11,16 +12,20 @@ from multiprocessing import get_context
 from typing import Protocol
 
 from rpg.batch.entries import Entry
-from rpg.batch.work import Result, build, warm
+from rpg.batch.work import Result, build, lost, warm
 
 Job = tuple[Entry, bool]
 """An entry, and whether to draw its pictures."""
 
 
+AHEAD = 6
+"""Jobs per worker that are handed out before the result that comes next is there."""
+
+
 class Executor(Protocol):
     """Builds entries somewhere; results come in the order of the jobs."""
 
-    def map(self, jobs: Sequence[Job]) -> Iterator[Result]: ...
+    def map(self, jobs: Sequence[Job]) -> Generator[Result, None, None]: ...
 
 
 @dataclass(frozen=True)
@@ -29,7 +34,7 @@ class LocalPool:
 
     workers: int = 0
 
-    def map(self, jobs: Sequence[Job]) -> Iterator[Result]:
+    def map(self, jobs: Sequence[Job]) -> Generator[Result, None, None]:
         done = 0
         while done < len(jobs):
             for result in self._until_broken(jobs[done:]):
@@ -39,14 +44,21 @@ class LocalPool:
                 yield self._alone(jobs[done])
                 done += 1
 
-    def _until_broken(self, jobs: Sequence[Job]) -> Iterator[Result]:
-        """Results in order, up to the first whose worker (or one beside it) died."""
-        pool = self._pool(min(self.workers or os.cpu_count() or 1, len(jobs)))
-        futures: list[Future[Result]] = []
+    def _until_broken(self, jobs: Sequence[Job]) -> Generator[Result, None, None]:
+        """Results in order, up to the first whose worker (or one beside it) died.
+
+        Few jobs are handed out ahead: results that wait for their turn take memory.
+        """
+        workers = min(self.workers or os.cpu_count() or 1, len(jobs))
+        pool = self._pool(workers)
+        waiting: deque[Future[Result]] = deque()
         try:
-            futures = [pool.submit(build, *job) for job in jobs]
-            for future in futures:
-                yield future.result()
+            for job in jobs:
+                waiting.append(pool.submit(build, *job))
+                if len(waiting) >= AHEAD * workers:
+                    yield waiting.popleft().result()
+            while waiting:
+                yield waiting.popleft().result()
         except BrokenProcessPool:
             return
         finally:
@@ -55,10 +67,8 @@ class LocalPool:
     def _alone(self, job: Job) -> Result:
         """The entry that was next when a worker died, with a worker to itself to tell whether it is the culprit."""
         results = list(self._until_broken([job]))
-        if results:
-            return results[0]
         message = "the process that built this entry was killed, twice; it may need more memory than there is"
-        return Result("failed", diagnostics=({"code": "worker-lost", "severity": "error", "message": message},))
+        return results[0] if results else lost("worker-lost", message)
 
     def _pool(self, workers: int) -> ProcessPoolExecutor:
         context = get_context("forkserver")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 from xml.etree import ElementTree
 
-from rpg.batch.run import Line, Report
+from rpg.batch.lines import Line, Report
 
 OUTCOMES = ("current", "built", "same", "differs", "refused", "failed")
 

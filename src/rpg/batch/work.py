@@ -1,52 +1,115 @@
-"""What a worker does with an entry: a family in memory, made in a directory of its own, so that workers never meet."""
+"""What a worker does with an entry: a family as files in memory, so that workers never meet."""
 
 from __future__ import annotations
 
 import os
 import signal
 import tempfile
+import time
+import traceback
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from multiprocessing import parent_process
+from multiprocessing.connection import wait
 from pathlib import Path
-from typing import Any, Literal
+from threading import Thread
+from typing import TYPE_CHECKING, Any, Literal
 
 from rpg.batch.entries import Entry
-from rpg.core.diagnostics import Diagnostic
+from rpg.core.diagnostics import Diagnostic, Refusal, UsageError
+
+if TYPE_CHECKING:
+    from rpg.pipeline import CompileOptions, Outcome
 
 Status = Literal["admitted", "refused", "failed"]
+GRACE = 5.0
+"""Seconds in which a worker whose parent was killed may tidy up."""
 
 
 @dataclass(frozen=True)
 class Result:
-    """What became of an entry. `tree`: the family's files by path, empty unless admitted; `diagnostics` as data."""
+    """What became of an entry. `tree`: the family's files by path, empty unless admitted; `diagnostics` as data.
+
+    `lasting`: the next build would end alike; what a crash or a full disk ended is tried again.
+    """
 
     status: Status
     family: str = ""
     tree: dict[str, bytes] = field(default_factory=dict, repr=False)
     diagnostics: tuple[dict[str, Any], ...] = ()
+    lasting: bool = True
 
 
 def warm() -> None:
-    """Prepare a worker: import what every entry needs; leave Ctrl-C to the parent."""
+    """Prepare a worker: import what every entry needs; leave Ctrl-C to the parent, and go when the parent is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, _end)
+    parent = parent_process()
+    if parent is not None:
+        Thread(target=_follow, args=(parent.sentinel,), daemon=True).start()
     import rpg.passes.schema.frontend
     import rpg.steering  # noqa: F401
 
 
+def _end(signum: int, frame: object) -> None:
+    raise SystemExit(128 + signum)
+
+
+def _follow(sentinel: int) -> None:
+    """End this process once the one that `sentinel` stands for was killed: first in order, then at all costs."""
+    wait([sentinel])
+    os.kill(os.getpid(), signal.SIGTERM)
+    time.sleep(GRACE)
+    os._exit(1)
+
+
 def build(entry: Entry, pictures: bool) -> Result:
-    """Compile an entry and apply its edits. Never raises for what an instruction may contain."""
+    """Compile an entry and apply its edits. Nothing that goes wrong with it is raised."""
+    try:
+        return _built(entry, pictures)
+    except Refusal as refusal:
+        return Result("refused", diagnostics=_data(refusal.diagnostics))
+    except UsageError as error:
+        return Result("failed", diagnostics=(_broken("entry-fails", str(error)),))
+    except Exception as error:
+        frame = traceback.extract_tb(error.__traceback__)[-1]
+        where = f"{type(error).__name__} in {Path(frame.filename).name}, line {frame.lineno}: {error}"
+        return lost("worker-breaks", f"the process that built this entry broke down: {where}")
+
+
+def lost(code: str, message: str) -> Result:
+    """An entry that came to nothing for no fault of its own."""
+    return Result("failed", diagnostics=(_broken(code, message),), lasting=False)
+
+
+def _broken(code: str, message: str) -> dict[str, Any]:
+    return Diagnostic(code=code, message=message, origin="batch").model_dump(mode="json")
+
+
+def _built(entry: Entry, pictures: bool) -> Result:
     from rpg.pipeline import CompileOptions, compile_instruction
+    from rpg.publishing import content_of
+    from rpg.store.adopt import base_tree
+
+    options = CompileOptions(name=entry.name, seed=entry.seed, author=entry.author, pictures=pictures)
+    outcome = compile_instruction(entry.instruction, options)
+    if outcome.status != "admitted" or outcome.schema is None:
+        return Result(outcome.status, diagnostics=_data(outcome.diagnostics))
+    if entry.edits:
+        return _steered(entry, outcome, options)
+    return Result("admitted", outcome.schema.name, base_tree(content_of(outcome)), _data(outcome.diagnostics))
+
+
+def _steered(entry: Entry, outcome: Outcome, options: CompileOptions) -> Result:
+    """The base with its edits, which need it on disk: in a directory of its own."""
     from rpg.publishing import publish
     from rpg.steering import steer
     from rpg.store import Workspace, Written
 
-    options = CompileOptions(name=entry.name, seed=entry.seed, author=entry.author, pictures=pictures)
     with tempfile.TemporaryDirectory(prefix="rpg-", dir=_scratch()) as root:
-        outcome = compile_instruction(entry.instruction, options)
         place = publish(outcome, Workspace(Path(root)))
-        found = list(outcome.diagnostics)
-        if not isinstance(place, Written):
-            return Result(outcome.status, diagnostics=_data(found))
-        version = place.version
+        assert isinstance(place, Written)
+        version, found = place.version, list(outcome.diagnostics)
         for edit in entry.edits:
             done = steer(version, edit, options)
             found += done.diagnostics
@@ -56,7 +119,7 @@ def build(entry: Entry, pictures: bool) -> Result:
         return Result("admitted", version.family, _tree(version.directory.parent), _data(found))
 
 
-def _data(diagnostics: list[Diagnostic]) -> tuple[dict[str, Any], ...]:
+def _data(diagnostics: Iterable[Diagnostic]) -> tuple[dict[str, Any], ...]:
     return tuple(diagnostic.model_dump(mode="json") for diagnostic in diagnostics)
 
 

@@ -14,7 +14,7 @@ from rpg.cli.options import WORKSPACE, Json, NoPictures, Quiet, Tasks, load_mujo
 
 if TYPE_CHECKING:
     from rpg.batch.pool import Executor
-    from rpg.batch.run import Line, Report
+    from rpg.batch.lines import Line, Report
     from rpg.cli.output import Output
 
 EXAMPLE = "rpg batch instructions.txt sessions.yaml --jobs 4 --junit report.xml"

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
 from rpg.core.diagnostics import UsageError
 from rpg.store.disk import aside, locked, sync, write_file
-from rpg.store.layout import HEAD, Family, Workspace
-from rpg.store.records import PICTURES
+from rpg.store.layout import HEAD, Family, Workspace, version_name
+from rpg.store.records import PICTURES, SNAPSHOT
+from rpg.store.write import Content
 
 Tree = Mapping[str, bytes]
 """The files of a family by their path inside it: `HEAD`, `v0-3f9a1c2/task.yaml`, ..."""
@@ -23,32 +25,56 @@ class Adopted:
     changed: bool
 
 
-def adopt(
-    workspace: Workspace, name: str, tree: Tree, *, explicit: bool = False, replaceable: Collection[str] = ()
-) -> Adopted:
-    """Put the family `tree` into the workspace as `name` (`name-2`, ... where another task has that name).
+class Draft:
+    """A family written and synced in a hidden directory of a workspace, which waits to be put in its place.
 
-    `replaceable` are directory names of versions that may go where the family of that name holds nothing else. With
-    `explicit` no other name will do: UsageError where that one is taken.
+    Writing drafts takes no turns, so that many can be under way while the disk works.
     """
-    made = {path.split("/")[0] for path in tree} - {HEAD}
-    with aside(workspace.root, workspace) as draft:
-        for directory in sorted(made):
-            (draft / directory).mkdir()
-        for path, data in tree.items():
-            write_file(draft / path, data)
-        for directory in sorted(made):
-            sync(draft / directory)
-        sync(draft)
-        with locked(workspace):
-            family = _place(workspace, name, made, explicit, replaceable)
-            present = {path.name for path in family.directories()}
-            if not present:
-                draft.rename(family.directory)
-                sync(workspace.root)
-                return Adopted(family, changed=True)
-            changed = _merge(draft, family, made, present if present <= set(replaceable) else set())
-            return Adopted(family, changed)
+
+    def __init__(self, workspace: Workspace, tree: Tree) -> None:
+        self.workspace = workspace
+        self.made = {path.split("/")[0] for path in tree} - {HEAD}
+        with ExitStack() as stack:
+            self.directory = stack.enter_context(aside(workspace.root, workspace))
+            for directory in sorted(self.made):
+                (self.directory / directory).mkdir()
+            for path, data in tree.items():
+                write_file(self.directory / path, data)
+            for directory in sorted(self.made):
+                sync(self.directory / directory)
+            sync(self.directory)
+            self._stack = stack.pop_all()
+
+    def close(self) -> None:
+        """Remove what was not put in place."""
+        self._stack.close()
+
+    def place(self, name: str, *, explicit: bool = False, replaceable: Collection[str] = ()) -> Adopted:
+        """Put the family into the workspace as `name` (`name-2`, ... where another task has that name).
+
+        `replaceable` are directory names of versions that may go where the family of that name holds nothing else.
+        With `explicit` no other name will do: UsageError where that one is taken.
+        """
+        try:
+            with locked(self.workspace):
+                family = _place(self.workspace, name, self.made, explicit, replaceable)
+                present = {path.name for path in family.directories()}
+                if not present:
+                    self.directory.rename(family.directory)
+                    sync(self.workspace.root)
+                    return Adopted(family, changed=True)
+                obsolete = present if present <= set(replaceable) else set()
+                return Adopted(family, _merge(self.directory, family, self.made, obsolete))
+        finally:
+            self.close()
+
+
+def base_tree(content: Content) -> dict[str, bytes]:
+    """The files of a family whose only version is the base `content`."""
+    snapshot = content.sealed(0)
+    directory = version_name(0, snapshot.hash)
+    files = {**content.files, **content.pictures, SNAPSHOT: snapshot.text().encode()}
+    return {HEAD: f"{directory}\n".encode(), **{f"{directory}/{name}": data for name, data in sorted(files.items())}}
 
 
 def _place(workspace: Workspace, name: str, made: set[str], explicit: bool, replaceable: Collection[str]) -> Family:

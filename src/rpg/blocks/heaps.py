@@ -22,7 +22,7 @@ PILED = 4
 """From so many blocks on, a heap has blocks lying on others."""
 CHAIN_EDGES = 1.0
 """In a heap every block is within this many edges of another one."""
-ELBOW_EDGES = 1.2
+ELBOW_EDGES = 1.0
 """Blocks start to fall with this much room (in their edges) between the walls; corners may touch them."""
 LEAN = math.radians(25)
 """Blocks start to fall at an angle of up to this."""
@@ -36,7 +36,7 @@ UPRIGHTS: tuple[Quat, ...] = (
     (R, 0.0, -R, 0.0),
 )
 """One orientation for each face that can be up."""
-FALL_STEPS = 30
+FALL_STEPS = 15
 """Control steps that blocks have to fall between the walls."""
 AWAY = 10.0
 """Height (m) that walls are lifted to when they have done their work."""
@@ -53,9 +53,9 @@ class Heap:
 
 
 def shaft(world: World, names: Sequence[str]) -> float:
-    """Width of the shaft for a heap of these blocks: too narrow for all of them to lie side by side."""
+    """Width of the shaft for a heap of these blocks: hardly wide enough for all of them to lie side by side."""
     size = max(world.edge[name] for name in names)
-    return size * max(1.8, 1.1 * math.sqrt(len(names)))
+    return size * max(1.8, 1.25 * math.sqrt(len(names)))
 
 
 def above(world: World, heap: Heap, rng: Random) -> dict[str, tuple[Vec3, Quat]]:

@@ -30,7 +30,7 @@ BORDER = 0.005
 """Scattered centres stay this far (m) inside the workspace."""
 PROPOSALS = 120
 LAYOUTS = 20
-HEAP_MARGIN = 0.03
+HEAP_MARGIN = 0.025
 """A heap may spread this far (m) beyond its shaft."""
 STIRRED = 0.005
 """Nothing but heaps may move farther (m) than this while a start settles."""
@@ -194,11 +194,11 @@ def _others(layout: _Layout, mentioned: set[str]) -> list[str]:
 def _put_heap(names: tuple[str, ...], layout: _Layout, rng: Random) -> bool:
     """Blocks above a free place, ready to fall into a heap."""
     side = shaft(layout.world, names)
-    radius = side / math.sqrt(2) + HEAP_MARGIN
     for _ in range(PROPOSALS):
         x = rng.uniform(WORKSPACE_X[0] + side / 2, WORKSPACE_X[1] - side / 2)
         y = rng.uniform(WORKSPACE_Y[0] + side / 2, WORKSPACE_Y[1] - side / 2)
-        if layout.free(x, y, radius, CLEARANCE):
+        spread = _outline(x, y, 0.0, side + 2 * HEAP_MARGIN)
+        if layout.fits(spread, CLEARANCE):
             break
     else:
         return False
@@ -206,8 +206,7 @@ def _put_heap(names: tuple[str, ...], layout: _Layout, rng: Random) -> bool:
     layout.heaps.append(heap)
     for name, (position, orientation) in above(layout.world, heap, rng).items():
         layout.position[name], layout.orientation[name] = position, orientation
-    layout.circles.append((x, y, radius))
-    layout.outlines.append(_outline(x, y, 0.0, 2 * radius))
+    layout.keep_clear(spread)
     return True
 
 

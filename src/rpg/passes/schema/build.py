@@ -20,7 +20,7 @@ from rpg.passes.schema.resolve import finish
 from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.premises import keep_premises
-from rpg.passes.schema.resolve.refer import matching
+from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.tidy import tidy
 from rpg.passes.schema.resolve.world import Scene, refuse, said
 

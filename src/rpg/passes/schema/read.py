@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.passes.schema.grammar.clauses import chain, tail
+from rpg.passes.schema.grammar.chains import chain
+from rpg.passes.schema.grammar.clauses import tail
 from rpg.passes.schema.grammar.core import Parser, TooMuchWork
 from rpg.passes.schema.meaning import Chain, cost_of
 from rpg.passes.schema.tokens import Token

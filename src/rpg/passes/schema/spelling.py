@@ -6,19 +6,14 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
+from pkgutil import iter_modules
 from types import CodeType
 
 from rpg.core.diagnostics import Diagnostic
-from rpg.passes.schema import lexicon
+from rpg.passes.schema import grammar, lexicon
 from rpg.passes.schema.grammar.frames import Phrases
 from rpg.passes.schema.tokens import Token
 
-GRAMMAR = (
-    "lists",
-    "sizes",
-    "having","amounts", "adjectives", "adjuncts", "clauses", "frames", "having", "labels", "nouns", "orders", "regions",
-    "relations",
-           "relatives", "structures")  # fmt: skip
 LONG_WORD = 7
 """From this length on, two slips are still taken for a misspelling."""
 _SPELLERS = frozenset({"spell", "spells", "spelling", "spelled", "spelt"})
@@ -54,8 +49,8 @@ def vocabulary() -> frozenset[str]:
     for value in vars(lexicon).values():
         if isinstance(value, dict | frozenset):
             words.update(str(word) for word in value)
-    for name in GRAMMAR:
-        module = import_module(f"rpg.passes.schema.grammar.{name}")
+    for found in iter_modules(grammar.__path__, f"{grammar.__name__}."):
+        module = import_module(found.name)
         for value in vars(module).values():
             code = getattr(getattr(value, "__wrapped__", value), "__code__", None)
             if code is not None and code.co_filename == module.__file__:

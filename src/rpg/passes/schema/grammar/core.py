@@ -6,9 +6,9 @@ position or 0 for "no".
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache, wraps
-from typing import Any, Concatenate, ParamSpec, TypeVar
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from rpg.core.diagnostics import Span
 from rpg.passes.schema import lexicon
@@ -103,7 +103,7 @@ class Parser:
                 best = max(best, j)
         return best
 
-    def lex(self, i: int, category: dict[str, M]) -> M | None:
+    def lex(self, i: int, category: Mapping[str, M]) -> M | None:
         """What the word at i means in a table of the lexicon."""
         if i >= self.end:
             return None
@@ -165,4 +165,4 @@ def rule(
                 p.reach(j)
         return found
 
-    return apply
+    return cast(Callable[Concatenate[Parser, int, A], list[tuple[M, int]]], apply)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -40,9 +41,9 @@ def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
     start = p.opt(j, "namely")
     for first, k in simple(p, start):
         for found, end in _list(p, i, (first,), k, None):
-            if isinstance(found, Coord) and found.op == "and" and len(found.items) == count:
-                if all(isinstance(x, Noun) and x.head == "any" and x.traits != Traits() for x in found.items):
-                    yield replace(found, cost=0), end
+            plain = all(isinstance(x, Noun) and x.head == "any" and x.traits != Traits() for x in found.items)
+            if plain and found.op == "and" and len(found.items) == count:
+                yield replace(found, cost=0), end
 
 
 def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
@@ -387,7 +388,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
                 yield replace(base, conditions=(*base.conditions, *condition), span=p.span(i, k)), k
 
 
-def _with(noun: Noun, update: Marks, span: tuple[int, int]) -> Noun | None:
+def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun | None:
     """`noun` with more traits, unless they contradict those it has."""
     if clash(noun.traits, update):
         return None

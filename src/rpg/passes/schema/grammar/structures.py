@@ -11,8 +11,10 @@ from rpg.passes.schema.grammar import amounts
 from rpg.passes.schema.grammar.adjectives import EMPTY, Marks, adjective, merge
 from rpg.passes.schema.grammar.amounts import Quantity
 from rpg.passes.schema.grammar.core import Parser, Results, rule
+from rpg.passes.schema.grammar.equations import equation
 from rpg.passes.schema.grammar.labels import literal
 from rpg.passes.schema.grammar.lists import listed
+from rpg.passes.schema.grammar.shapes import noun
 from rpg.passes.schema.grammar.sizes import dimensions, size_phrase
 from rpg.passes.schema.meaning import (
     Amount,
@@ -29,7 +31,6 @@ from rpg.passes.schema.meaning import (
     Traits,
 )
 
-_LETTER_SHAPES = frozenset("LTVUX")
 _MODIFIERS = {
     "straight": {}, "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
     "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
@@ -41,10 +42,14 @@ _MODIFIERS = {
     "addition": {}, "small": {},
     "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
 }  # fmt: skip
+
+
 _OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
 
 
 _NOWHERE = (0, 0)
+
+
 _DETAILS: dict[str, OrderBy | Spacing | Manner] = {
     "equally tall": Manner(kind="equal", span=_NOWHERE), "equal": Manner(kind="equal", span=_NOWHERE),
     "equally high": Manner(kind="equal", span=_NOWHERE),
@@ -145,87 +150,8 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         yield _Before(), i + 1
 
 
-def _noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
-    """The structure's noun: (kind, plural, next)."""
-    found = p.lex(i, lexicon.STRUCTURE)
-    if found is not None and p.tokens[i].kind == "word":
-        kind, plural = found
-        j = (
-            i + 1
-            if kind in ("stack", "pile", "word")
-            else p.opt(i + 1, "shape", "formation", "outline", "pattern", "arrangement", "figure", "sign")
-        )
-        j = p.opt(j, "tower") if kind == "pyramid" else j
-        yield kind, plural, j
-    shape = p.lex(i, lexicon.SHAPE_ADJECTIVE)
-    if shape and (j := p.one(i + 1, _FORMS)):
-        yield shape, False, j
-    if p.words[i : i + 1] in (["cube"], ["cubes"]):
-        yield "cube", p.words[i] == "cubes", p.reach(i + 1)
-    for lead in ("color gradient", "gradient", "rainbow"):
-        if j := p.seq(i, lead):
-            yield "gradient", False, j
-    yield from _letter_shapes(p, i)
-
-
-_FORMS = frozenset(
-    {"shape", "arrangement", "formation", "pattern", "layout", "outline", "figure", "form", "line", "ring"}
-)
-_TAILS = ("shape", "shapes", "formation", "shaped figure", "shaped structure", "shaped pattern", "shaped arrangement",
-    "figure", "shaped formation",
-          "shaped line", "shaped form", "shaped outline")  # fmt: skip
-_LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "form of a", "figure of an",
-    "figure of a", "shape of the", "outline of a", "outline of an",
-          "form of the letter", "capital", "figure of the letter", "letter", "shape of capital", "shape of a capital",
-          "shape")  # fmt: skip
-
-
-_FORMING = frozenset({"like", "form", "forms", "make", "draw", "build", "create", "into", "as", "forming", "of"})
-
-
-def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
-    """ "L shape", "shape of a T", "an L"."""
-    letter = _letter_at(p, i)
-    if letter:
-        for tail in _TAILS:
-            if j := p.seq(i + 1, tail):
-                yield letter, tail == "shapes", j
-        if (
-            p.words[i - 1 : i] in (["a"], ["an"])
-            and i > 0
-            and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK)
-            and p.tokens[i].raw.isupper()
-        ):
-            yield letter, False, p.reach(i + 1)
-    for lead in _LEADS:
-        if j := p.seq(i, lead):
-            letter = _letter_at(p, j)
-            if letter and (
-                lead not in ("letter", "the letter")
-                or p.one(j + 1, frozenset({"shape", "formation"}))
-                or p.words[i - 1] == "like"
-                or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
-            ):
-                yield letter, False, p.opt(p.reach(j + 1), "shape", "formation")
-            elif not letter and lead not in ("capital", "letter"):
-                inner = p.lex(j, lexicon.STRUCTURE)
-                if inner:
-                    yield inner[0], False, p.opt(j + 1, "sign", "shape")
-
-
-def _letter_at(p: Parser, i: int) -> str | None:
-    token = p.token(i)
-    if token is None or token.kind not in ("word", "quote", "literal"):
-        return None
-    raw = token.raw.strip("'\"`")
-    letter = raw.upper()
-    if len(raw) != 1 or letter not in _LETTER_SHAPES | {"O"}:
-        return None
-    return "circle" if letter == "O" else letter
-
-
 def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Results[Meaning]:
-    for kind, plural, k in _noun(p, j):
+    for kind, plural, k in noun(p, j):
         if (
             kind == "cube"
             and len(before.dims) != 3
@@ -244,37 +170,6 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
         yield from _tail(p, i, k, base)
     for text, k in equation(p, j):
         yield Structure(kind="equation", det="the", letter=text, span=p.span(j, k)), k
-
-
-_WORD_SIGNS = {"plus": "+", "minus": "-", "times": "*", "multiplied by": "*", "divided by": "/", "x": "*"}
-_WORD_EQUALS = ("is equal to", "equals", "equal", "is", "makes", "gives", "equals to")
-
-
-@rule
-def equation(p: Parser, i: int) -> Results[str]:
-    """ "2+3=5", "two plus three equals five"."""
-    token = p.token(i)
-    if token is not None and token.kind == "equation" and isinstance(token.value, str):
-        yield token.value, p.reach(i + 1)
-    text, at, equals, signs = "", i, 0, 0
-    while True:
-        number = p.number(at)
-        if number is None:
-            break
-        text, at = text + str(number), at + 1
-        if equals and signs:
-            yield text, at
-        sign = next(((s, j) for w, s in _WORD_SIGNS.items() if (j := p.seq(at, w))), None)
-        token = p.token(at)
-        if sign is None and token is not None and token.kind == "sign" and token.word in "+-*/":
-            sign = (token.word, p.reach(at + 1))
-        if sign is not None:
-            text, at, signs = text + sign[0], sign[1], signs + 1
-            continue
-        j = p.one(at, "=") or p.any_of(at, _WORD_EQUALS)
-        if not j or equals:
-            break
-        text, at, equals = text + "=", j, 1
 
 
 def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
@@ -315,7 +210,7 @@ def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meanin
 
 def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
-    from rpg.passes.schema.grammar.adjuncts import sided
+    from rpg.passes.schema.grammar.absolutes import sided
 
     if p.words[k : k + 1] and p.words[k] in ("with", ",", "having", "where", ":", "whose"):
         for detail, end in sided(p, k):

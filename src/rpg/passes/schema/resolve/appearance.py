@@ -5,9 +5,10 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.passes.schema.meaning import Clause, Quality, Traits
-from rpg.passes.schema.resolve.refer import give, refer
-from rpg.passes.schema.resolve.relations import crown
+from rpg.passes.schema.resolve.operands import crown
+from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import give
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse, said
 
 

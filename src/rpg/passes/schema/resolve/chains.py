@@ -8,8 +8,8 @@ from rpg.ir import goal as g
 from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy
 from rpg.passes.schema.resolve.clauses import clause_goals
 from rpg.passes.schema.resolve.conflicts import undoes
+from rpg.passes.schema.resolve.logic import conj, disj
 from rpg.passes.schema.resolve.loose import settle
-from rpg.passes.schema.resolve.relations import conj, disj
 from rpg.passes.schema.resolve.world import Scene
 
 Goals = list[g.Goal]

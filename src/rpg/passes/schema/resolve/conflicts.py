@@ -68,12 +68,14 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return a.a == b.a and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
     if _flat_and_upright(a, b) or _flat_and_upright(b, a):
         return True
-    kinds = (getattr(a, "kind", ""), getattr(b, "kind", ""))
-    if kinds[0] in _OPPOSITE:
-        if kinds[0] == kinds[1]:
-            return bool(a.a == b.b and a.b == b.a)  # type: ignore[union-attr]
-        return bool(_OPPOSITE[kinds[0]] == kinds[1] and a.a == b.a and a.b == b.b)  # type: ignore[union-attr]
-    return False
+    return _opposite(a, b) if isinstance(a, r.Directional) and isinstance(b, r.Directional) else False
+
+
+def _opposite(a: r.Directional, b: r.Directional) -> bool:
+    one, two = getattr(a, "kind", ""), getattr(b, "kind", "")
+    if one == two:
+        return a.a == b.b and a.b == b.a
+    return _OPPOSITE.get(one) == two and a.a == b.a and a.b == b.b
 
 
 def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:

@@ -9,7 +9,7 @@ from rpg.ir.assets import PATCH_SIDE, Asset, ColoredCube, Faces, GoalPatch, Sema
 from rpg.ir.goal import Goal
 from rpg.ir.schema import MAX_BLOCKS, MAX_DIGITS, MAX_LETTERS
 from rpg.ir.walk import rename
-from rpg.passes.schema.resolve.refer import EDGES
+from rpg.passes.schema.resolve.things import EDGES
 from rpg.passes.schema.resolve.world import Scene, Thing, refuse
 
 BLOCK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink", "brown", "white", "black", "gray")

@@ -9,8 +9,8 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.passes.schema.meaning import Structure, Traits
 from rpg.passes.schema.resolve.members import members_of, new_members
-from rpg.passes.schema.resolve.refer import VOWELS
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import VOWELS
 from rpg.passes.schema.resolve.towers import STACK_COLORS
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
 

@@ -8,8 +8,9 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.passes.schema.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.orders import implied_kind
-from rpg.passes.schema.resolve.refer import create, matching, refer
+from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 

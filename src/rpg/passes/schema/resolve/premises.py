@@ -5,8 +5,9 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.passes.schema.meaning import In, Loc
 from rpg.passes.schema.resolve.conflicts import clash, required
-from rpg.passes.schema.resolve.refer import Premise
-from rpg.passes.schema.resolve.relations import conj, place
+from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.relations import place
+from rpg.passes.schema.resolve.things import Premise
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope
 
 

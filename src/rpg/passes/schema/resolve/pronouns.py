@@ -133,7 +133,7 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
 
 def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     """ "the other (red) block", "the others", "the rest"."""
-    from rpg.passes.schema.resolve.refer import create, matching
+    from rpg.passes.schema.resolve.things import create, matching
 
     taken = {
         n

@@ -12,7 +12,7 @@ _FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "
 
 def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The block at a place of the structure spoken of last, or the extreme in size."""
-    from rpg.passes.schema.resolve.refer import select
+    from rpg.passes.schema.resolve.select import select
 
     rank = noun.traits.rank or ""
     plain = replace(noun, traits=replace(noun.traits, rank=None))

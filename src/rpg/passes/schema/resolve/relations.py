@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
 from dataclasses import replace
-from itertools import combinations
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -12,38 +10,21 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
-from rpg.passes.schema.resolve.refer import matching, refer
-from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
-
-DIRECTIONS: dict[str, type[r.Directional]] = {
-    "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "behind": r.Behind,
-}  # fmt: skip
-_LEVEL = {"beside": r.Beside, "adjacent": r.Adjacent, "touching": r.Touching, "near": r.Near, "apart": r.Apart}
-UPRIGHT = ("stack", "wall", "pyramid", "staircase")
-
-Atoms = list[g.Goal]
-
-
-def conj(goals: Iterable[g.Goal], span: Span | None = None) -> g.Goal:
-    """All of `goals`, flat; a single one as it is."""
-    flat: list[g.Goal] = []
-    for goal in goals:
-        flat += goal.goals if isinstance(goal, g.All) else [goal]
-    unique = list(dict.fromkeys(flat))
-    return unique[0] if len(unique) == 1 else g.All(goals=tuple(unique), span=span)
-
-
-def disj(goals: list[g.Goal], span: Span | None = None) -> g.Goal:
-    """Any of `goals`; a single one as it is."""
-    return goals[0] if len(goals) == 1 else g.Any(goals=tuple(goals), span=span)
+from rpg.passes.schema.meaning import Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
+from rpg.passes.schema.resolve.mutual import reciprocal
+from rpg.passes.schema.resolve.operands import DIRECTIONS, LEVEL, base_of, count, crown, foot, measure, spread
+from rpg.passes.schema.resolve.patches import matching_patches, on_patches
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.things import matching
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
 def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> Atoms:
     """The goals that "theme is <meaning>" states."""
     match meaning:
         case In():
-            return [_negate(_region(theme, meaning.region, span), meaning.negated, span)]
+            return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
         case Coord():
             parts = [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
             return [disj(parts, span)] if meaning.op == "or" else parts
@@ -54,74 +35,11 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             raise refuse("misplaced", "this does not say where something is", meaning.span)
 
 
-def _negate(goal: g.Goal, negated: bool, span: Span) -> g.Goal:
-    return negation([goal], span)[0] if negated else goal
-
-
-def negation(goals: Atoms, span: Span) -> Atoms:
-    """None of `goals`: each is denied, those inside a conjunction too."""
-    flat = [x for goal in goals for x in (goal.goals if isinstance(goal, g.All) else (goal,))]
-    return [x.goal if isinstance(x, g.Not) else g.Not(goal=x, span=span) for x in flat]
-
-
 def _region(theme: Ref, region: str, span: Span) -> g.Goal:
     def one(a: Operand) -> g.Goal:
         return r.InRegion(a=a, region=region, span=span)  # type: ignore[arg-type]
 
     return spread(theme, one, span, together=True)
-
-
-def spread(theme: Ref, atom: Callable[[Operand], g.Goal], span: Span, together: bool = False) -> g.Goal:
-    """`atom` of every, any, or so many of the theme's blocks. `together`: the atom takes several blocks at once."""
-    if theme.quant is not None:
-        return count(theme.names, theme.quant, atom, span)
-    if theme.op == "except":
-        inside, out = theme.parts
-        return conj([spread(inside, atom, span, together), *negation([spread(out, atom, span)], span)], span)
-    if theme.op == "nor":
-        return conj(negation([spread(part, atom, span) for part in theme.parts], span), span)
-    if theme.op == "xor":
-        parts = [spread(part, atom, span, together) for part in theme.parts]
-        return g.All(
-            goals=(g.Any(goals=tuple(parts), span=span), g.Not(goal=g.All(goals=tuple(parts), span=span), span=span)),
-            span=span,
-        )
-    if theme.op == "or":
-        return disj([spread(part, atom, span, together) for part in theme.parts], span)
-    if theme.built and len(theme.built) == 1 and not theme.each:
-        return atom(theme.names if together else foot(theme))
-    if together or len(theme.names) == 1:
-        return atom(theme.names)
-    return conj([atom((name,)) for name in theme.names], span)
-
-
-def count(names: tuple[str, ...], quant: Amount, atom: Callable[[Operand], g.Goal], span: Span) -> g.Goal:
-    """So many of `names` satisfy `atom`."""
-    if quant.high == 0:
-        return conj([g.Not(goal=atom((name,)), span=span) for name in names], span)
-    if quant.low == 1 and quant.high is None:
-        return disj([atom((name,)) for name in names], span)
-    if quant.low == len(names) and (quant.high is None or quant.high == len(names)):
-        return conj([atom((name,)) for name in names], span)
-    return g.Count(over=names, at_least=quant.low, at_most=quant.high, goal=atom((EACH,)), span=span)
-
-
-def foot(ref: Ref) -> Operand:
-    """The operand for a relation on the table: a tower's lowest block, a structure's blocks, the block itself."""
-    if len(ref.built) == 1 and ref.built[0].kind == "stack":
-        built = ref.built[0]
-        return (built.members[0],) if built.ordered else Lowest(lowest=built.members)
-    return ref.names
-
-
-def crown(ref: Ref) -> Operand:
-    """The operand for putting something on it: a tower's highest block."""
-    if len(ref.built) == 1 and ref.built[0].kind in UPRIGHT:
-        built = ref.built[0]
-        if built.kind == "stack" and built.ordered:
-            return (built.members[-1],)
-        return Highest(highest=built.members)
-    return ref.names
 
 
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
@@ -168,7 +86,7 @@ def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
     ):
         return None
     there = [t.name for t in matching(mark.traits, scene, False) if t.declared]
-    return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *_LEVEL, "on") else None
+    return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, "on") else None
 
 
 def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
@@ -224,14 +142,12 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
     if loc.rel == "distance":
         return spread(
             theme,
-            lambda a: r.Distance(
-                a=a, b=foot(mark), minimum=loc.low, maximum=loc.high, measure=_measure(loc), span=span
-            ),
+            lambda a: r.Distance(a=a, b=foot(mark), minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span),
             span,
             bool(theme.built),
         )
-    if loc.rel in _LEVEL:
-        node = _LEVEL[loc.rel]
+    if loc.rel in LEVEL:
+        node = LEVEL[loc.rel]
         if loc.rel == "beside" and "immediate" in loc.mods:
             node = r.Adjacent
         b = _beside_foot(theme, mark, scene)
@@ -245,24 +161,11 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
     raise refuse("misplaced", "this relation does not fit here", loc.span)
 
 
-def _measure(loc: Loc) -> str:
-    return loc.measure
-
-
 def _carrier(a: Operand, theme: Ref, scene: Scene) -> Operand:
     """A relation on the table to a block that goes on a tower is one to the tower's lowest block."""
     if isinstance(a, Lowest | Highest) or len(a) != 1:
         return a
     return (base_of(a[0], scene),)
-
-
-def base_of(name: str, scene: Scene) -> str:
-    """The lowest block of the tower that `name` is in."""
-    seen = {name}
-    while name in scene.on_top and scene.on_top[name] not in seen:
-        name = scene.on_top[name]
-        seen.add(name)
-    return name
 
 
 def _beside_foot(theme: Ref, mark: Ref, scene: Scene) -> Operand:
@@ -343,6 +246,7 @@ def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
 def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     node = DIRECTIONS[loc.rel]
     b = foot(mark)
+    goal: g.Goal
     flags = {
         "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods,
         "somewhere": "somewhere" in loc.mods,
@@ -399,80 +303,10 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
             )
         ]
     if loc.rel in ("on", "above", "in"):
-        return [_on_patches(theme, mark, scene, span)]
+        return [on_patches(theme, mark, scene, span)]
     if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):
         return [_landmarks(theme, mark, loc, scene, span)]
     raise refuse("misplaced", "this relation does not fit a patch", loc.span, "say 'on' or 'next to'")
-
-
-def _on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
-    patches = mark.names
-    if theme.patch:
-        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
-    if mark.op == "or" or (mark.quant is not None and mark.quant.low == 1):
-        return disj([_on_patch(theme, p, span) for p in patches], span)
-    if len(patches) == 1:
-        return _on_patch(theme, patches[0], span)
-    if mark.each and theme.det in ("a", "bare", "some") and theme.quant is None and not theme.built:
-        return conj(
-            [
-                r.OnPatch(a=names, patch=p, span=span)
-                for names, p in zip(_one_lot_each(theme, len(patches), scene), patches, strict=True)
-            ],
-            span,
-        )
-    units = theme.built if len(theme.built) == len(patches) else ()
-    if units:
-        return conj(
-            [_on_patch(Ref(names=b.members, built=(b,)), p, span) for b, p in zip(units, patches, strict=True)], span
-        )
-    if len(theme.names) == len(patches):
-        pairs = zip(theme.names, patches, strict=True)
-        return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
-    return conj([disj([r.OnPatch(a=(a,), patch=p, span=span) for p in patches], span) for a in theme.names], span)
-
-
-def _one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
-    """ "two blocks on each patch": as many again for every further patch."""
-    made = [theme.names]
-    for _ in range(lots - 1):
-        more = []
-        for name in theme.names:
-            like = scene.things[name]
-            new = scene.fresh(color=like.color, kind=like.kind, size=like.size, edge=like.edge, scheme=like.scheme)
-            new.batch = like.batch
-            more.append(new.name)
-        made.append(tuple(more))
-    return made
-
-
-def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:
-    return spread(theme, lambda a: r.OnPatch(a=a, patch=patch, span=span), span, together=True)
-
-
-def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
-    """ "each block on the patch of its colour": one patch for every colour among the theme."""
-    blocks = [scene.things[n] for n in theme.names]
-    spare = iter(
-        c
-        for c in ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
-        if c not in {b.color for b in blocks}
-    )
-    for block in blocks:
-        if block.color is None:
-            block.color = next(spare, "red")
-            scene.assume("the colours of the blocks are not said: one of each colour")
-    goals: Atoms = []
-    for color in dict.fromkeys(b.color for b in blocks):
-        patch = next((t for t in scene.things.values() if t.patch and t.color == color), None) or next(
-            (t for t in scene.things.values() if t.patch and t.color is None), None
-        )
-        if patch is None:
-            patch = scene.fresh(patch=True, color=color)
-        patch.color = color
-        members = tuple(b.name for b in blocks if b.color == color)
-        goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
-    return goals
 
 
 def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
@@ -519,77 +353,3 @@ def _two_towers(mark: Ref, scene: Scene) -> tuple[Ref, ...]:
 def _free_ends(order: Order, members: tuple[str, ...], scene: Scene) -> Order:
     """Which end is below is open when they were not told apart; a fixed order is one of both readings of equals."""
     return order
-
-
-def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
-    """ "next to each other", "5 cm apart", "on top of each other"."""
-    names = theme.names
-    if theme.patch:
-        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
-    if (
-        theme.quant is not None
-        and theme.quant.high == 0
-        and len(names) > 1
-        and loc.rel in ("on", "above", "heaped", "under")
-    ):
-        return [g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span) for a in names for b in names if a != b]
-    if theme.quant is not None and theme.quant.high == 0 and len(names) > 1:
-        inside = [replace(theme, names=pair, quant=None, built=(), parts=()) for pair in combinations(names, 2)]
-        return negation([x for two in inside for x in reciprocal(two, loc, span)], span)
-    if len(names) < 2:
-        raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")
-    pairs = list(combinations(names, 2))
-    units: list[Operand] = [(n,) for n in names]
-    if len(theme.built) > 1:
-        units = [foot(Ref(names=b.members, built=(b,))) for b in theme.built]
-    elif len(theme.parts) > 1 and any(len(p.names) > 1 for p in theme.parts):
-        units = [foot(p) for p in theme.parts]
-    two = list(combinations(units, 2))
-    match loc.rel:
-        case "near" | "apart":
-            node = _LEVEL[loc.rel]
-            return [node(a=a, b=b, span=span) for a, b in two]
-        case "distance" if len(units) > 2:
-            low, high = loc.low, loc.high
-            if high is None:
-                return [
-                    r.Distance(a=a, b=b, minimum=low, maximum=high, measure=_measure(loc), span=span) for a, b in two
-                ]
-            if low is None:
-                return [
-                    r.Distance(a=a, b=b, minimum=low, maximum=high, measure=_measure(loc), span=span) for a, b in two
-                ]
-            middle = round((low + high) / 2, 6)
-            spaced = {"gap" if loc.measure == "faces" else "spacing": middle, "tolerance": round((high - low) / 2, 6)}
-            return [s.Row(blocks=names, span=span, **spaced)]
-        case "distance":
-            return [
-                r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, measure=_measure(loc), span=span)
-                for a, b in two
-            ]
-        case "side_by_side" | "beside" if len(units) == 2:
-            return [r.Beside(a=two[0][0], b=two[0][1], span=span)]
-        case "side_by_side" | "beside":
-            return [s.Row(blocks=names, gap_edges=1.0, span=span)]
-        case "adjacent" if len(units) == 2:
-            return [r.Adjacent(a=two[0][0], b=two[0][1], span=span)]
-        case "adjacent":
-            return [s.Row(blocks=names, gap_edges=0.5, span=span)]
-        case "touching" if len(units) == 2:
-            return [r.Touching(a=two[0][0], b=two[0][1], span=span)]
-        case "touching":
-            return [s.GroupBy(groups=(names,), inner_edges=0.05, span=span)]
-        case "together":
-            return [s.GroupBy(groups=(names,), span=span)]
-        case "one_behind":
-            return [s.Row(blocks=names, axis="x", span=span)]
-        case "off":
-            return [
-                g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span)
-                for a, b in [*pairs, *[(b, a) for a, b in pairs]]
-            ]
-        case _:
-            raise refuse("misplaced", "this relation does not go with 'each other'", loc.span)
-
-
-__all__ = ["Built", "conj", "crown", "disj", "foot", "place", "reciprocal", "spread"]

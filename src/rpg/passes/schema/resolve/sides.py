@@ -10,8 +10,8 @@ from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.walk import transform
 from rpg.passes.schema.meaning import At, Meaning
-from rpg.passes.schema.resolve.orders import SIDES, alternatives, ranks_from
-from rpg.passes.schema.resolve.relations import conj
+from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.positions import SIDES, alternatives, ranks_from
 from rpg.passes.schema.resolve.structures import either, stack_built
 from rpg.passes.schema.resolve.world import Ref, Scene, refuse
 
@@ -50,7 +50,7 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     kind = "stack" if isinstance(node, s.Stack) else "row"
     if node.order.by != "any":
         raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], "keep one of them")
-    from rpg.passes.schema.resolve.orders import _indices
+    from rpg.passes.schema.resolve.positions import _indices
 
     total = len(node.blocks)
     sides = SIDES[kind]
@@ -67,14 +67,16 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     ranks = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
-    if kind == "row" and node.axis == "x":
-        order = order.model_copy(update={"first": "front"})
-    fixed = either(
-        [
-            node.model_copy(update={"order": o, **({"axis": node.axis or "y"} if kind == "row" else {})})
-            for o in alternatives(order, scene)
+    if isinstance(node, s.Row):
+        if node.axis == "x":
+            order = order.model_copy(update={"first": "front"})
+        update = {"axis": node.axis or "y"}
+        lines: list[s.Stack | s.Row] = [
+            node.model_copy(update={"order": o, **update}) for o in alternatives(order, scene)
         ]
-    )
+    else:
+        lines = [node.model_copy(update={"order": o}) for o in alternatives(order, scene)]
+    fixed = either(lines)
     return transform(goal, lambda x: fixed if x == node else x)
 
 
@@ -109,7 +111,7 @@ def _across(loose: list[Loose]) -> g.Goal:
     rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
     ranked = sorted(loose, key=lambda item: rank[item[1].side if isinstance(item[1], At) else "middle"])
     sides = {item[1].side for item in loose if isinstance(item[1], At)}
-    node: type[r.Directional] = r.InFrontOf if sides & {"front", "back"} else r.LeftOf
+    node: type[r.LeftOf | r.InFrontOf] = r.InFrontOf if sides & {"front", "back"} else r.LeftOf
     goals: list[g.Goal] = []
     for (a, _, span), (b, _, _) in itertools.pairwise(ranked):
         goals.append(node(a=a.names, b=b.names, span=span))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
@@ -10,9 +10,10 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.passes.schema.meaning import Amount, Noun, OrderBy, Size, Structure
-from rpg.passes.schema.resolve import figures, groups, symbols, towers
+from rpg.passes.schema.resolve import figures, grids, groups, stepped, symbols, towers
 from rpg.passes.schema.resolve.members import amount_of, members_of
-from rpg.passes.schema.resolve.orders import alternatives, order_of
+from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.positions import alternatives
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
@@ -34,7 +35,7 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
         names=tuple(dict.fromkeys(n for b in built for n in b.members)), built=tuple(built), plural=len(built) > 1
     )
     if spec.absolutes:
-        from rpg.passes.schema.resolve.clauses import absolutes
+        from rpg.passes.schema.resolve.placing import absolutes
 
         goals = [*goals, *absolutes(ref, spec, scene, scope)]
     if scope.start:
@@ -198,7 +199,7 @@ def _alike(theme: Ref, shape: Structure, scene: Scene) -> tuple[str, ...]:
     return theme.names
 
 
-def either(nodes: list[s.Stack] | list[s.Row]) -> g.Goal:
+def either(nodes: Sequence[s.Stack | s.Row]) -> g.Goal:
     """One of several ways to fill the free places of an order."""
     return nodes[0] if len(nodes) == 1 else g.Any(goals=tuple(nodes), span=nodes[0].span)
 
@@ -338,12 +339,12 @@ MAKERS: dict[str, Maker] = {
     "word": symbols.word,
     "equation": symbols.equation,
     **dict.fromkeys(("square", "rectangle", "triangle", "circle", "L", "T", "V", "U", "plus", "X"), figures.figure),
-    "grid": figures.grid,
-    "checkerboard": figures.grid,
-    "cube": figures.grid,
-    "wall": figures.wall,
-    "pyramid": figures.pyramid,
-    "staircase": figures.staircase,
+    "grid": grids.grid,
+    "checkerboard": grids.grid,
+    "cube": grids.grid,
+    "wall": grids.wall,
+    "pyramid": stepped.pyramid,
+    "staircase": stepped.staircase,
 }
 
 __all__ = ["Order", "make", "refer_structure", "row_built", "row_node", "stack_built"]

@@ -11,8 +11,9 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.passes.schema.meaning import Meaning, Noun, Structure, Traits, Using, parts_of
-from rpg.passes.schema.resolve.refer import create, refer
+from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import create
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
 
 MAX_SEARCHED = 8

@@ -9,8 +9,9 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.passes.schema.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, That, Using
 from rpg.passes.schema.resolve.finish import label_of
+from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.refer import refer
-from rpg.passes.schema.resolve.relations import conj, place
+from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 

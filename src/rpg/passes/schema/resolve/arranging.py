@@ -1,0 +1,263 @@
+"""Blocks that a verb arranges: into structures, lines, towers, one after the other."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import structures as s
+from rpg.ir.order import Order
+from rpg.passes.schema.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Structure, Toward
+from rpg.passes.schema.resolve.groups import attribute_of, sort_into
+from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, places
+from rpg.passes.schema.resolve.positions import alternatives
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.structures import either, make, stack_built
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+
+
+def counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
+    """Kinds and numbers that the adjuncts imply for an open theme ("the blocks in alphabetical order")."""
+    from rpg.passes.schema.resolve.orders import implied_kind
+
+    kind = implied_kind(spec)
+    if (
+        isinstance(theme, Noun)
+        and kind
+        and not theme.traits.kind
+        and not theme.traits.labels
+        and not theme.traits.colors
+    ):
+        return replace(theme, traits=replace(theme.traits, kind=kind))
+    return theme
+
+
+def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """What becomes of blocks that a verb speaks of: a structure, a line in an order, places."""
+    if theme.table:
+        raise refuse("misplaced", "the table stays where it is", theme.span, "name blocks")
+    if verb == "stack":
+        spec.intos = [
+            i
+            for i in spec.intos
+            if not (isinstance(i.structure, Structure) and i.structure.kind == "pile" and not i.structure.plural)
+        ]
+    heaped = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
+    spec.places = [p for p in spec.places if p not in heaped]
+    temporal = next((o for o in spec.orders if o.by == "temporal" or _in_time(o, verb, theme, spec)), None)
+    if temporal is not None or (theme.op == "then" and spec.places):
+        spec.orders = [o for o in spec.orders if o is not temporal]
+        return _one_by_one(theme, temporal, spec, scene, scope, span)
+    ref = theme
+    goals: Goals = []
+    structured = True
+    if _spelt_later(verb, spec, scene, theme):
+        return []
+    if spec.intos:
+        ref, goals = _into(theme, spec, scene, scope)
+    elif heaped or verb == "stack":
+        ref, goals = _stacked(theme, spec, scene, scope, span, bool(heaped))
+    elif _wants_row(verb, spec, theme):
+        built, goals = make(Structure(kind="line", span=span), spec, theme, scene, scope)
+        spec.orders = []
+        ref = replace(theme, names=built[0].members, built=tuple(built))
+        scene.mention(ref, "theme")
+    else:
+        structured = False
+    if spec.patterns and any(p.unit == "stack" for p in spec.patterns):
+        raise refuse("misplaced", "towers are spoken of, but nothing is stacked", spec.patterns[0].span, "say 'stack'")
+    goals = [*goals, *places(ref, spec, scene, scope, span)]
+    goals += loose_ats(ref, spec, scene, span) if spec.ats else []
+    if not goals and not structured and not spec.thats and not (verb == "be" and spec.absolutes):
+        raise refuse(
+            "no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'"
+        )
+    if spec.absolutes:
+        goals += absolutes(ref, spec, scene, scope)
+    return goals
+
+
+def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:
+    """ "stack letters so that they read SUN": the word says which blocks; the verb only that it stands upright."""
+    upright = verb == "stack" or any(getattr(i.structure, "kind", "") == "stack" for i in spec.intos)
+    flat = not upright and any(getattr(i.structure, "kind", "") in ("row", "line") for i in spec.intos)
+    if not (upright or flat) or not all(scene.things[n].elastic for n in theme.names):
+        return False
+    for index, that in enumerate(spec.thats):
+        chain = that.clauses
+        first = chain.clauses[0] if isinstance(chain, Chain) else None
+        if isinstance(chain, Chain) and isinstance(first, Clause) and first.verb in ("spell", "read"):
+            along = Toward(axis="z" if upright else "y", span=that.span)
+            said = replace(first, adjuncts=(*first.adjuncts, along))
+            spec.thats[index] = replace(that, clauses=replace(chain, clauses=(said, *chain.clauses[1:])))
+            spec.intos = []
+            return True
+    return False
+
+
+def _in_time(order: OrderBy, verb: str, theme: Ref, spec: Spec) -> bool:
+    """ "put A, B and C on the patch in that order": an order of blocks that form no line is one in time."""
+    if order.by != "given" or spec.intos or spec.toward or (len(theme.names) < 2 and not order.items):
+        return False
+    placed = verb == "place" and any(isinstance(p, Loc) and p.rel in ("on", "in") for p in spec.places)
+    return placed or (not order.items and theme.op == "then")
+
+
+def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """ "red, then green, then blue on the patch"; "in temporal order (blue first, then red)": one stage for each."""
+    units = theme.parts
+    if temporal is not None and temporal.items:
+        found = [refer(item, scene, Scope(pool=theme.names)) for item in temporal.items]
+        del scene.mentions[-len(found) :]
+        names = tuple(n for ref in found for n in ref.names)
+        extra = [n for n in theme.names if n not in names]
+        if extra and all(scene.things[n].elastic for n in extra):
+            for name in extra:
+                del scene.things[name]
+            extra = []
+        if extra:
+            raise refuse(
+                "count-mismatch", "the order leaves some of the blocks out", temporal.span, "name every block once"
+            )
+        units = tuple(found)
+    if not units:
+        units = tuple(Ref(names=(n,)) for n in theme.names)
+    stages = []
+    for unit in units:
+        again = Spec(places=list(spec.places), ats=list(spec.ats), manners=list(spec.manners))
+        stages.append(g.Stage(goal=conj(places(unit, again, scene, scope, span), span)))
+    spec.places, spec.manners = [], [m for m in spec.manners if m.kind != "respectively"]
+    return [g.Sequence(stages=tuple(stages), span=span)]
+
+
+def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
+    if spec.orders or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
+        return True
+    return (
+        verb == "arrange"
+        and not [p for p in spec.places if not isinstance(p, In)]
+        and not spec.thats
+        and not spec.ats
+        and len(theme.names) > 1
+    )
+
+
+def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:
+    into = spec.intos.pop(0)
+    target = into.structure
+    if spec.intos:
+        raise refuse(
+            "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
+        )
+    if isinstance(target, Coord):
+        sorted_ = [x for x in target.items if isinstance(x, Structure) and x.kind == "pile"]
+        if len(sorted_) == len(target.items):
+            built_, goals_ = sort_into(theme.names, None, None, spec, scene, scope, target.span)
+            return replace(theme, built=tuple(built_)), goals_
+        raise refuse(
+            "ambiguous", "it is not said which blocks go into which structure", target.span, "use a clause for each"
+        )
+    if not isinstance(target, Structure):
+        raise refuse("misplaced", "this is nothing that blocks can form", target.span)
+    if theme.quant is not None:
+        raise refuse("ambiguous", "it is not said which of the blocks", theme.span, "name the blocks")
+    built, goals = make(target, spec, theme, scene, scope)
+    spec.orders = []
+    ref = replace(
+        theme, names=tuple(dict.fromkeys(n for b in built for n in b.members)) or theme.names, built=tuple(built)
+    )
+    scene.mention(ref, "theme")
+    return ref, goals
+
+
+def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, heaped: bool) -> tuple[Ref, Goals]:
+    """The verb "stack": a tower of the theme, on something where that is said."""
+    if any(m.kind == "respectively" for m in spec.manners) and not heaped:
+        return theme, []
+    if any(p.unit in ("stack", "pile") for p in spec.patterns) or any(o.by == "attribute" for o in spec.orders):
+        return _towers_by(theme, spec, scene, span)
+    if len(theme.names) == 1:
+        if not spec.places and not heaped:
+            raise refuse("no-goal", "it is not said on what to stack it", span, "say 'on the blue block'")
+        return theme, []
+    if theme.quant is not None or theme.op == "or":
+        raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
+    items = next((o.items for o in spec.orders if o.items and o.by == "given"), ())
+    if items and len(theme.names) != len(items):
+        theme = replace(theme, names=scene.fit(theme.names, len(items)))
+    base = _base(theme, spec, scene, scope)
+    spec.listed = spec.listed or theme.listed
+    counted = next((z for z in spec.sizes), None)
+    if counted is not None:
+        built_, goals_ = make(Structure(kind="stack", span=span), spec, theme, scene, scope)
+        return replace(theme, names=built_[0].members, built=tuple(built_)), goals_
+    order = order_of(spec, theme.names, "stack", scene, scope, span)
+    spec.orders, spec.toward = [], []
+    names = theme.names
+    if base:
+        names = (*base, *names)
+        ranks = order.ranks if order.by == "given" else ((theme.names),)
+        if order.by not in ("any", "given") or order.first == "top":
+            raise refuse(
+                "ambiguous",
+                "an order of part of a tower is not understood here",
+                span,
+                "name every block from the bottom up",
+            )
+        order = Order(by="given", ranks=(*((b,) for b in base), *ranks), first="bottom")
+    nodes = [
+        s.Stack(blocks=names, order=o, readable=o.by in ("label", "number"), span=span)
+        for o in alternatives(order, scene)
+    ]
+    built = stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, span)
+    ref = replace(theme, names=names, built=(built,))
+    scene.mention(ref, "theme")
+    return ref, [either(nodes)]
+
+
+def _base(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[str, ...]:
+    """ "stack the green and the red block on the blue one": the blue block is the bottom of the tower."""
+    for item in list(spec.places):
+        if (
+            isinstance(item, Loc)
+            and item.rel == "on"
+            and isinstance(item.landmark, Noun)
+            and not item.negated
+            and item.landmark.head != "patch"
+        ):
+            if item.landmark.traits.matching:
+                continue
+            mark = refer(item.landmark, scene, replace(scope, role="landmark"))
+            if mark.patch or len(mark.names) != 1:
+                scene.mentions.pop()
+                if not mark.patch:
+                    raise refuse("ambiguous", "a tower stands on one block", item.span, "name one block")
+                continue
+            spec.places.remove(item)
+            return mark.names
+    return ()
+
+
+def _towers_by(theme: Ref, spec: Spec, scene: Scene, span: Span) -> tuple[Ref, Goals]:
+    """ "stack the blocks by colour", "where each stack is one colour"."""
+    from rpg.passes.schema.resolve.groups import fill, value_of
+
+    attribute = attribute_of(spec) or "color"
+    if all(scene.things[n].elastic for n in theme.names):
+        colors = len({scene.things[n].color for n in theme.names}) if scene.things[theme.names[0]].color else 3
+        theme = replace(theme, names=scene.fit(theme.names, max(2 * colors, len(theme.names))))
+    things = [scene.things[n] for n in theme.names]
+    fill(things, attribute, None, scene)
+    keys: dict[str, list[str]] = {}
+    for thing in things:
+        keys.setdefault(value_of(thing, attribute), []).append(thing.name)
+    if any(len(v) < 2 for v in keys.values()):
+        short = next(k for k, v in keys.items() if len(v) < 2)
+        raise refuse("too-few", f"a lone {short} block is no tower", span, "name at least two of each")
+    node = s.Towers(blocks=theme.names, count=len(keys), each=attribute, separate=True, span=span)  # type: ignore[arg-type]
+    built = tuple(scene.add_built("stack", v, False, span) for v in keys.values())
+    return replace(theme, built=built), [node]

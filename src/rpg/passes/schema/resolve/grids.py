@@ -1,0 +1,162 @@
+"""Grids, squares, cubes and walls."""
+
+from __future__ import annotations
+
+import math
+
+from rpg.ir import structures as s
+from rpg.ir.order import Order, Pattern
+from rpg.passes.schema.meaning import Absolute, At, Structure
+from rpg.passes.schema.meaning import Pattern as Said
+from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
+from rpg.passes.schema.resolve.members import members_of
+from rpg.passes.schema.resolve.patterns import pattern_of
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+
+
+def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "3x3 square", "2 by 4 grid", "3x3x3 cube", "4x4 checkerboard"."""
+    plain(shape)
+    rows, columns, layers = _dims(shape, spec, theme, scene)
+    need = rows * columns * layers
+    if shape.kind == "checkerboard":
+        spec.patterns.append(Said(unit="checkerboard", span=shape.span))
+    centre = next((a for a in spec.absolutes if isinstance(a.adjuncts[0], At) and a.adjuncts[0].side == "middle"), None)
+    if centre is not None and layers == 1 and not spec.patterns and not spec.orders:
+        return _centred(centre, shape, spec, theme, (rows, columns), scene, scope)
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, (rows, columns, layers), scene, scope)
+    node = s.Grid(
+        blocks=names, rows=rows, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
+    )
+    return made("grid" if shape.kind == "checkerboard" else shape.kind, node, names, shape.span, scene)
+
+
+def _centred(
+    centre: Absolute, shape: Structure, spec: Spec, theme: Ref | None, dims: tuple[int, int], scene: Scene, scope: Scope
+) -> Made:
+    """ "a 3x3 square of red blocks with a blue one in the center"."""
+    spec.absolutes.remove(centre)
+    rows, columns = dims
+    total = rows * columns
+    if total % 2 == 0 or rows % 2 == 0:
+        raise refuse(
+            "misplaced",
+            f"a {rows} by {columns} grid has no single middle cell",
+            centre.span,
+            "use odd numbers of rows and columns",
+        )
+    others = members_of(shape, spec, theme, total - 1, total - 1, scene, scope)
+    if len({(t.color, t.label) for t in (scene.things[n] for n in others)}) > 1:
+        raise refuse(
+            "ambiguous",
+            "it is not said how the other blocks are laid out",
+            shape.span,
+            "use blocks of one colour around it",
+        )
+    for name in others:
+        scene.things[name].scheme = scene.things[name].scheme or "same"
+    middle = refer(centre.theme, scene, Scope()).names
+    if len(middle) != 1 or middle[0] in others:
+        raise refuse(
+            "misplaced", "one further block goes in the middle", centre.span, "name one block of another colour"
+        )
+    half = len(others) // 2
+    order = Order(by="given", ranks=(others[:half], middle, others[half:]))
+    node = s.Grid(
+        blocks=(*others, *middle),
+        rows=rows,
+        columns=columns,
+        pattern=Pattern(kind="reading", order=order),
+        span=shape.span,
+    )
+    return made(shape.kind, node, node.blocks, shape.span, scene)
+
+
+def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:
+    """Rows, columns and layers of a grid."""
+    if len(shape.dims) == 3:
+        return shape.dims[0], shape.dims[1], shape.dims[2]
+    layers = shape.extent("layers", "high") or 1
+    if len(shape.dims) == 2:
+        return shape.dims[0], shape.dims[1], layers
+    rows, columns = shape.extent("rows", "deep"), shape.extent("columns", "wide", "long")
+    total = said_count(shape, theme, scene)
+    side = shape.extent("side")
+    if side is not None:
+        return side, side, side if shape.kind == "cube" else layers
+    if rows and columns:
+        return rows, columns, layers
+    if total is not None and (rows or columns) and total % (rows or columns or 1) == 0:
+        other = total // (rows or columns or 1)
+        return (rows, other, layers) if rows else (other, columns or 1, layers)
+    if total is None:
+        if shape.kind == "cube":
+            raise refuse(
+                "ambiguous", "the size of the cube is not said", shape.span, "say '2x2x2 cube' or '3x3x3 cube'"
+            )
+        scene.assume("the size of the grid is not said: 3 by 3")
+        return 3, 3, 1
+    return _fill(shape, total, scene)
+
+
+def _fill(shape: Structure, total: int, scene: Scene) -> tuple[int, int, int]:
+    """The squarest grid of `total` blocks."""
+    if shape.kind == "cube":
+        edge = round(total ** (1 / 3))
+        if edge**3 != total:
+            raise refuse(
+                "count-mismatch", f"{total} blocks do not fill a cube", shape.span, "use 8 or 27", blocks=total
+            )
+        return edge, edge, edge
+    side = math.isqrt(total)
+    if shape.kind in ("square", "checkerboard") and side * side != total:
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks do not fill a square",
+            shape.span,
+            f"use {side * side} or {(side + 1) ** 2}",
+            blocks=total,
+        )
+    rows = next(r for r in range(side, 0, -1) if total % r == 0)
+    if rows == 1 and total > 3:
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks do not fill a grid of several rows",
+            shape.span,
+            f"use {total + 1}",
+            blocks=total,
+        )
+    scene.assume(f"the shape of the grid is not said: {rows} by {total // rows}")
+    return rows, total // rows, 1
+
+
+def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a wall of six blocks", "a wall three wide and two high": one row, several layers."""
+    plain(shape)
+    columns, layers = shape.extent("wide", "long", "columns"), shape.extent("high", "layers", "rows")
+    if len(shape.dims) >= 2:
+        columns, layers = shape.dims[0], shape.dims[1]
+        scene.assume(f"the wall is {columns} blocks wide and {layers} high")
+    if not columns or not layers:
+        total = said_count(shape, theme, scene) or (2 * columns if columns else 3 * layers if layers else 6)
+        layers = layers or (total // columns if columns else next((n for n in (2, 3) if total % n == 0), 1))
+        columns = columns or total // layers
+        if layers < 2 or columns * layers != total:
+            raise refuse(
+                "count-mismatch",
+                f"{total} blocks do not fill a wall of several layers",
+                shape.span,
+                f"use {total + 1}",
+                blocks=total,
+            )
+        scene.assume(f"the wall is {columns} blocks wide and {layers} high")
+    need = columns * layers
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, (1, columns, layers), scene, scope)
+    node = s.Grid(
+        blocks=names, rows=1, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
+    )
+    return made("wall", node, names, shape.span, scene)

@@ -1,0 +1,90 @@
+"""Operands of relations: every, any or so many blocks; the foot and the top of a tower."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import EACH, Highest, Lowest, Operand
+from rpg.passes.schema.meaning import Amount, Loc
+from rpg.passes.schema.resolve.logic import conj, disj, negation
+from rpg.passes.schema.resolve.world import Ref, Scene
+
+LEVEL = {"beside": r.Beside, "adjacent": r.Adjacent, "touching": r.Touching, "near": r.Near, "apart": r.Apart}
+
+
+DIRECTIONS: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
+    "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "behind": r.Behind,
+}  # fmt: skip
+
+
+def measure(loc: Loc) -> Any:
+    return loc.measure
+
+
+UPRIGHT = ("stack", "wall", "pyramid", "staircase")
+
+
+def spread(theme: Ref, atom: Callable[[Operand], g.Goal], span: Span, together: bool = False) -> g.Goal:
+    """`atom` of every, any, or so many of the theme's blocks. `together`: the atom takes several blocks at once."""
+    if theme.quant is not None:
+        return count(theme.names, theme.quant, atom, span)
+    if theme.op == "except":
+        inside, out = theme.parts
+        return conj([spread(inside, atom, span, together), *negation([spread(out, atom, span)], span)], span)
+    if theme.op == "nor":
+        return conj(negation([spread(part, atom, span) for part in theme.parts], span), span)
+    if theme.op == "xor":
+        parts = [spread(part, atom, span, together) for part in theme.parts]
+        return g.All(
+            goals=(g.Any(goals=tuple(parts), span=span), g.Not(goal=g.All(goals=tuple(parts), span=span), span=span)),
+            span=span,
+        )
+    if theme.op == "or":
+        return disj([spread(part, atom, span, together) for part in theme.parts], span)
+    if theme.built and len(theme.built) == 1 and not theme.each:
+        return atom(theme.names if together else foot(theme))
+    if together or len(theme.names) == 1:
+        return atom(theme.names)
+    return conj([atom((name,)) for name in theme.names], span)
+
+
+def count(names: tuple[str, ...], quant: Amount, atom: Callable[[Operand], g.Goal], span: Span) -> g.Goal:
+    """So many of `names` satisfy `atom`."""
+    if quant.high == 0:
+        return conj([g.Not(goal=atom((name,)), span=span) for name in names], span)
+    if quant.low == 1 and quant.high is None:
+        return disj([atom((name,)) for name in names], span)
+    if quant.low == len(names) and (quant.high is None or quant.high == len(names)):
+        return conj([atom((name,)) for name in names], span)
+    return g.Count(over=names, at_least=quant.low, at_most=quant.high, goal=atom((EACH,)), span=span)
+
+
+def foot(ref: Ref) -> Operand:
+    """The operand for a relation on the table: a tower's lowest block, a structure's blocks, the block itself."""
+    if len(ref.built) == 1 and ref.built[0].kind == "stack":
+        built = ref.built[0]
+        return (built.members[0],) if built.ordered else Lowest(lowest=built.members)
+    return ref.names
+
+
+def crown(ref: Ref) -> Operand:
+    """The operand for putting something on it: a tower's highest block."""
+    if len(ref.built) == 1 and ref.built[0].kind in UPRIGHT:
+        built = ref.built[0]
+        if built.kind == "stack" and built.ordered:
+            return (built.members[-1],)
+        return Highest(highest=built.members)
+    return ref.names
+
+
+def base_of(name: str, scene: Scene) -> str:
+    """The lowest block of the tower that `name` is in."""
+    seen = {name}
+    while name in scene.on_top and scene.on_top[name] not in seen:
+        name = scene.on_top[name]
+        seen.add(name)
+    return name

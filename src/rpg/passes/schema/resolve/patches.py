@@ -1,0 +1,80 @@
+"""Blocks on patches: one for all, one for each, the one of its colour."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.passes.schema.resolve.logic import Atoms, conj, disj
+from rpg.passes.schema.resolve.operands import spread
+from rpg.passes.schema.resolve.world import Ref, Scene, refuse
+
+
+def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    patches = mark.names
+    if theme.patch:
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if mark.op == "or" or (mark.quant is not None and mark.quant.low == 1):
+        return disj([_on_patch(theme, p, span) for p in patches], span)
+    if len(patches) == 1:
+        return _on_patch(theme, patches[0], span)
+    if mark.each and theme.det in ("a", "bare", "some") and theme.quant is None and not theme.built:
+        return conj(
+            [
+                r.OnPatch(a=names, patch=p, span=span)
+                for names, p in zip(_one_lot_each(theme, len(patches), scene), patches, strict=True)
+            ],
+            span,
+        )
+    units = theme.built if len(theme.built) == len(patches) else ()
+    if units:
+        return conj(
+            [_on_patch(Ref(names=b.members, built=(b,)), p, span) for b, p in zip(units, patches, strict=True)], span
+        )
+    if len(theme.names) == len(patches):
+        pairs = zip(theme.names, patches, strict=True)
+        return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
+    return conj([disj([r.OnPatch(a=(a,), patch=p, span=span) for p in patches], span) for a in theme.names], span)
+
+
+def _one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
+    """ "two blocks on each patch": as many again for every further patch."""
+    made = [theme.names]
+    for _ in range(lots - 1):
+        more = []
+        for name in theme.names:
+            like = scene.things[name]
+            new = scene.fresh(color=like.color, kind=like.kind, size=like.size, edge=like.edge, scheme=like.scheme)
+            new.batch = like.batch
+            more.append(new.name)
+        made.append(tuple(more))
+    return made
+
+
+def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:
+    return spread(theme, lambda a: r.OnPatch(a=a, patch=patch, span=span), span, together=True)
+
+
+def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "each block on the patch of its colour": one patch for every colour among the theme."""
+    blocks = [scene.things[n] for n in theme.names]
+    spare = iter(
+        c
+        for c in ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
+        if c not in {b.color for b in blocks}
+    )
+    for block in blocks:
+        if block.color is None:
+            block.color = next(spare, "red")
+            scene.assume("the colours of the blocks are not said: one of each colour")
+    goals: Atoms = []
+    for color in dict.fromkeys(b.color for b in blocks):
+        patch = next((t for t in scene.things.values() if t.patch and t.color == color), None) or next(
+            (t for t in scene.things.values() if t.patch and t.color is None), None
+        )
+        if patch is None:
+            patch = scene.fresh(patch=True, color=color)
+        patch.color = color
+        members = tuple(b.name for b in blocks if b.color == color)
+        goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
+    return goals

@@ -1,0 +1,219 @@
+"""Places of a clause: where its theme goes, and what is said of further blocks."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import Lowest
+from rpg.passes.schema.meaning import At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.passes.schema.resolve.operands import crown, foot
+from rpg.passes.schema.resolve.patches import matching_patches
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.relations import place, related
+from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+
+Goals = list[g.Goal]
+
+
+def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
+    """Blocks that are only there: "with two extra blue blocks", "a purple block lies around as a distractor"."""
+    for using in list(spec.usings):
+        if is_extra(using.members):
+            refer(using.members, scene, Scope())
+            scene.mentions.pop()
+            spec.usings.remove(using)
+    for place_ in list(spec.places):
+        if (
+            isinstance(place_, Loc)
+            and place_.rel == "between"
+            and place_.landmark is not None
+            and is_extra(place_.landmark)
+        ):
+            refer(place_.landmark, scene, Scope())
+            scene.mentions.pop()
+            spec.places.remove(place_)
+    if (
+        clause.verb not in ("be", "exist")
+        or clause.theme is None
+        or is_shape(clause.theme)
+        or spec.manner("extra") is None
+    ):
+        return False
+    marked = as_extra(clause.theme)
+    refer(marked, scene, Scope())
+    scene.mentions.pop()
+    spec.places = []
+    return True
+
+
+def is_extra(meaning: Meaning) -> bool:
+    """Whether a phrase speaks of distractors."""
+    if isinstance(meaning, Coord):
+        return all(is_extra(item) for item in meaning.items)
+    return isinstance(meaning, Noun) and meaning.traits.extra
+
+
+def as_extra(meaning: Meaning) -> Meaning:
+    """The phrase with its blocks as distractors."""
+    if isinstance(meaning, Coord):
+        return replace(meaning, items=tuple(as_extra(item) for item in meaning.items))
+    if isinstance(meaning, Noun):
+        return replace(meaning, traits=replace(meaning.traits, extra=True))
+    return meaning
+
+
+def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """Every place of the clause, for the theme or the structure it became."""
+    goals: Goals = []
+    _merge_sides(spec)
+    vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
+    level = [p for p in spec.places if p not in vertical]
+    respectively = spec.manner("respectively") is not None
+    for item in [*vertical, *level]:
+        if isinstance(item, Loc) and item.rel == "heaped":
+            continue
+        goals += _place_one(ref, item, scene, scope, span, respectively)
+    spec.places = []
+    return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
+
+
+def _merge_sides(spec: Spec) -> None:
+    """ "right next to the blue block, on its right side": one relation; "beside it on the right" too."""
+    close = next(
+        (p for p in spec.places if isinstance(p, Loc) and p.rel in ("adjacent", "beside") and p.landmark is not None),
+        None,
+    )
+    if close is None:
+        return
+    tight = close.rel == "adjacent" or "immediate" in close.mods
+    for at_ in [a for a in spec.ats if a.side in ("left", "right", "front", "back") and a.index is None]:
+        spec.ats.remove(at_)
+        spec.places[spec.places.index(close)] = replace(
+            close, rel={"back": "behind"}.get(at_.side, at_.side), mods=("immediate",) if tight else ()
+        )
+        if not tight:
+            spec.places.append(close)
+        return
+    for index, side in enumerate(spec.places):
+        if (
+            isinstance(side, Loc)
+            and side.rel in ("left", "right", "front", "behind")
+            and tight
+            and isinstance(side.landmark, Pronoun)
+        ):
+            spec.places[index] = replace(side, landmark=close.landmark, mods=("immediate",))
+            spec.places.remove(close)
+            return
+
+
+def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, respectively: bool) -> Goals:
+    where = (min(span[0], item.span[0]), max(item.span[1], span[0]))
+    if isinstance(item, Loc) and item.landmark is not None and ref.built and item.rel == "on":
+        patched = _tower_patch(ref, item, scene, scope, where)
+        if patched is not None:
+            return patched
+    if respectively and isinstance(item, Loc) and item.landmark is not None:
+        mark = refer(item.landmark, scene, replace(scope, role="landmark"))
+        if len(mark.names) != len(ref.names):
+            raise refuse(
+                "count-mismatch",
+                f"'respectively' pairs {len(ref.names)} with {len(mark.names)}",
+                item.span,
+                "list as many of both",
+                left=len(ref.names),
+                right=len(mark.names),
+            )
+        goals: Goals = []
+        for a, b in zip(ref.names, mark.names, strict=True):
+            single = replace(item, landmark=Pronoun(word="@" + b, span=item.span))
+            goals += _direct(
+                Ref(names=(a,), span=ref.span), Ref(names=(b,), patch=mark.patch, span=mark.span), single, scene, where
+            )
+        return goals
+    return place(ref, item, scene, scope, where)
+
+
+def _direct(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Goals:
+    return related(theme, mark, loc, scene, span)
+
+
+def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) -> Goals | None:
+    """A structure on patches: one patch for all, or a matching one for each tower."""
+    landmark = item.landmark
+    if isinstance(landmark, Noun) and (
+        landmark.traits.matching
+        or (landmark.head == "patch" and landmark.traits.scheme in ("some", "different") and not landmark.traits.colors)
+    ):
+        return matching_patches(ref, Ref(patch=True, matching=True), scene, span)
+    return None
+
+
+def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
+    """ "on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
+    goals: Goals = []
+    for at_ in spec.ats:
+        scene.loose.append((ref, at_, span))
+    spec.ats = []
+    return goals or [g.All(goals=())]
+
+
+def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "with a red block next to it", "with the letter A on top": further conditions, or parts of the structure."""
+    goals: Goals = []
+    for item in spec.absolutes:
+        if is_extra(item.theme):
+            refer(item.theme, scene, Scope())
+            scene.mentions.pop()
+            continue
+        theme = refer(item.theme, scene, replace(scope, role="theme"))
+        if any(scene.things[n].invented for n in ref.names) and not set(theme.names) & set(ref.names) and ref.built:
+            raise refuse(
+                "ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks"
+            )
+        inner = sort_adjuncts(item.adjuncts)
+        _merge_sides(inner)
+        for at_ in list(inner.ats):
+            if (
+                len(ref.built) == 1
+                and not set(theme.names) & set(ref.names)
+                and at_.side in ("top", "bottom")
+                and at_.index is None
+            ):
+                inner.ats.remove(at_)
+                goals += _at_end(theme, ref, at_, scene, item.span)
+        if inner.ats and ref.built and not set(theme.names) & set(ref.names):
+            raise refuse(
+                "misplaced",
+                "this place does not fit the structure",
+                inner.ats[0].span,
+                "say 'on top', or name the block among its members",
+            )
+        if inner.ats:
+            goals += loose_ats(theme, inner, scene, item.span)
+        for adjunct in inner.places:
+            mark = getattr(adjunct, "landmark", None)
+            if isinstance(mark, Pronoun) and mark.word in ("it", "them", "that") and isinstance(adjunct, Loc):
+                goals += related(theme, ref, adjunct, scene, item.span)
+            else:
+                goals += place(theme, adjunct, scene, scope, item.span)
+    spec.absolutes = []
+    return goals
+
+
+def _at_end(theme: Ref, ref: Ref, at_: At, scene: Scene, span: Span) -> Goals:
+    """A further block on top of a structure, or under it."""
+    if at_.side == "top":
+        return [r.On(a=theme.names, b=crown(ref), span=span)]
+    if ref.built[0].kind != "stack" or len(theme.names) != 1:
+        raise refuse("misplaced", "nothing goes under this", at_.span, "count the block among its members")
+    return [r.On(a=foot(ref) if ref.built[0].ordered else Lowest(lowest=ref.names), b=theme.names, span=span)]
+
+
+def is_shape(theme: Meaning | None) -> bool:
+    return isinstance(theme, Structure) or (
+        isinstance(theme, Coord) and any(isinstance(i, Structure) for i in theme.items)
+    )

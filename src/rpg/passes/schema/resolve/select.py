@@ -1,0 +1,142 @@
+"""The names that a plain description stands for: those there are, or new ones."""
+
+from __future__ import annotations
+
+from rpg.passes.schema.meaning import Noun, Traits
+from rpg.passes.schema.resolve.things import alike, create, elastic, give, matching, open_to
+from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse, said
+
+
+def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
+    """The names that a plain description (one colour, at most one label) stands for."""
+    found = matching(noun.traits, scene, patch)
+    if scope.pool and not patch:
+        inside = [t for t in found if t.name in scope.pool]
+        found = inside or found
+    if (
+        noun.traits.scheme in ("same", "different")
+        and found
+        and noun.det in ("the", "bare", "all")
+        and noun.amount is None
+    ):
+        colors = {t.color for t in found}
+        if None in colors or len(colors) != (1 if noun.traits.scheme == "same" else len(found)):
+            raise refuse("ambiguous", "it is not clear which of the blocks are meant", noun.span, "name their colours")
+    amount = noun.amount
+    indefinite = noun.det in ("a", "some", "another") or (noun.det == "bare" and amount is not None)
+    if noun.det in ("any", "no", "bare", "some") and amount is None and (noun.plural or noun.det in ("any", "no")):
+        indefinite = not found
+    if scope.given and not scope.start:
+        indefinite = indefinite or noun.det == "bare"
+    if indefinite:
+        return _indefinite(noun, found, scene, scope, patch)
+    return _definite(noun, found, scene, scope, patch)
+
+
+def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
+    count = wanted(noun, scene, scope, patch)
+    free = [t for t in found if t.name not in scene.used and (t.declared or t.name in scope.pool)]
+    if (
+        noun.det == "another"
+        and scene.parted
+        and (left := [t for t in found if t.declared and t.name not in scene.parted | scene.used])
+    ):
+        scene.parted.add(left[0].name)
+        return (left[0].name,)
+    if noun.det != "another" and not scope.given and len(free) >= count:
+        chosen = free[:count]
+        if len(free) > count and not alike(free):
+            raise refuse(
+                "ambiguous",
+                f"{count} of {len(free)} different blocks are meant, but not which",
+                noun.span,
+                "name their colours, or say 'any'",
+            )
+    elif claimed := _claim(noun, scene, scope, patch, count):
+        chosen = claimed
+    else:
+        scene.new_batch()
+        chosen = elastic([create(noun.traits, scene, patch) for _ in range(count)], noun, patch)
+        for thing in chosen:
+            thing.declared = scope.given
+    if not scope.given:
+        scene.used.update(t.name for t in chosen)
+    return tuple(t.name for t in chosen)
+
+
+def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> list[Thing]:
+    """Members of the structure spoken of whose looks are open take on the description."""
+    if patch or not scope.pool:
+        return []
+    open_ = [scene.things[n] for n in scope.pool if open_to(scene.things[n], noun.traits)]
+    if len(open_) < count:
+        return []
+    for thing in open_[:count]:
+        give(thing, noun.traits)
+    return open_[:count]
+
+
+def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
+    if not found and noun.head == "any" and noun.traits == Traits() and not scope.pool:
+        raise refuse("no-referent", "it is not clear what this refers to", noun.span, "name the block")
+    amount = noun.amount.low if noun.amount and noun.det != "a" else (2 if noun.det == "both" else None)
+    single = not noun.plural and amount in (None, 1) and noun.det not in ("all", "each")
+    if single:
+        if len(found) == 1:
+            return (found[0].name,)
+        if len(found) > 1:
+            return (_pick(noun, found, scene, scope).name,)
+        if claimed := _claim(noun, scene, scope, patch, 1):
+            return (claimed[0].name,)
+        scene.new_batch()
+        return (create(noun.traits, scene, patch).name,)
+    if amount is not None:
+        if len(found) > amount:
+            raise refuse(
+                "ambiguous",
+                f"{amount} are spoken of, but there are {len(found)} such blocks",
+                noun.span,
+                "say which, or 'any'",
+                asked=amount,
+                there=len(found),
+            )
+        if len(found) < amount:
+            if not found or not scope.given:
+                scene.new_batch()
+            found = found + [create(noun.traits, scene, patch) for _ in range(amount - len(found))]
+        return tuple(t.name for t in found)
+    if len(found) >= (2 if noun.plural and noun.traits.colors else 1) or (found and noun.det in ("all", "each")):
+        return tuple(t.name for t in found)
+    if found and not noun.plural:
+        return tuple(t.name for t in found)
+    count = wanted(noun, scene, scope, patch)
+    scene.new_batch()
+    found = found + elastic([create(noun.traits, scene, patch) for _ in range(max(0, count - len(found)))], noun, patch)
+    return tuple(t.name for t in found)
+
+
+def wanted(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> int:
+    """How many objects a phrase brings in; a default where it does not say."""
+    if noun.amount is not None:
+        return noun.amount.low if noun.amount.low else noun.amount.high or 1
+    if not noun.plural and noun.det in ("a", "the", "bare", "another", "its"):
+        return 1
+    return scope.need or (3 if noun.det in ("all", "each", "any", "no", "some") else 2)
+
+
+def _pick(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing:
+    """The one of several that was spoken of last, if just one was; else the phrase is ambiguous."""
+    singles = {m.ref.names[0] for m in scene.mentions if len(m.ref.names) == 1}
+    recent = [t for t in found if t.name in singles]
+    if len(recent) == 1 and (len(found) == 1 or not any(t.declared for t in found)):
+        return recent[0]
+    what = said(found[0])[4:]
+    if len({(t.color, t.label, t.size) for t in found}) > 1:
+        names = ", ".join(dict.fromkeys(said(t) for t in found))
+        raise refuse("ambiguous", f"this could be {names}", noun.span, "name its colour or its label")
+    raise refuse(
+        "ambiguous",
+        f"there are {len(found)} of them: it could be any {what}",
+        noun.span,
+        f"say 'one of the {what}s' or 'a {what}'",
+    )

@@ -1,0 +1,77 @@
+"""Clauses whose theme is a structure."""
+
+from __future__ import annotations
+
+from rpg.passes.schema.meaning import Clause, Coord, Into, Meaning, Noun, Structure
+from rpg.passes.schema.resolve.arranging import arrange_blocks
+from rpg.passes.schema.resolve.placing import Goals, absolutes, places
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.structures import make
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
+
+
+def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """A structure as the theme ("build a tower of ..."), or what the clause is to form ("arrange in a circle")."""
+    shapes: list[Meaning]
+    if isinstance(clause.theme, Coord) and len(clause.theme.items) == 2 and isinstance(clause.theme.items[0], Noun):
+        last = clause.theme.items[1]
+        if isinstance(last, Structure) and last.members is None and clause.theme.cost:
+            theme = refer(clause.theme.items[0], scene, scope)
+            spec.intos.append(Into(structure=last, span=last.span))
+            return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
+    if clause.theme is None:
+        shapes = [spec.intos.pop(0).structure]
+    else:
+        shapes = list(clause.theme.items) if isinstance(clause.theme, Coord) else [clause.theme]
+    built: list[Built] = []
+    goals: Goals = []
+    parts: list[Ref] = []
+    for shape in shapes:
+        if isinstance(shape, Structure) and not _spoken_of(shape, clause, scene):
+            if shape.kind == "pile" and spec.places and clause.verb == "stack":
+                raise refuse("misplaced", "piles lie on the table", shape.span)
+            more, atoms = make(shape, spec, None, scene, scope)
+            spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
+            goals += atoms
+            built += more
+            parts.append(Ref(names=tuple(n for b in more for n in b.members), built=tuple(more), span=shape.span))
+        else:
+            ref = refer(shape, scene, scope)
+            if not ref.built and not spec.places:
+                raise refuse(
+                    "no-goal", "it is not said where these blocks should be", shape.span, "say where they should be"
+                )
+            built += ref.built
+            parts.append(ref)
+    names = tuple(dict.fromkeys(n for p in parts for n in p.names))
+    ref = Ref(
+        names=names,
+        built=tuple(built),
+        plural=len(built) > 1,
+        parts=tuple(parts) if len(parts) > 1 else (),
+        span=clause.span,
+    )
+    scene.mention(ref, "theme")
+    if spec.intos:
+        raise refuse(
+            "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
+        )
+    used = list(goals)
+    spec.orders = []
+    goals += places(ref, spec, scene, scope, clause.span)
+    if spec.absolutes:
+        goals += absolutes(ref, spec, scene, scope)
+    if scope.start and any(b.kind == "pile" for b in built):
+        return goals
+    if not used and not goals:
+        raise refuse("no-goal", "it is not said what to do with it", clause.span)
+    return goals
+
+
+def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:
+    from rpg.passes.schema.resolve.structures import _known
+
+    if clause.verb in ("build", "spell") and shape.det in ("a", "bare", "some"):
+        return False
+    return shape.det in ("the", "its", "each", "all", "both") and bool(_known(shape, scene))

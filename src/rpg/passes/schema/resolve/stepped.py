@@ -1,0 +1,120 @@
+"""Pyramids and staircases."""
+
+from __future__ import annotations
+
+import math
+
+from rpg.blocks.figures import pyramid_size
+from rpg.ir import structures as s
+from rpg.passes.schema.meaning import At, Noun, Size, Structure
+from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
+from rpg.passes.schema.resolve.members import amount_of, members_of
+from rpg.passes.schema.resolve.patterns import pattern_of
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+
+
+def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a pyramid with a 3x3 base", "a pyramid of six blocks"."""
+    plain(shape)
+    base = _base(shape, spec, theme, scene)
+    need = pyramid_size(base)
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    layers = min(base) if base[1] > 1 else base[0]
+    pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope)
+    node = s.Pyramid(blocks=names, base=base, pattern=pattern, readable=readable, span=shape.span)
+    return made("pyramid", node, names, shape.span, scene)
+
+
+def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int]:
+    """Blocks along the base, and its depth."""
+    base = next((z for z in shape.sizes if z.what == "base" and z.dims), None)
+    dims = shape.dims or (base.dims if base else ())
+    if len(dims) >= 2:
+        return dims[0], dims[1]
+    layers = _layers(spec)
+    total = said_count(shape, theme, scene)
+    size = shape.extent("base", "layers", "high") or (max(layers) if layers else None)
+    if layers:
+        total = sum(layers) if len(layers) > 1 else total
+        square = sorted(layers, reverse=True) == [(n + 1) ** 2 for n in range(math.isqrt(max(layers)))][::-1]
+        size = math.isqrt(max(layers)) if square and len(layers) > 1 else max(layers)
+    options = [(n, 1) for n in range(2, 8)] + [(n, n) for n in range(2, 5)]
+    if total is not None:
+        fits = [
+            b
+            for b in options
+            if pyramid_size(b) == total and (size is None or b[0] == size or (b[1] > 1 and b[0] * b[1] == size))
+        ]
+        if not fits:
+            counts = sorted(pyramid_size(b) for b in options)
+            near = sorted(counts, key=lambda c: (abs(c - total), c))[:2]
+            raise refuse(
+                "count-mismatch",
+                f"{total} blocks do not make a pyramid",
+                shape.span,
+                f"use {near[0]} or {near[1]}",
+                blocks=total,
+            )
+        scene.assume(f"the base of the pyramid is {fits[0][0]} by {fits[0][1]} blocks")
+        return fits[0]
+    if size is not None:
+        if shape.traits.shape == "square":
+            return size, size
+        scene.assume(f"the pyramid is flat: {size} blocks in its base, one deep")
+        return size, 1
+    if shape.traits.shape == "square":
+        scene.assume("the size of the pyramid is not said: a base of 3 by 3 blocks")
+        return 3, 3
+    scene.assume("the size of the pyramid is not said: a base of 3 blocks, one deep")
+    return 3, 1
+
+
+def _layers(spec: Spec) -> list[int]:
+    """ "four blocks at the bottom and one on top": how many blocks each layer has."""
+    found: list[int] = []
+    for item in list(spec.absolutes):
+        at_ = item.adjuncts[0]
+        count = amount_of(item.theme)
+        plain = isinstance(item.theme, Noun) and not item.theme.traits.colors and not item.theme.traits.labels
+        if isinstance(at_, At) and at_.side in ("top", "bottom", "middle", "next") and count is not None and plain:
+            found.append(count)
+            spec.absolutes.remove(item)
+    return found
+
+
+def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a staircase with four steps, going up to the left"."""
+    if shape.plural and shape.amount and shape.amount.low > 1:
+        shape = _steps(shape)
+    steps = shape.extent("steps", "high", "layers")
+    total = said_count(shape, theme, scene)
+    if steps is None and total is not None:
+        steps = next((n for n in range(2, 8) if n * (n + 1) // 2 == total), None)
+        if steps is None:
+            raise refuse(
+                "count-mismatch", f"{total} blocks do not make a staircase", shape.span, "use 3, 6 or 10", blocks=total
+            )
+    if steps is None:
+        steps = 3
+        scene.assume("the number of steps is not said: 3")
+    up = None
+    rising = spec.manner("rising")
+    if rising is not None:
+        up = str(rising.value)
+    side = spec.first("left", "right", "front", "back")
+    if side and up is None:
+        up = {"left": "right", "right": "left", "front": "back", "back": "front"}[side]
+        spec.toward = []
+    need = steps * (steps + 1) // 2
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, None, scene, scope)
+    node = s.Staircase(blocks=names, steps=steps, up=up, pattern=pattern, readable=readable, span=shape.span)  # type: ignore[arg-type]
+    return made("staircase", node, names, shape.span, scene)
+
+
+def _steps(shape: Structure) -> Structure:
+    from dataclasses import replace
+
+    steps = Size(what="steps", amount=shape.amount, span=shape.span)
+    return replace(shape, sizes=(steps,), amount=None, plural=False)

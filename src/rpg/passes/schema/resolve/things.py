@@ -1,0 +1,147 @@
+"""Objects and descriptions: which fit, which are made, which are still open."""
+
+from __future__ import annotations
+
+import string
+from dataclasses import dataclass
+
+from rpg.passes.schema.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
+from rpg.passes.schema.meaning import Meaning, Noun, Traits
+from rpg.passes.schema.resolve.world import Scene, Thing
+
+EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
+
+
+VOWELS = "AEIOU"
+
+
+def _fits(thing: Thing, traits: Traits) -> bool:
+    """Whether everything that `traits` says is known to hold of `thing`."""
+    if traits.colors and thing.color not in traits.colors:
+        return False
+    if traits.labels and thing.label not in traits.labels:
+        return False
+    if traits.kind and not _kind_fits(thing, traits.kind):
+        return False
+    if traits.quality and not quality_fits(thing, traits.quality):
+        return False
+    if traits.size and thing.size != traits.size:
+        return False
+    if traits.edge and thing.edge != traits.edge:
+        return False
+    if traits.long and not thing.long:
+        return False
+    return not (traits.shape and thing.patch and thing.shape != traits.shape)
+
+
+def _kind_fits(thing: Thing, kind: str) -> bool:
+    if kind == "plain":
+        return thing.kind is None
+    if kind == "symbol":
+        return thing.kind is not None
+    return thing.kind == kind
+
+
+def quality_fits(thing: Thing, quality: str) -> bool:
+    """Vowel, consonant, even, odd."""
+    label = thing.label or ""
+    match quality:
+        case "vowel":
+            return label != "" and label in VOWELS
+        case "consonant":
+            return label != "" and label in string.ascii_uppercase and label not in VOWELS
+        case "even":
+            return label in "02468" and label != ""
+        case _:
+            return label in "13579" and label != ""
+
+
+def matching(traits: Traits, scene: Scene, patch: bool) -> list[Thing]:
+    """The objects that a description fits, distractors left out."""
+    return [t for t in scene.things.values() if t.patch == patch and not t.extra and _fits(t, traits)]
+
+
+def create(traits: Traits, scene: Scene, patch: bool) -> Thing:
+    """Bring an object into the task."""
+    label = traits.labels[0] if traits.labels else None
+    kind = _kind_of(label) if label else (traits.kind if traits.kind != "plain" else None)
+    if traits.quality and not kind:
+        kind = "digit" if traits.quality in ("even", "odd") else "letter"
+    return scene.fresh(
+        patch=patch, color=traits.colors[0] if traits.colors else None, label=label, kind=kind, quality=traits.quality,
+        edge=traits.edge if not patch else None, size=traits.size, shape=traits.shape if patch else None,
+        long=traits.long,
+        extent=(traits.edge, traits.edge) if patch and traits.edge else None, scheme=traits.scheme,
+    )  # fmt: skip
+
+
+def _kind_of(label: str) -> str:
+    if label in string.ascii_uppercase:
+        return "letter"
+    return "digit" if label in string.digits else "symbol"
+
+
+def alike(things: list[Thing]) -> bool:
+    looks = {(t.color, t.label, t.kind, t.size, t.edge, t.shape) for t in things}
+    return len(looks) == 1 and (things[0].color is not None or things[0].label is not None)
+
+
+def open_to(thing: Thing, traits: Traits) -> bool:
+    """Whether an object's looks are still open to what `traits` says."""
+    if thing.claims:
+        return False
+    if traits.colors and (thing.color is not None or thing.label is not None):
+        return False
+    if traits.labels and (thing.label is not None or (thing.color is not None and thing.kind is None)):
+        return False
+    return bool(traits.colors or traits.labels or traits.size)
+
+
+def give(thing: Thing, traits: Traits) -> None:
+    """Let `thing` have what `traits` says."""
+    thing.claims += 1
+    if traits.colors:
+        thing.color = traits.colors[0]
+    if traits.labels:
+        thing.label = traits.labels[0]
+        thing.kind = _kind_of(traits.labels[0])
+    if traits.size:
+        thing.size = traits.size
+    if traits.edge:
+        thing.edge = traits.edge
+        if thing.patch:
+            thing.extent = (traits.edge, traits.edge)
+    if traits.long:
+        thing.long = True
+    if traits.shape and thing.patch:
+        thing.shape = traits.shape
+
+
+def is_open(noun: Noun) -> bool:
+    """Whether a phrase leaves the number of its objects open."""
+    return (
+        noun.amount is None
+        and not (not noun.plural and noun.det in ("a", "the", "bare", "another", "its"))
+        and noun.det != "both"
+    )
+
+
+def elastic(things: list[Thing], noun: Noun, patch: bool) -> list[Thing]:
+    """Mark new objects whose number is open."""
+    if is_open(noun):
+        for thing in things:
+            thing.elastic = _words(noun.traits) + ("patches" if patch else "blocks")
+    return things
+
+
+def _words(traits: Traits) -> str:
+    words = [*traits.colors, {"letter": "letter", "digit": "number"}.get(traits.kind or "", "")]
+    return "".join(w + " " for w in words if w)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Premise(Meaning):
+    """What a relative clause takes for granted of some objects."""
+
+    names: tuple[str, ...]
+    condition: Meaning

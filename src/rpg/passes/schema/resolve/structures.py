@@ -166,6 +166,8 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if len(names) < 2:
         raise refuse("too-few", "a lone block is no tower", shape.span, "name at least two blocks", blocks=len(names))
     order = order_of(spec, names, "stack", scene, scope, shape.span)
+    if order.by != "any":
+        spec.toward = [t for t in spec.toward if t.axis != "z"]
     counted = (
         need is not None
         or (source is None and theme is None)

@@ -179,6 +179,7 @@ def _structures() -> dict[str, tuple[str, bool]]:
 
 
 COLOR = _back(COLORS)
+COLOR_PLURAL = {plural_of(word): sense for word, sense in COLOR.items()}
 NUMBER = {word: n for n, word in NUMBERS.items()}
 ORDINAL = {word: n for n, words in ORDINALS.items() for word in words.split()}
 UNIT = {word: float(factor) for factor, words in UNITS.items() for word in words.split()}

@@ -262,6 +262,8 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
     if j := p.one(i, frozenset({"one", "ones"})):
         yield ("any", p.words[i] == "ones", {}), j
+    if i < p.end and p.words[i] in lexicon.COLOR_PLURAL:
+        yield ("block", True, {"colors": (lexicon.COLOR_PLURAL[p.words[i]],)}), p.reach(i + 1)
 
 
 def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]:

@@ -104,7 +104,7 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
         yield Quantity("some", Amount(1, -1, True), True, partitive=True), j
     for found, j in amount(p, i):
         yield Quantity("bare", found, found.high != 1), j
-        if k := p.one(j, "of"):
+        if k := p.any_of(j, ("of", "out of")):
             yield Quantity("some", found, True, partitive=True), k
         if k := p.one(j, frozenset({"more", "other", "additional", "extra"})):
             yield Quantity("other" if p.words[j] == "other" else "another", found, found.high != 1), k

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, adjectives, colors, label_list, length, literal, longest, m, noun_phrase
-from rpg.steer.phrases import fresh, old, plural_kind
+from rpg.steer.phrases import fresh, old, plural_kind, subjects
 
 CHANGE = ("change", "turn", "make", "convert", "transform", "switch", "modify", "set", "have", "let", "transition")
 
@@ -45,9 +45,7 @@ def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def _themes(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
     """What is changed: objects, or the colour, letter or size of objects."""
-    yield from noun_phrase(p, i)
-    if j := longest(p, i, ("the word", "the text", "the spelling")):
-        yield m.Structure(kind="word", det="the", span=p.span(i, j)), j
+    yield from subjects(p, i)
     for phrase in (
         "the color of",
         "the colour of",

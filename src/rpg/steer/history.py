@@ -12,6 +12,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.steer.backrefs import Reference
 from rpg.steer.language import m
+from rpg.steer.operations.guard import SELECTS, unused
 from rpg.steer.refer import exists, matches
 from rpg.steer.view import View
 
@@ -121,7 +122,17 @@ def _traits(phrase: m.Meaning) -> m.Traits | None:
 
 
 def _has(view: View, traits: m.Traits) -> bool:
-    """Every colour and label said is there, and blocks of the kind said make up the task."""
+    """Every colour, label and shape said is there, and blocks of the kind said make up the task."""
+    if unused(traits, SELECTS | {"scheme"}) or traits.rank or traits.scheme not in (None, "some", "mixed"):
+        return False
+    if traits.shape is not None and not any(patch.shape == traits.shape for patch in view.schema.patches):
+        return False
+    if traits.long and not any(max(patch.size) >= 2 * min(patch.size) for patch in view.schema.patches):
+        return False
+    if traits.size is not None or traits.edge is not None or traits.quality is not None:
+        sized = m.Traits(size=traits.size, edge=traits.edge, quality=traits.quality)
+        if not any(matches(view, name, sized) for name in view.world.blocks):
+            return False
     for color in traits.colors:
         if not any(asset.color == color for asset in view.schema.assets):
             return False

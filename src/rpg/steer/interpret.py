@@ -24,7 +24,8 @@ from rpg.steer.language import tokenize
 from rpg.steer.operations.add import add
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
-from rpg.steer.operations.order import group, move, reorder, trade
+from rpg.steer.operations.move import move
+from rpg.steer.operations.order import group, reorder, trade
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace, restyle

@@ -67,6 +67,13 @@ def plural_kind(phrase: Any) -> bool:
     return isinstance(phrase, m.Noun) and phrase.det in ("bare", "some") and phrase.plural and phrase.amount is None
 
 
+def subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning, int]]:
+    """Noun phrases, and "the word" for what the cubes spell."""
+    yield from noun_phrase(p, i)
+    if j := longest(p, i, ("the word", "the text", "the spelling")):
+        yield m.Structure(kind="word", det="the", span=p.span(i, j)), j
+
+
 def old(phrase: m.Meaning) -> bool:
     """Whether a phrase may speak of something that is there: "the tower", "it", "blocks"; not "a tower", "two more"."""
     if isinstance(phrase, m.Structure):

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, longest, m, noun_phrase, order, phrases, simple
-from rpg.steer.phrases import old
+from rpg.steer.phrases import old, subjects
 
 REVERSE = (
     "reverse",
@@ -74,12 +74,12 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             continue
         for of in _THEIR:
             if k := p.seq(j, of):
-                yield from _upside(p, i, k, "reverse", noun_phrase(p, k))
+                yield from _upside(p, i, k, "reverse", list(subjects(p, k)))
         for plain in _PLAIN:
             if k := p.seq(j, plain):
                 k = longest(p, k, ("around", "upside down")) or k
                 yield r.Reorder(how="reverse", span=p.span(i, k)), k
-        yield from _upside(p, i, j, "reverse", noun_phrase(p, j), wanted=phrase == "turn")
+        yield from _upside(p, i, j, "reverse", list(subjects(p, j)), wanted=phrase == "turn")
         if phrase != "turn" and (k := longest(p, j, ("everything", "things", "all"))):
             yield r.Reorder(how="reverse", span=p.span(i, k)), k
     if j := longest(

@@ -9,9 +9,9 @@ from rpg.blocks.predicates.order import SORTED
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.ir.edits import AddCondition, ChangeCondition, Path
+from rpg.ir.edits import AddCondition, ChangeCondition, Path, SetField
 from rpg.ir.order import Order
-from rpg.ir.relations import Behind, InFrontOf, LeftOf, On, RightOf
+from rpg.ir.relations import Behind, Between, InFrontOf, LeftOf, On, RightOf
 from rpg.ir.structures import Equation, Row, Spells, Stack
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -25,6 +25,11 @@ def insert(draft: Draft, line: Line, index: int, name: str, span: Span | None = 
         return
     members = (*line.members[:index], name, *line.members[index:])
     if not line.ordered:
+        free_order = isinstance(line.node, Stack | Row) and line.node.order.by == "any"
+        if index == 1 and len(line.members) == 2 and free_order:
+            draft.do(SetField(at=line.path, field="blocks", value=members), span)
+            draft.do(AddCondition(goal=Between(a=(name,), b=line.members[:1], c=line.members[1:])), span)
+            return
         if index not in (0, len(line.members)):
             raise draft.refusal(
                 "edit-unclear",

@@ -7,15 +7,12 @@ from collections.abc import Sequence
 from rpg.blocks.predicates.order import SORTED
 from rpg.blocks.traits import Traits, kind_of, symbol_of
 from rpg.core.diagnostics import Span
-from rpg.ir import goal as g
 from rpg.ir.edits import ChangeCondition, Permute, SetField, SetGoal
 from rpg.ir.order import Order, Pattern
-from rpg.ir.shrink import close, without
 from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Staircase
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
-from rpg.steer.operations.add import put
 from rpg.steer.operations.kinds import convert
 from rpg.steer.operations.lines import arranged
 from rpg.steer.operations.mirror import mirrored
@@ -140,10 +137,10 @@ def _given(draft: Draft, line: Line | None, request: r.Reorder) -> None:
         raise draft.refusal("edit-unclear", told, request.span, "list every block of the tower or the row once")
     if request.first == ENDS[BEGINS[line.kind]]:
         listed.reverse()
-    _put_in_order(draft, line, listed, request.span)
+    put_in_order(draft, line, listed, request.span)
 
 
-def _put_in_order(draft: Draft, line: Line, members: Sequence[str], span: Span) -> None:
+def put_in_order(draft: Draft, line: Line, members: Sequence[str], span: Span) -> None:
     if line.node is None:
         permute(draft, dict(zip(members, line.members, strict=True)), span)
     else:
@@ -217,7 +214,7 @@ def _sort_line(draft: Draft, line: Line, request: r.Reorder) -> None:
     members = sorted_members(draft, line.members, by, descending)
     if request.first == ENDS[BEGINS[line.kind]]:
         members.reverse()
-    _put_in_order(draft, line, members, request.span)
+    put_in_order(draft, line, members, request.span)
 
 
 def _sort_by_class(draft: Draft, line: Line, request: r.Reorder) -> None:
@@ -326,42 +323,3 @@ def trade(draft: Draft, request: r.Trade) -> None:
     draft.aim("MODIFY")
     draft.note("swap", [list(a), list(b)])
     draft.look_at((*a, *b))
-
-
-def move(draft: Draft, request: r.Move) -> None:
-    """Blocks of the task go elsewhere: in their line, or out of it."""
-    names = resolve(draft.view, request.theme).names
-    line = draft.view.line_of(names)
-    draft.aim("MODIFY")
-    draft.note("move", list(names))
-    if line is not None and line.ordered and isinstance(request.place, r.Spot) and request.place.side != "beside":
-        _move_in_line(draft, line, names, request)
-        return
-    landmark = getattr(request.place, "landmark", None)
-    anchor = resolve(draft.view, landmark) if landmark is not None and not isinstance(landmark, m.TableTop) else None
-    goal: g.Goal | None = draft.schema.goal
-    for name in names:
-        goal = close(goal, name) if goal is not None else None
-    goal = without(goal, set(names)) if goal is not None else None
-    if goal is None:
-        raise draft.refusal(
-            "edit-unclear", "the goal is about nothing else", request.span, "say the whole goal instead"
-        )
-    draft.do(SetGoal(goal=goal), request.span)
-    put(draft, names, request.place, anchor, request.span, draft.view.main_line())
-    draft.look_at(names)
-
-
-def _move_in_line(draft: Draft, line: Line, names: Sequence[str], request: r.Move) -> None:
-    assert isinstance(request.place, r.Spot)
-    rest = [name for name in line.members if name not in names]
-    side = request.place.side
-    last = side in ("top", "end", "right", "back")
-    index = len(rest) // 2 if side == "middle" else len(rest) if last else 0
-    fits = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
-    if fits.get(side, line.kind) != line.kind:
-        raise draft.refusal(
-            "edit-unclear", f"a {line.kind} has no {side} end", request.span, "name a block to put it beside"
-        )
-    _put_in_order(draft, line, [*rest[:index], *names, *rest[index:]], request.span)
-    draft.look_at(tuple(names))

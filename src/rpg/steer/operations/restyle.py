@@ -211,6 +211,8 @@ def _replace_each(draft: Draft, old: Sequence[str], new: m.Noun, span: Span) -> 
 def _old(draft: Draft, request: r.Replace) -> tuple[str, ...]:
     if request.old is not None:
         return resolve(draft.view, request.old).names
+    if isinstance(request.new, m.Noun) and request.new.head == "patch":
+        return tuple(draft.view.world.patches)
     line, figure = draft.view.main_line(), draft.view.main_figure()
     return line.members if line else figure.members if figure else draft.view.busy
 

@@ -1,0 +1,78 @@
+"""Moving: objects of the task go elsewhere in the goal, in their line or out of it, or onto a new patch."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.ir import goal as g
+from rpg.ir.edits import SetGoal
+from rpg.ir.shrink import close, without
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+from rpg.steer.language import m
+from rpg.steer.operations.add import put, stand_on
+from rpg.steer.operations.make import new_assets
+from rpg.steer.operations.order import put_in_order
+from rpg.steer.phrases import fresh
+from rpg.steer.refer import Found, resolve
+from rpg.steer.shape import conjuncts
+from rpg.steer.view import Line
+
+
+def move(draft: Draft, request: r.Move) -> None:
+    """What the goal said of where these blocks are gives way to the place that the request names."""
+    found = resolve(draft.view, request.theme)
+    names = found.names
+    line = draft.view.line_of(names)
+    draft.note("move", list(names))
+    landmark = getattr(request.place, "landmark", None)
+    if isinstance(landmark, m.Noun) and landmark.head == "patch" and fresh(landmark):
+        (patch,) = draft.add(new_assets(draft, landmark), request.span)[:1]
+        if found.line is not None:
+            draft.aim("EXTEND")
+            stand_on(draft, found.line, patch, request.span)
+            return
+        draft.aim("MODIFY")
+        _give_way(draft, names, request, Found((patch,)))
+        return
+    draft.aim("MODIFY")
+    if line is not None and line.ordered and isinstance(request.place, r.Spot) and request.place.side != "beside":
+        _move_in_line(draft, line, names, request)
+        return
+    anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
+    _give_way(draft, names, request, anchor)
+
+
+def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None) -> None:
+    """Drop what the goal asks of `names`, then ask for the new place."""
+    before = draft.schema.goal
+    goal = before
+    for name in names:
+        goal = close(goal, name)
+    left = without(goal, set(names))
+    if left is not None:
+        draft.do(SetGoal(goal=left), request.span)
+    put(draft, names, request.place, anchor, request.span, draft.view.main_line() if left is not None else None)
+    if left is None:
+        new = conjuncts(draft.schema.goal)[len(conjuncts(before)) :]
+        if not new:
+            raise draft.refusal(
+                "edit-unclear", "this place cannot be asked for here", request.span, "say the whole goal"
+            )
+        draft.do(SetGoal(goal=new[0] if len(new) == 1 else g.All(goals=new)), request.span)
+    draft.look_at(tuple(names))
+
+
+def _move_in_line(draft: Draft, line: Line, names: Sequence[str], request: r.Move) -> None:
+    assert isinstance(request.place, r.Spot)
+    rest = [name for name in line.members if name not in names]
+    side = request.place.side
+    last = side in ("top", "end", "right", "back")
+    index = len(rest) // 2 if side == "middle" else len(rest) if last else 0
+    fits = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
+    if fits.get(side, line.kind) != line.kind:
+        raise draft.refusal(
+            "edit-unclear", f"a {line.kind} has no {side} end", request.span, "name a block to put it beside"
+        )
+    put_in_order(draft, line, [*rest[:index], *names, *rest[index:]], request.span)
+    draft.look_at(tuple(names))

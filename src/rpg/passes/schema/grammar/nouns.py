@@ -131,6 +131,8 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
 
     yield from structure(p, i)
     yield from _part(p, i)
+    if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
+        yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
     for found, j in amounts.quantity(p, i):
         if found.partitive:
             yield from _partitive(p, i, j, found)

@@ -69,8 +69,8 @@ class Entry:
 
 
 def read_entries(sources: Iterable[str]) -> tuple[Entry, ...]:
-    """The entries of every file; `-` is stdin, and globs are expanded. UsageError names file and line."""
-    entries = [entry for path in _expanded(sources) for entry in _read(path)]
+    """The entries of every file, each once; `-` is stdin, and globs are expanded. UsageError names file and line."""
+    entries = [entry for path in dict.fromkeys(_expanded(sources)) for entry in _read(path)]
     named: dict[str, Entry] = {}
     for entry in entries:
         if entry.name is None:
@@ -174,11 +174,23 @@ def _entry(place: str, item: Any) -> Entry:
         read = Item.model_validate({"instruction": item} if isinstance(item, str) else item)
     except ValidationError as error:
         problem = error.errors()[0]
-        where = ".".join(str(part) for part in problem["loc"])
-        what = problem["msg"].removeprefix("Value error, ")
-        raise UsageError(f"{place}: {where + ': ' if where else ''}{what}") from error
+        raise UsageError(f"{place}: {_problem(problem['type'], problem['loc'], problem['msg'])}") from error
     name = slug(read.name) if read.name is not None else None
     if name == "":
         raise UsageError(f"{place}: name: {read.name!r} has no letter or digit to make a directory's name of")
     words = read.instruction if read.instruction is not None else read.base
     return Entry(place, words or "", read.edits, name, read.seed, read.author)
+
+
+def _problem(kind: str, where: tuple[int | str, ...], message: str) -> str:
+    """What is wrong with an entry, in the words of the file."""
+    place = ".".join(str(part) for part in where)
+    match kind:
+        case "extra_forbidden":
+            return f"an entry has no `{place}`; it may have {', '.join(Item.model_fields)}"
+        case "model_type":
+            return "an entry is a sentence, or an object with `instruction`"
+        case "tuple_type":
+            return f"`{place}` is a list"
+        case _:
+            return f"{place + ': ' if place else ''}{message.removeprefix('Value error, ')}"

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+import signal
 from collections import deque
 from collections.abc import Generator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
-from multiprocessing import get_context
+from multiprocessing import get_context, resource_tracker
+from multiprocessing.forkserver import ensure_running
 from typing import Protocol
 
 from rpg.batch.entries import Entry
@@ -72,5 +74,11 @@ class LocalPool:
 
     def _pool(self, workers: int) -> ProcessPoolExecutor:
         context = get_context("forkserver")
-        context.set_forkserver_preload(["rpg.batch.work", "rpg.pipeline"])
+        context.set_forkserver_preload(["rpg.batch.preload"])
+        resource_tracker.ensure_running()  # which changes the mask of signals itself
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            ensure_running()  # while it imports, Ctrl-C is the parent's alone
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
         return ProcessPoolExecutor(workers, mp_context=context, initializer=warm)

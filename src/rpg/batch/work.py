@@ -47,8 +47,7 @@ def warm() -> None:
     parent = parent_process()
     if parent is not None:
         Thread(target=_follow, args=(parent.sentinel,), daemon=True).start()
-    import rpg.passes.schema.frontend
-    import rpg.steering  # noqa: F401
+    import rpg.batch.preload  # noqa: F401
 
 
 def _end(signum: int, frame: object) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -43,16 +42,7 @@ def clean(argument: str) -> str:
 
 
 def load_mujoco() -> None:
-    """Import MuJoCo without a window system behind it.
+    """Import MuJoCo without a window system behind it."""
+    from rpg.blocks.headless import load_mujoco
 
-    Sooner done by half, and MUJOCO_GL may name a back end that is missing here: only drawing needs one, and finds it by
-    itself.
-    """
-    wanted = os.environ.get("MUJOCO_GL")
-    os.environ["MUJOCO_GL"] = "disable"
-    try:
-        import mujoco  # noqa: F401
-    finally:
-        del os.environ["MUJOCO_GL"]
-        if wanted is not None:
-            os.environ["MUJOCO_GL"] = wanted
+    load_mujoco()

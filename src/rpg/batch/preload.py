@@ -1,0 +1,18 @@
+"""Imported once by the process that workers are forked from: what every entry needs, without OpenGL."""
+
+from importlib import import_module
+
+from rpg.blocks.headless import load_mujoco
+
+MODULES = (
+    "rpg.pipeline",
+    "rpg.passes.schema.frontend",
+    "rpg.passes.schema.paraphrase",
+    "rpg.publishing",
+    "rpg.steering",
+    "rpg.store.adopt",
+)
+
+load_mujoco()
+for module in MODULES:
+    import_module(module)

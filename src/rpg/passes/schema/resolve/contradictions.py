@@ -8,6 +8,8 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.node import Highest, Lowest, members
+from rpg.ir.walk import atoms
 from rpg.passes.schema.resolve.conflicts import clash, required
 from rpg.passes.schema.resolve.world import Scene, refuse
 
@@ -15,6 +17,7 @@ from rpg.passes.schema.resolve.world import Scene, refuse
 def check(goal: g.Goal, scene: Scene) -> None:
     """Refuse a goal that cannot hold."""
     parts = list(required(goal))
+    _to_themselves(goal)
     _cycles(parts)
     for index, a in enumerate(parts):
         for b in parts[index + 1 :]:
@@ -22,6 +25,17 @@ def check(goal: g.Goal, scene: Scene) -> None:
                 raise _clash(a, b)
     _direction_cycles(parts)
     _turned_in_words(parts)
+
+
+def _to_themselves(goal: g.Goal) -> None:
+    """A relation of a tower to one of its own blocks says nothing that could be meant."""
+    for atom in atoms(goal):
+        a, b = getattr(atom, "a", ()), getattr(atom, "b", ())
+        towers = isinstance(a, Lowest | Highest) or isinstance(b, Lowest | Highest)
+        if towers and set(members(a)) & set(members(b)):
+            raise refuse(
+                "self-reference", "a tower cannot be placed relative to its own blocks", atom.span, "name another block"
+            )
 
 
 def _turned_in_words(parts: list[g.Goal]) -> None:

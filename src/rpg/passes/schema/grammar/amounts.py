@@ -53,7 +53,7 @@ def amount(p: Parser, i: int) -> Results[Amount]:
     """A number with its bounds: "exactly two", "at least 3", "two or three", "between 2 and 4"."""
     for n, j in count(p, i):
         yield Amount(n, n), j
-        if k := p.any_of(j, ("or more", "or more of", "and more")):
+        if k := p.any_of(j, ("or more", "and more")):
             yield Amount(n, None, True), k
         if k := p.one(j, frozenset({"or", "to"})):
             for m, after in count(p, k):

@@ -23,117 +23,69 @@ def direction(p: Parser, i: int) -> Results[str]:
 @rule
 def manner(p: Parser, i: int) -> Results[Meaning]:
     """How something is turned, spelt, spaced or counted."""
-    if j := p.any_of(
-        i,
-        (
-            "upside down",
-            "flipped upside down",
-            "inverted",
-            "in an inverted orientation",
-            "turned upside down",
-            "rotated upside down",
-        ),
-    ):
-        yield Manner(kind="turn", value=180.0, span=p.span(i, j)), j
-    if j := p.any_of(
-        i, ("upright", "right side up", "right way up", "the right way up", "the right way round", "right side upward")
-    ):
-        yield Manner(kind="turn", value=0.0, span=p.span(i, j)), j
-    if j := p.any_of(i, ("sideways", "on its side")):
-        yield Manner(kind="turn", value=90.0, span=p.span(i, j)), j
+    for phrases, degrees in ((_DOWN, 180.0), (_UPRIGHT, 0.0), (("sideways", "on its side"), 90.0)):
+        if j := p.any_of(i, phrases):
+            yield Manner(kind="turn", value=degrees, span=p.span(i, j)), j
     comma = p.opt(i, ",")
-    k = p.any_of(
-        comma,
-        (
-            "facing",
-            "faces",
-            "face",
-            "to face",
-            "pointing",
-            "points",
-            "pointed",
-            "showing",
-            "turned",
-            "so that it faces",
-            "visible from",
-        ),
-    )
-    if k:
+    if k := p.any_of(comma, _FACING):
         for side, end in direction(p, k):
             yield Manner(kind="facing", value=side, span=p.span(i, end)), end
-    if (j := p.any_of(comma, ("with its", "with the", "its", "with", "the"))) or True:
-        start = j or comma
-        end = p.any_of(
-            start,
-            (
-                "corner",
-                "foot",
-                "opening",
-                "open side",
-                "open end",
-                "tip",
-                "apex",
-                "point",
-                "top",
-                "stem",
-                "base",
-                "tail",
-                "ends",
-            ),
-        )
-        if end and j:
-            k = (
-                p.any_of(
-                    end,
-                    (
-                        "pointing",
-                        "facing",
-                        "points",
-                        "faces",
-                        "to",
-                        "towards",
-                        "toward",
-                        "on",
-                        "at",
-                        "directed",
-                        "going",
-                        "is",
-                        "extending",
-                    ),
-                )
-                or end
-            )
-            for side, e in direction(p, k):
-                yield Manner(kind="pointing:" + p.words[end - 1], value=side, span=p.span(i, e)), e
-    if j := p.any_of(i, ("rising to the", "going up to the", "ascending to the", "climbing to the",
-        "rising towards the", "going up towards the", "that goes up to the",
-                         "rising toward the", "leading up to the", "climbing towards the", "going upward to the",
-                         "going upwards to the", "that rises to the", "up to the", "ascending towards the",
-                         "going up from left to", "rising from left to", "ascending from left to",
-                         "climbing from left to")):  # fmt: skip
+    yield from _pointed(p, i, comma)
+    if j := p.any_of(i, _RISING):
         yield from _rising(p, i, j)
-    if j := p.any_of(
-        i,
-        (
-            "going up from right to left",
-            "rising from right to left",
-            "ascending from right to left",
-            "climbing from right to left",
-        ),
-    ):
+    if j := p.any_of(i, tuple(f"{way} from right to left" for way in ("going up", "rising", "ascending", "climbing"))):
         yield Manner(kind="rising", value="left", span=p.span(i, j)), j
     for n, j in _degrees(p, i):
-        turned = p.any_of(j, ("clockwise",))
-        counter = p.any_of(
-            j, ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise", "to the left")
-        )
-        end = turned or counter or j
-        sign = -1.0 if turned else 1.0
-        kind = "by" if turned or counter else "by?"
-        yield Manner(kind=kind, value=sign * n, span=p.span(i, end)), end
+        yield from _spun(p, i, j, n)
     for phrase, kind, value in _LITTLE:
         if j := p.seq(i, phrase):
             yield Manner(kind=kind, value=value, span=p.span(i, j)), j
+
+
+_DOWN = (
+    "upside down", "flipped upside down", "inverted", "in an inverted orientation", "turned upside down",
+    "rotated upside down",
+)  # fmt: skip
+_UPRIGHT = (
+    "upright", "right side up", "right way up", "the right way up", "the right way round", "right side upward",
+)  # fmt: skip
+_FACING = (
+    "facing", "faces", "face", "to face", "pointing", "points", "pointed", "showing", "turned", "so that it faces",
+    "visible from",
+)  # fmt: skip
+_POINTERS = (
+    "corner", "foot", "opening", "open side", "open end", "tip", "apex", "point", "top", "stem", "base", "tail", "ends",
+)  # fmt: skip
+_POINTING = (
+    "pointing", "facing", "points", "faces", "to", "towards", "toward", "on", "at", "directed", "going", "is",
+    "extending",
+)  # fmt: skip
+_RISING = (
+    "rising to the", "going up to the", "ascending to the", "climbing to the", "rising towards the",
+    "going up towards the", "that goes up to the", "rising toward the", "leading up to the", "climbing towards the",
+    "going upward to the", "going upwards to the", "that rises to the", "that rise to the", "up to the",
+    "ascending towards the", "going up from left to", "rising from left to", "ascending from left to",
+    "climbing from left to",
+)  # fmt: skip
+_COUNTER = ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise", "to the left")
+
+
+def _pointed(p: Parser, i: int, comma: int) -> Results[Meaning]:
+    """ "with its foot to the right", "tip pointing left"."""
+    j = p.any_of(comma, ("with its", "with the", "its", "with", "the"))
+    end = p.any_of(j, _POINTERS) if j else 0
+    if end:
+        for side, e in direction(p, p.any_of(end, _POINTING) or end):
+            yield Manner(kind="pointing:" + p.words[end - 1], value=side, span=p.span(i, e)), e
+
+
+def _spun(p: Parser, i: int, j: int, degrees: float) -> Results[Meaning]:
+    """A turn by so many degrees, one way or either way."""
+    clockwise = p.any_of(j, ("clockwise",))
+    counter = p.any_of(j, _COUNTER)
+    end = clockwise or counter or j
+    kind = "by" if clockwise or counter else "by?"
+    yield Manner(kind=kind, value=-degrees if clockwise else degrees, span=p.span(i, end)), end
 
 
 def _rising(p: Parser, i: int, j: int) -> Results[Meaning]:

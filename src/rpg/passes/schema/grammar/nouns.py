@@ -11,7 +11,7 @@ from rpg.passes.schema.grammar import amounts
 from rpg.passes.schema.grammar.adjectives import Marks, adjectives, clash, merge, of_quality
 from rpg.passes.schema.grammar.amounts import Quantity
 from rpg.passes.schema.grammar.core import Parser, Results, rule
-from rpg.passes.schema.grammar.labels import label_list, literal
+from rpg.passes.schema.grammar.labels import label_list
 from rpg.passes.schema.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
 
 _JOIN = frozenset({"and", "or", "plus", "&", "nor"})
@@ -398,8 +398,3 @@ def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun 
         return None
     plural = noun.plural or len(update.get("labels", ())) > 1
     return replace(noun, traits=replace(noun.traits, **update), span=span, plural=plural)
-
-
-def spelt(p: Parser, i: int) -> str | None:
-    """A word to be spelt at i."""
-    return literal(p, i)

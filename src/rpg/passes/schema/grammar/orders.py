@@ -21,7 +21,8 @@ def order(p: Parser, i: int) -> Results[Meaning]:
     j = p.one(i, _LEADS) or i
     for start in {i: None, j: None}:
         for phrase, by, extra in NAMED:
-            if k := p.seq(start, phrase):
+            into = phrase.startswith("in ") and p.words[start : start + 1] == ["into"]
+            if k := p.seq(start + 1, phrase[3:]) if into else p.seq(start, phrase):
                 yield OrderBy(by=by, span=p.span(i, k), descending=bool(extra.get("descending"))), k
         yield from toward(p, start)
         yield from _explicit(p, start)

@@ -8,7 +8,7 @@ from rpg.passes.schema.grammar.amounts import length
 from rpg.passes.schema.grammar.core import Parser, Results, rule
 from rpg.passes.schema.grammar.nouns import noun_phrase
 from rpg.passes.schema.grammar.regions import region
-from rpg.passes.schema.meaning import Coord, Loc, Meaning, Noun, PartOf, Pronoun, TableTop
+from rpg.passes.schema.meaning import Coord, Loc, Meaning, Noun, Pronoun, TableTop
 
 _SIMPLE = {
     "on top of": "on", "on the top of": "on", "atop of": "on", "atop": "on", "on top": "on", "onto": "on",
@@ -397,8 +397,3 @@ def _listed_cost(landmark: Meaning) -> int:
         or (landmark.det == "bare" and len(landmark.traits.labels) > 1)
         else 0
     )
-
-
-def is_part(meaning: Meaning) -> bool:
-    """Whether a landmark is a part of a structure."""
-    return isinstance(meaning, PartOf)

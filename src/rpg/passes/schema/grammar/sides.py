@@ -72,84 +72,43 @@ _WHOLES = (
 )
 
 
+_EXTREMES = {
+    "leftmost": "left", "rightmost": "right", "topmost": "top", "bottommost": "bottom", "nearest": "front",
+    "frontmost": "front", "farthest": "back",
+}  # fmt: skip
+_LEADS = (
+    "at the very", "on the very", "at the", "on the", "in the", "to the", "at", "on", "as the", "as", "being the", "in",
+    "forming the",
+)  # fmt: skip
+_TAILS = ("end", "side", "most", "layer", "layers", "position", "level", "hand", "block", "spot", "place")
+_FLAT = (("row", "row"), ("line", "row"), ("column", "row"))
+_MIDDLES = {"middle": "middle", "center": "middle"}
+
+
 @rule
 def at(p: Parser, i: int) -> Results[Meaning]:
     """A place within the structure: "at the bottom", "in the middle", "on the left", "third from the left"."""
-    j = (
-        p.any_of(
-            i,
-            (
-                "at the very",
-                "on the very",
-                "at the",
-                "on the",
-                "in the",
-                "to the",
-                "at",
-                "on",
-                "as the",
-                "being the",
-                "in",
-                "forming the",
-            ),
-        )
-        or 0
-    )
-    if j:
-        word = p.words[j] if j < p.end else ""
-        side = {**SIDES, "middle": "middle", "center": "middle", "centre": "middle"}.get(word)
-        if side and word not in ("ground", "near", "far"):
-            k = p.opt(
-                p.reach(j + 1),
-                "end",
-                "side",
-                "most",
-                "layer",
-                "layers",
-                "position",
-                "level",
-                "hand",
-                "block",
-                "spot",
-                "place",
-            )
-            k = p.opt(k, "side")
-            wholes = (
-                (("row", "row"), ("line", "row"), ("column", "row"))
-                if side in ("left", "right", "front", "back")
-                else _WHOLES
-            )
-            for word_, whole in wholes:
-                if end := p.any_of(k, (f"of the {word_}", f"of this {word_}", f"of that {word_}")):
-                    yield At(side=side, whole=whole, span=p.span(i, end)), end
-            yield (
-                At(side=side, span=p.span(i, k)),
-                p.any_of(k, ("of it",)) if side in ("top", "bottom", "middle") and p.seq(k, "of it") else k,
-            )
-        if word in ("first", "last", "second", "third", "fourth", "fifth") and (
-            k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))
-        ):
-            index = lexicon.ORDINAL.get(word, -1)
-            yield At(side="first", index=index, span=p.span(i, k)), k
-    for word in ("leftmost", "rightmost", "topmost", "bottommost", "nearest", "frontmost", "farthest"):
+    if j := p.any_of(i, _LEADS):
+        yield from _inside(p, i, j)
+    for word, side in _EXTREMES.items():
         if k := p.one(p.opt(i, "the"), word):
-            side = {
-                "leftmost": "left",
-                "rightmost": "right",
-                "topmost": "top",
-                "bottommost": "bottom",
-                "nearest": "front",
-                "frontmost": "front",
-                "farthest": "back",
-            }[word]
             yield At(side=side, span=p.span(i, k)), k
     ordinal = p.lex(i, lexicon.ORDINAL)
-    if ordinal:
-        if k := p.any_of(i + 1, ("from the left", "from left")):
-            yield At(side="left", index=ordinal, span=p.span(i, k)), k
-        elif k := p.any_of(i + 1, ("from the right", "from right")):
-            yield At(side="right", index=ordinal, span=p.span(i, k)), k
-        elif k := p.any_of(i + 1, ("from the bottom",)):
-            yield At(side="bottom", index=ordinal, span=p.span(i, k)), k
-        elif k := p.any_of(i + 1, ("from the top",)):
-            yield At(side="top", index=ordinal, span=p.span(i, k)), k
+    for side in ("left", "right", "bottom", "top") if ordinal else ():
+        if k := p.any_of(i + 1, (f"from the {side}", f"from {side}")):
+            yield At(side=side, index=ordinal, span=p.span(i, k)), k
+
+
+def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
+    word = p.words[j] if j < p.end else ""
+    side = {**SIDES, **_MIDDLES}.get(word)
+    if side and word not in ("ground", "near", "far"):
+        k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")
+        for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
+            if end := p.any_of(k, (f"of the {noun}", f"of this {noun}", f"of that {noun}")):
+                yield At(side=side, whole=whole, span=p.span(i, end)), end
+        of_it = p.seq(k, "of it") if side in ("top", "bottom", "middle") else 0
+        yield At(side=side, span=p.span(i, k)), of_it or k
+    counted = word in ("first", "last", *lexicon.ORDINAL)
+    if counted and (k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))):
+        yield At(side="first", index=lexicon.ORDINAL.get(word, -1), span=p.span(i, k)), k

@@ -75,33 +75,34 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
     yield from _led(p, i, j)
 
 
+_MEASURES = (
+    ("of height", "high"), ("with height", "high"), ("with a height of", "high"), ("of length", "long"),
+    ("with a length of", "long"), ("of size", "size"), ("with a width of", "wide"), ("of width", "wide"),
+    ("in height", "high"),
+)  # fmt: skip
+_WITH = (
+    "with", "of", "having", "that has", "which has", "that have", "containing", "in", "whose", "has", "on",
+    "with each side", "the",
+)  # fmt: skip
+_COUNTED = (
+    (("block base", "blocks base", "cube base", "wide base", "block wide base", "base", "blocks wide base",
+      "blocks wide bottom"), "base", 0),
+    (("blocks each", "cubes each", "blocks per row", "blocks in each row", "cubes per row", "per row",
+      "blocks in every row", "each"), "columns", 0),
+    (("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side",
+      "per side", "cubes on each side"), "side", 0),
+    (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",
+      "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
+      "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
+)  # fmt: skip
+
+
 def _led(p: Parser, i: int, j: int) -> Results[Size]:
     """After "with", "of", "having"."""
-    for lead, what in (("of height", "high"), ("with height", "high"), ("with a height of", "high"),
-        ("of length", "long"), ("with a length of", "long"), ("of size", "size"),
-                       ("with a width of", "wide"), ("of width", "wide"), ("in height", "high")):  # fmt: skip
-        if k := p.seq(i, lead):
-            yield from (
-                (Size(what=what, amount=a, span=p.span(i, e)), p.opt(e, *_BLOCKS)) for a, e in amounts.amount(p, k)
-            )
-    k = p.any_of(
-        j,
-        (
-            "with",
-            "of",
-            "having",
-            "that has",
-            "which has",
-            "that have",
-            "containing",
-            "in",
-            "whose",
-            "has",
-            "on",
-            "with each side",
-            "the",
-        ),
-    ) or (j if j > i else 0)
+    for lead, what in _MEASURES:
+        for found, k in amounts.amount(p, p.seq(i, lead)) if p.seq(i, lead) else ():
+            yield Size(what=what, amount=found, span=p.span(i, k)), p.opt(k, *_BLOCKS)
+    k = p.any_of(j, _WITH) or (j if j > i else 0)
     if not k:
         return
     k = p.opt(k, "a", "an", "the", "its")
@@ -109,64 +110,26 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
         for part, what in _PARTS.items():
             if end := p.one(e, part):
                 yield Size(what=what, amount=found, span=p.span(i, end)), end
-        if end := p.any_of(
-            e,
-            (
-                "block base",
-                "blocks base",
-                "cube base",
-                "wide base",
-                "block wide base",
-                "base",
-                "blocks wide base",
-                "blocks wide bottom",
-            ),
-        ):
-            yield Size(what="base", amount=found, span=p.span(i, end)), end
-        if end := p.any_of(
-            e,
-            (
-                "blocks each",
-                "cubes each",
-                "blocks per row",
-                "blocks in each row",
-                "cubes per row",
-                "per row",
-                "blocks in every row",
-                "each",
-            ),
-        ):
-            yield Size(what="columns", amount=found, span=p.span(i, end)), end
-        if end := p.any_of(
-            e,
-            (
-                "blocks per side",
-                "cubes per side",
-                "blocks on each side",
-                "blocks along each side",
-                "blocks to a side",
-                "per side",
-                "cubes on each side",
-            ),
-        ):
-            yield Size(what="side", amount=found, span=p.span(i, end)), end
-        if end := p.any_of(e, ("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom",
-            "on the bottom", "in the bottom row", "blocks at its base", "blocks in the base",
-                               "cubes at the bottom", "cubes in the bottom row", "blocks in the bottom layer",
-                               "blocks as its base", "at the base")):  # fmt: skip
-            yield Size(what="base", amount=found, span=p.span(i, end), cost=1), end
+        for phrases, what, cost in _COUNTED:
+            if end := p.any_of(e, phrases):
+                yield Size(what=what, amount=found, span=p.span(i, end), cost=cost), end
     for dims, e in dimensions(p, k):
         if end := p.any_of(p.opt(e, "block", "blocks"), _BASES):
             yield Size(what="base", dims=dims, span=p.span(i, end)), end
-    for base in ("side of", "sides of", "side length of", "sides"):
-        if e := p.seq(k, base):
-            yield from (
-                (Size(what="side", amount=a, span=p.span(i, m)), p.opt(m, *_BLOCKS)) for a, m in amounts.amount(p, e)
-            )
-    for base in _BASES:
-        if (e := p.seq(k, base)) and (e := p.any_of(e, ("of", "is", "that is", "which is", "being", "should be"))):
-            yield from ((Size(what="base", dims=d, span=p.span(i, m)), p.opt(m, *_BLOCKS)) for d, m in dimensions(p, e))
-            for a, m in amounts.amount(p, e):
-                m = p.opt(m, "horizontal")
-                m = p.opt(m, *_BLOCKS)
-                yield Size(what="base", amount=a, span=p.span(i, m)), p.opt(m, "wide")
+    if e := p.any_of(k, ("side of", "sides of", "side length of", "sides")):
+        for found, m in amounts.amount(p, e):
+            yield Size(what="side", amount=found, span=p.span(i, m)), p.opt(m, *_BLOCKS)
+    yield from _based(p, i, k)
+
+
+def _based(p: Parser, i: int, k: int) -> Results[Size]:
+    """ "base of 3 blocks", "base is 3 x 3"."""
+    e = p.any_of(k, _BASES)
+    e = p.any_of(e, ("of", "is", "that is", "which is", "being", "should be")) if e else 0
+    if not e:
+        return
+    for dims, m in dimensions(p, e):
+        yield Size(what="base", dims=dims, span=p.span(i, m)), p.opt(m, *_BLOCKS)
+    for found, m in amounts.amount(p, e):
+        m = p.opt(p.opt(m, "horizontal"), *_BLOCKS)
+        yield Size(what="base", amount=found, span=p.span(i, m)), p.opt(m, "wide")

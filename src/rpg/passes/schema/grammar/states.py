@@ -135,6 +135,8 @@ def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     while j < p.end and p.words[j] in _MODALS | _FILLERS | _NOT:
         if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
             break
+        if p.words[j] == "to" and p.words[j + 1] == "the":
+            break
         words.add(p.words[j])
         j = p.reach(j + 1)
     return j, words

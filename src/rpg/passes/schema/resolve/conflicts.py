@@ -62,7 +62,9 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return a.b == b.a
         case (r.Clear(), r.On()):
             return b.b == a.a
-        case (r.Stayed(), r.Moved()) | (r.Moved(), r.Stayed()):
+        case (r.Stayed(), r.Moved()):
+            return a.a == b.a
+        case (r.Moved(), r.Stayed()):
             return a.a == b.a
         case (r.InRegion(), r.InRegion()):
             return a.a == b.a and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})

@@ -13,7 +13,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import Operand
 from rpg.passes.schema.meaning import Loc
 from rpg.passes.schema.resolve.logic import Atoms, negation
-from rpg.passes.schema.resolve.operands import LEVEL, foot, measure
+from rpg.passes.schema.resolve.operands import LEVEL, foot
 from rpg.passes.schema.resolve.world import Ref, refuse
 
 
@@ -22,69 +22,69 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
     names = theme.names
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
-    if (
-        theme.quant is not None
-        and theme.quant.high == 0
-        and len(names) > 1
-        and loc.rel in ("on", "above", "heaped", "under")
-    ):
-        return [g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span) for a in names for b in names if a != b]
     if theme.quant is not None and theme.quant.high == 0 and len(names) > 1:
-        inside = [replace(theme, names=pair, quant=None, built=(), parts=()) for pair in combinations(names, 2)]
-        return negation([x for two in inside for x in reciprocal(two, loc, span)], span)
+        return _none_of_them(theme, loc, span)
     if len(names) < 2:
         raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")
-    pairs = list(combinations(names, 2))
-    units: list[Operand] = [(n,) for n in names]
+    units = _units(theme)
+    if loc.rel == "distance":
+        return _distances(theme, units, loc, span)
+    if loc.rel in ("near", "apart"):
+        return [LEVEL[loc.rel](a=a, b=b, span=span) for a, b in combinations(units, 2)]
+    return [_close(names, units, loc, span)]
+
+
+def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:
+    """No two of the blocks are so related."""
+    names = theme.names
+    if loc.rel in ("on", "above", "heaped", "under"):
+        return [g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span) for a in names for b in names if a != b]
+    inside = [replace(theme, names=pair, quant=None, built=(), parts=()) for pair in combinations(names, 2)]
+    return negation([x for two in inside for x in reciprocal(two, loc, span)], span)
+
+
+def _units(theme: Ref) -> list[Operand]:
+    """What stands to each other: towers, groups, or single blocks."""
     if len(theme.built) > 1:
-        units = [foot(Ref(names=b.members, built=(b,))) for b in theme.built]
-    elif len(theme.parts) > 1 and any(len(p.names) > 1 for p in theme.parts):
-        units = [foot(p) for p in theme.parts]
-    two = list(combinations(units, 2))
+        return [foot(Ref(names=b.members, built=(b,))) for b in theme.built]
+    if len(theme.parts) > 1 and any(len(p.names) > 1 for p in theme.parts):
+        return [foot(p) for p in theme.parts]
+    return [(n,) for n in theme.names]
+
+
+def _distances(theme: Ref, units: list[Operand], loc: Loc, span: Span) -> Atoms:
+    """Distances of every two; of more than two blocks "5 cm apart" is the spacing of a row."""
+    if len(units) == 2 or loc.low is None or loc.high is None:
+        options: dict[str, Any] = {"minimum": loc.low, "maximum": loc.high, "measure": loc.measure}
+        return [r.Distance(a=a, b=b, span=span, **options) for a, b in combinations(units, 2)]
+    key = "gap" if loc.measure == "faces" else "spacing"
+    spaced: dict[str, Any] = {
+        key: round((loc.low + loc.high) / 2, 6),
+        "tolerance": round((loc.high - loc.low) / 2, 6),
+    }
+    return [s.Row(blocks=theme.names, span=span, **spaced)]
+
+
+def _close(names: tuple[str, ...], units: list[Operand], loc: Loc, span: Span) -> g.Goal:
+    """Side by side, touching, together: of two a relation, of more a row or a group."""
+    two = len(units) == 2
     match loc.rel:
-        case "near" | "apart":
-            node = LEVEL[loc.rel]
-            return [node(a=a, b=b, span=span) for a, b in two]
-        case "distance" if len(units) > 2:
-            low, high = loc.low, loc.high
-            if high is None:
-                return [
-                    r.Distance(a=a, b=b, minimum=low, maximum=high, measure=measure(loc), span=span) for a, b in two
-                ]
-            if low is None:
-                return [
-                    r.Distance(a=a, b=b, minimum=low, maximum=high, measure=measure(loc), span=span) for a, b in two
-                ]
-            middle = round((low + high) / 2, 6)
-            spaced: dict[str, Any] = {
-                "gap" if loc.measure == "faces" else "spacing": middle,
-                "tolerance": round((high - low) / 2, 6),
-            }
-            return [s.Row(blocks=names, span=span, **spaced)]
-        case "distance":
-            return [
-                r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span) for a, b in two
-            ]
-        case "side_by_side" | "beside" if len(units) == 2:
-            return [r.Beside(a=two[0][0], b=two[0][1], span=span)]
         case "side_by_side" | "beside":
-            return [s.Row(blocks=names, gap_edges=1.0, span=span)]
-        case "adjacent" if len(units) == 2:
-            return [r.Adjacent(a=two[0][0], b=two[0][1], span=span)]
+            return r.Beside(a=units[0], b=units[1], span=span) if two else s.Row(blocks=names, gap_edges=1.0, span=span)
+        case "adjacent" if two:
+            return r.Adjacent(a=units[0], b=units[1], span=span)
         case "adjacent":
-            return [s.Row(blocks=names, gap_edges=0.5, span=span)]
-        case "touching" if len(units) == 2:
-            return [r.Touching(a=two[0][0], b=two[0][1], span=span)]
+            return s.Row(blocks=names, gap_edges=0.5, span=span)
+        case "touching" if two:
+            return r.Touching(a=units[0], b=units[1], span=span)
         case "touching":
-            return [s.GroupBy(groups=(names,), inner_edges=0.05, span=span)]
+            return s.GroupBy(groups=(names,), inner_edges=0.05, span=span)
         case "together":
-            return [s.GroupBy(groups=(names,), span=span)]
+            return s.GroupBy(groups=(names,), span=span)
         case "one_behind":
-            return [s.Row(blocks=names, axis="x", span=span)]
+            return s.Row(blocks=names, axis="x", span=span)
         case "off":
-            return [
-                g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span)
-                for a, b in [*pairs, *[(b, a) for a, b in pairs]]
-            ]
+            apart = [r.Above(a=(a,), b=(b,), span=span) for a in names for b in names if a != b]
+            return g.All(goals=tuple(g.Not(goal=x, span=span) for x in apart), span=span)
         case _:
             raise refuse("misplaced", "this relation does not go with 'each other'", loc.span)

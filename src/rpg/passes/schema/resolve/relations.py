@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -247,7 +248,7 @@ def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g
     node = DIRECTIONS[loc.rel]
     b = foot(mark)
     goal: g.Goal
-    flags = {
+    flags: dict[str, Any] = {
         "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods,
         "somewhere": "somewhere" in loc.mods,
     }  # fmt: skip

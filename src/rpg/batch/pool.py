@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 import signal
 from collections import deque
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context, resource_tracker
 from multiprocessing.forkserver import ensure_running
+from threading import current_thread, main_thread
 from typing import Protocol
 
 from rpg.batch.entries import Entry
@@ -56,7 +58,8 @@ class LocalPool:
         waiting: deque[Future[Result]] = deque()
         try:
             for job in jobs:
-                waiting.append(pool.submit(build, *job))
+                with _undisturbed():
+                    waiting.append(pool.submit(build, *job))
                 if len(waiting) >= AHEAD * workers:
                     yield waiting.popleft().result()
             while waiting:
@@ -76,9 +79,24 @@ class LocalPool:
         context = get_context("forkserver")
         context.set_forkserver_preload(["rpg.batch.preload"])
         resource_tracker.ensure_running()  # which changes the mask of signals itself
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-        try:
-            ensure_running()  # while it imports, Ctrl-C is the parent's alone
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        with _undisturbed():
+            ensure_running()
         return ProcessPoolExecutor(workers, mp_context=context, initializer=warm)
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """While processes are started Ctrl-C waits, and they inherit that it is none of their business."""
+    if current_thread() is not main_thread():
+        yield
+        return
+    caught: list[int] = []
+    handler = signal.signal(signal.SIGINT, lambda number, frame: caught.append(number))
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        signal.signal(signal.SIGINT, handler)
+    if caught:
+        raise KeyboardInterrupt

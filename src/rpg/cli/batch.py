@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rpg.cli.options import WORKSPACE, Json, NoPictures, Quiet, Tasks, load_mujoco, workspace
+from rpg.cli.options import WORKSPACE, Json, NoPictures, Quiet, Tasks, workspace
 
 if TYPE_CHECKING:
     from rpg.batch.pool import Executor
@@ -52,7 +52,6 @@ def run(
     """Compile every instruction and session of the FILEs into the workspace; what is up to date is left alone. One
     entry's failure does not stop the others. Exit status 1 if any entry was refused or failed, or, with --check, if
     the workspace is not what the lists give."""
-    load_mujoco()
     from rpg.batch.entries import read_entries
     from rpg.batch.entries import shard as part_of
     from rpg.batch.reports import as_data, as_junit, as_markdown

@@ -88,8 +88,24 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
             if isinstance(found, Clause) and found.verb != "exist":
                 yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
         if isinstance(first, Toward):
-            for items, end in listed(p, j):
-                given = OrderBy(by="given", items=items, span=p.span(j, end))
+            there = (
+                p.any_of(
+                    j,
+                    (
+                        "there should be",
+                        "there must be",
+                        "there is",
+                        "there are",
+                        "put",
+                        "it is",
+                        "they are",
+                        "you see",
+                    ),
+                )
+                or j
+            )
+            for items, end in listed(p, there):
+                given = OrderBy(by="given", items=items, span=p.span(there, end))
                 for more, last in adjuncts(p, end):
                     yield (
                         Clause(

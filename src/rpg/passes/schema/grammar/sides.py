@@ -33,6 +33,8 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
             last = SIDES.get(p.words[e]) if e < p.end else None
             if last == _OPPOSITE[first]:
                 yield Toward(first=first, axis=AXIS[first], span=p.span(i, e + 1)), p.opt(p.reach(e + 1), "side", "end")
+        if j2 > j > i and first in ("left", "right") and p.words[k] not in ("to", "towards"):
+            yield Toward(first=first, axis="y", span=p.span(i, k)), k
         if p.words[k : k + 1] in (["up"], ["upwards"], ["upward"]) and first == "bottom" and j > i:
             yield Toward(first="bottom", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
         if p.words[k : k + 1] in (["down"], ["downwards"], ["downward"]) and first == "top" and j > i:

@@ -343,10 +343,7 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
         if end:
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
-    far = p.one(i, "by") or i
-    for (low, high), j in bounds(p, far):
-        if high is None or far > i:
-            yield Loc(rel="moved", low=low, high=high, span=p.span(i, j), cost=1), j
+    yield from _moved(p, i)
     if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")):
         for (low, high), k in bounds(p, j):
             gap = p.any_of(
@@ -383,6 +380,14 @@ def _measured_bare(p: Parser, i: int) -> Results[Meaning]:
             measure = "faces" if "gap" in p.words[i:j] or "gaps" in p.words[i:j] else "centres"
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
+
+
+def _moved(p: Parser, i: int) -> Results[Meaning]:
+    """ "by at least 10 cm": how far something moves."""
+    far = p.one(i, "by") or i
+    for (low, high), j in bounds(p, far):
+        if high is None or far > i:
+            yield Loc(rel="moved", low=low, high=high, span=p.span(i, j), cost=1), j
 
 
 def _listed_cost(landmark: Meaning) -> int:

@@ -1,0 +1,70 @@
+"""Whatever is typed, the front end answers: a task or a diagnostic, never a traceback, in bounded time."""
+
+import random
+import string
+import time
+
+from rpg.core.codes import CODES
+from rpg.passes.schema.frontend import BuiltinFrontEnd
+from rpg.passes.schema.spelling import vocabulary
+
+TEXTS = 250
+
+
+def garbage(rng: random.Random) -> str:
+    """Known words in any order, unknown ones, signs, letters."""
+    words = sorted(vocabulary())
+    kind = rng.randrange(4)
+    if kind == 0:
+        return "".join(rng.choice(string.printable) for _ in range(rng.randrange(1, 120)))
+    length = rng.randrange(1, 25)
+    if kind == 1:
+        return " ".join(rng.choice(words) for _ in range(length))
+    common = [
+        "put",
+        "the",
+        "red",
+        "blue",
+        "block",
+        "blocks",
+        "on",
+        "and",
+        "a",
+        "of",
+        "row",
+        "tower",
+        "two",
+        ",",
+        "it",
+        "left",
+        "to",
+        "with",
+        "A",
+        "3",
+    ]
+    if kind == 2:
+        return " ".join(rng.choice(common) for _ in range(length))
+    return " ".join(rng.choice(common if rng.random() < 0.8 else words) for _ in range(length)) + rng.choice(".!?")
+
+
+def test_no_text_breaks_the_front_end() -> None:
+    rng = random.Random(7)
+    for _ in range(TEXTS):
+        text = garbage(rng)
+        began = time.perf_counter()
+        schema, diagnostics = BuiltinFrontEnd().read(text)
+        assert time.perf_counter() - began < 5.0, text
+        assert (schema is None) == bool(diagnostics), text
+        assert all(d.code in CODES for d in diagnostics), (text, diagnostics)
+
+
+def test_the_longest_text_is_read_in_time() -> None:
+    text = ("put the red block and the blue block and the green block on the yellow block and " * 12)[:990]
+    began = time.perf_counter()
+    BuiltinFrontEnd().read(text)
+    assert time.perf_counter() - began < 20.0
+
+
+def test_reading_is_deterministic() -> None:
+    text = "build a tower of three blocks and put a red block next to it"
+    assert BuiltinFrontEnd().read(text) == BuiltinFrontEnd().read(text)

@@ -136,6 +136,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
             cost = _listed_cost(landmark) + (2 if name == "in" or p.words[i] == "by" else 0)
             yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost), k
     yield from _either_relation(p, i)
+    yield from _either_place(p, i)
     yield from _between(p, i)
     yield from _possessive(p, i)
     yield from _bare(p, i)
@@ -162,6 +163,16 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
                     Loc(rel=second, landmark=landmark, mods=mods, span=span),
                 )
                 yield Coord(op=op, items=parts, span=span), end
+
+
+def _either_place(p: Parser, i: int) -> Results[Meaning]:
+    """ "either left of the red block or behind the blue one"."""
+    start = p.one(i, "either")
+    for first, j in _loc(p, start) if start else ():
+        k = p.one(j, "or")
+        for second, end in _loc(p, k) if k else ():
+            if isinstance(first, Loc) and isinstance(second, Loc):
+                yield Coord(op="or", items=(first, second), span=p.span(i, end)), end
 
 
 def _between(p: Parser, i: int) -> Results[Meaning]:

@@ -121,7 +121,7 @@ def _across(loose: list[Loose]) -> g.Goal:
 def _region(item: Loose) -> g.Goal:
     ref, at_, span = item
     side = at_.side if isinstance(at_, At) else ""
-    if side not in _REGION or (isinstance(at_, At) and at_.index):
+    if side not in _REGION or (isinstance(at_, At) and at_.index) or ref.quant is not None:
         raise refuse(
             "no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row"
         )

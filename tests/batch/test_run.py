@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rpg.batch import run as run_module
+from rpg.batch import ledger as ledger_module
 from rpg.batch.entries import Entry
 from rpg.batch.ledger import LOCKFILE
 from rpg.batch.lines import Report
@@ -124,7 +124,7 @@ def test_an_interrupted_batch_resumes_to_the_same_bytes(tmp_path: Path) -> None:
 
 def test_another_mujoco_builds_everything_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     batch(tmp_path, entries(STACK))
-    monkeypatch.setattr(run_module, "mujoco_version", lambda: "9.9.9")
+    monkeypatch.setattr(ledger_module, "mujoco_version", lambda: "9.9.9")
     report, built = batch(tmp_path, entries(STACK))
     assert built == [STACK] and "9.9.9" in report.upgraded
 

@@ -31,6 +31,7 @@ class Keeper:
     def __init__(self, workspace: Workspace, ledger: Ledger, pictures: bool) -> None:
         self.workspace, self.ledger, self.pictures = workspace, ledger, pictures
         self.made: dict[str, Made] = {}
+        self.verdicts: dict[str, str] = {}
         self._writers = ThreadPoolExecutor(WRITERS, "writer")
         self._placer = ThreadPoolExecutor(1, "placer")
         self._under_way: deque[Future[Line]] = deque()
@@ -66,6 +67,7 @@ class Keeper:
         line, made = self._placed(entry, result, draft.result()) if draft else self._not_admitted(entry, result)
         if made is not None:
             self.made[entry.digest] = made
+            self.verdicts |= result.verdicts
         if len(self.made) >= SAVE_EVERY:
             self._save()
         return line
@@ -90,8 +92,8 @@ class Keeper:
 
     def _save(self) -> None:
         if self.made:
-            self.ledger = record(self.workspace, self.made)
-            self.made = {}
+            self.ledger = record(self.workspace, self.made, self.verdicts)
+            self.made, self.verdicts = {}, {}
 
 
 def _versions(made: dict[str, Made], family: str) -> frozenset[str]:

@@ -32,12 +32,17 @@ class Made(Record):
 
 
 class Ledger(Record):
-    """The contents of rpg.lock. `entries` are keyed by the digests of the entries."""
+    """The contents of rpg.lock: the versions that verified the workspace, and what they found.
+
+    `entries` are keyed by the digests of the entries; `verdicts`, by snapshot hash, are those of the goals on their
+    banks of states (see `rpg.upgrade`).
+    """
 
     format: Literal[1] = 1
     rpg: str = __version__
     mujoco: str
     entries: dict[str, Made] = Field({})
+    verdicts: dict[str, str] = Field({})
 
     def text(self) -> str:
         return json.dumps(self.model_dump(mode="json"), indent=1, sort_keys=True, ensure_ascii=False) + "\n"
@@ -53,7 +58,7 @@ def read_ledger(workspace: Workspace) -> Ledger:
     try:
         return Ledger.model_validate_json(path.read_bytes())
     except FileNotFoundError:
-        return Ledger(mujoco=mujoco_version(), entries={})
+        return Ledger(mujoco=mujoco_version(), entries={}, verdicts={})
     except OSError as error:
         raise UsageError(f"cannot read {path}: {error.strerror}") from error
     except ValidationError as error:
@@ -62,15 +67,26 @@ def read_ledger(workspace: Workspace) -> Ledger:
         ) from error
 
 
-def record(workspace: Workspace, made: Mapping[str, Made]) -> Ledger:
+def record(workspace: Workspace, made: Mapping[str, Made], verdicts: Mapping[str, str]) -> Ledger:
     """Add to the ledger what a batch made, and the versions that verified it. Other batches' entries stay."""
     with locked(workspace):
         before = read_ledger(workspace)
         fresh = {made_now.family for made_now in made.values() if made_now.family}
         kept = {d: old for d, old in before.entries.items() if old.family not in fresh or _there(workspace, old)}
-        after = Ledger(rpg=__version__, mujoco=mujoco_version(), entries={**kept, **made})
-        if after != before:
-            replace_file(workspace.root / LOCKFILE, after.text().encode())
+        return _replace(workspace, before, {**kept, **made}, {**before.verdicts, **verdicts})
+
+
+def confirm(workspace: Workspace, verdicts: Mapping[str, str]) -> Ledger:
+    """Note that the installed versions verified all of the workspace, and what its goals were found to judge."""
+    with locked(workspace):
+        before = read_ledger(workspace)
+        return _replace(workspace, before, before.entries, dict(verdicts))
+
+
+def _replace(workspace: Workspace, before: Ledger, entries: dict[str, Made], verdicts: dict[str, str]) -> Ledger:
+    after = Ledger(rpg=__version__, mujoco=mujoco_version(), entries=entries, verdicts=verdicts)
+    if after != before or not (workspace.root / LOCKFILE).exists():
+        replace_file(workspace.root / LOCKFILE, after.text().encode())
     return after
 
 
@@ -86,6 +102,12 @@ def up_to_date(workspace: Workspace, made: Made | None, pictures: bool) -> bool:
     if not _there(workspace, made) or (pictures and not made.pictures):
         return False
     return not verify_family(workspace.family(made.family))
+
+
+def upgraded(ledger: Ledger) -> str:
+    """Which versions have changed since the ledger was written, for people; empty for none."""
+    pairs = [("rpg", ledger.rpg, __version__), ("MuJoCo", ledger.mujoco, mujoco_version())]
+    return ", ".join(f"{what} {old} -> {new}" for what, old, new in pairs if old != new)
 
 
 def mujoco_version() -> str:

@@ -11,6 +11,7 @@ MODULES = (
     "rpg.publishing",
     "rpg.steering",
     "rpg.store.adopt",
+    "rpg.upgrade",
 )
 
 load_mujoco()

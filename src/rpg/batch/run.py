@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from contextlib import closing, suppress
 
-from rpg import __version__
 from rpg.batch.compare import differences
 from rpg.batch.entries import Entry
 from rpg.batch.keeper import Keeper
-from rpg.batch.ledger import Ledger, Made, mujoco_version, read_ledger, up_to_date
+from rpg.batch.ledger import Ledger, Made, read_ledger, up_to_date, upgraded
 from rpg.batch.lines import Line, Report, reason
 from rpg.batch.pool import Executor
 from rpg.batch.work import Result
@@ -37,11 +36,11 @@ def run_batch(
     if not check:
         make_root(workspace)
     ledger = read_ledger(workspace)
-    upgraded = _upgrade(ledger)
-    trusted = not (check or upgraded)
+    news = upgraded(ledger)
+    trusted = not (check or news)
     current = {e.place for e in entries if trusted and up_to_date(workspace, ledger.entries.get(e.digest), pictures)}
     results = executor.map([(entry, pictures and not check) for entry in entries if entry.place not in current])
-    report = Report(upgraded=upgraded)
+    report = Report(upgraded=news)
     lines = (
         _checked(entries, results, workspace, ledger)
         if check
@@ -100,9 +99,3 @@ def _compared(entry: Entry, result: Result, workspace: Workspace, ledger: Ledger
     name = before.family if before and before.family else entry.name or result.family
     found = differences(workspace.family(name), result.tree)
     return Line(entry, "differs" if found else "same", name, found)
-
-
-def _upgrade(ledger: Ledger) -> str:
-    """Which versions have changed since the ledger was written; empty for none."""
-    pairs = [("rpg", ledger.rpg, __version__), ("MuJoCo", ledger.mujoco, mujoco_version())]
-    return ", ".join(f"{what} {old} -> {new}" for what, old, new in pairs if old != new)

@@ -30,13 +30,15 @@ GRACE = 5.0
 class Result:
     """What became of an entry. `tree`: the family's files by path, empty unless admitted; `diagnostics` as data.
 
-    `lasting`: the next build would end alike; what a crash or a full disk ended is tried again.
+    `verdicts`: of its versions' goals, by snapshot hash, for the record. `lasting`: the next build would end alike;
+    what a crash or a full disk ended is tried again.
     """
 
     status: Status
     family: str = ""
     tree: dict[str, bytes] = field(default_factory=dict, repr=False)
     diagnostics: tuple[dict[str, Any], ...] = ()
+    verdicts: dict[str, str] = field(default_factory=dict)
     lasting: bool = True
 
 
@@ -89,6 +91,7 @@ def _built(entry: Entry, pictures: bool) -> Result:
     from rpg.pipeline import CompileOptions, compile_instruction
     from rpg.publishing import content_of
     from rpg.store.adopt import base_tree
+    from rpg.upgrade import verdicts
 
     options = CompileOptions(name=entry.name, seed=entry.seed, author=entry.author, pictures=pictures)
     outcome = compile_instruction(entry.instruction, options)
@@ -96,14 +99,18 @@ def _built(entry: Entry, pictures: bool) -> Result:
         return Result(outcome.status, diagnostics=_data(outcome.diagnostics))
     if entry.edits:
         return _steered(entry, outcome, options)
-    return Result("admitted", outcome.schema.name, base_tree(content_of(outcome)), _data(outcome.diagnostics))
+    content = content_of(outcome)
+    assert outcome.program is not None
+    record = {content.sealed(0).hash: verdicts(outcome.program)}
+    return Result("admitted", outcome.schema.name, base_tree(content), _data(outcome.diagnostics), record)
 
 
 def _steered(entry: Entry, outcome: Outcome, options: CompileOptions) -> Result:
     """The base with its edits, which need it on disk: in a directory of its own."""
     from rpg.publishing import publish
     from rpg.steering import steer
-    from rpg.store import Workspace, Written
+    from rpg.store import Family, Workspace, Written
+    from rpg.upgrade import recorded
 
     with tempfile.TemporaryDirectory(prefix="rpg-", dir=_scratch()) as root:
         place = publish(outcome, Workspace(Path(root)))
@@ -115,7 +122,9 @@ def _steered(entry: Entry, outcome: Outcome, options: CompileOptions) -> Result:
             if done.version is None:
                 return Result("refused" if done.status == "refused" else "failed", diagnostics=_data(found))
             version = done.version
-        return Result("admitted", version.family, _tree(version.directory.parent), _data(found))
+        family = Family(version.directory.parent)
+        record = {version.hash: recorded(version) for version in family.versions()}
+        return Result("admitted", family.name, _tree(family.directory), _data(found), record)
 
 
 def _data(diagnostics: Iterable[Diagnostic]) -> tuple[dict[str, Any], ...]:

@@ -13,34 +13,47 @@ if TYPE_CHECKING:
     from rpg.store import Family
 
 EXAMPLE = "rpg verify red-on-blue"
+Everything = Annotated[bool, typer.Option("--all", help="The whole workspace; after an upgrade, also what it changed.")]
 Some = Annotated[list[str] | None, typer.Argument(metavar="[TASK]...", help="Tasks; all of the workspace without one.")]
 
 
-def run(task: Some = None, tasks: Tasks = WORKSPACE, as_json: Json = False, quiet: Quiet = False) -> None:
+def run(
+    task: Some = None,
+    everything: Everything = False,
+    tasks: Tasks = WORKSPACE,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> None:
     """Check every version of the families of TASKs: hashes of files, lineage, HEAD, and that the code is what
-    task.yaml gives. Exit status 1 if anything differs."""
+    task.yaml gives. With --all, where rpg.lock names other versions of rpg or MuJoCo, the gates of every task run
+    again, and goals are compared with their verdicts on record. Exit status 1 if anything differs."""
     load_mujoco()
     from rich.text import Text
 
     from rpg.cli.output import Output
+    from rpg.cli.upgraded import changes
     from rpg.loading import verify
 
     out = Output(as_json, quiet)
-    families = _families(task or [], tasks)
+    families = _families([] if everything else task or [], tasks)
     found = {family.name: verify(family) for family in families}
+    news = changes(out, workspace(tasks), families, found) if everything else ""
     count = sum(len(family.directories()) for family in families)
-    bad = [diagnostic for problems in found.values() for diagnostic in problems]
+    said = [diagnostic for problems in found.values() for diagnostic in problems]
+    bad = [diagnostic for diagnostic in said if diagnostic.severity == "error"]
     out.document(
         {
             "status": "differs" if bad else "sound",
+            "upgraded": news or None,
             "versions": count,
             "families": {
                 name: [problem.model_dump(mode="json") for problem in problems] for name, problems in found.items()
             },
         }
     )
-    for problem in bad:
-        out.result.print(Text.assemble((problem.code, "bold red"), f": {problem.message}"), soft_wrap=True)
+    for problem in said:
+        color = "bold red" if problem.severity == "error" else "yellow"
+        out.result.print(Text.assemble((problem.code, color), f": {problem.message}"), soft_wrap=True)
     if not bad:
         of = f"{_number(count, 'version')} of {_number(len(families), 'task')}"
         out.result.print(Text.assemble(("✓ ", "green"), f"{of}: nothing differs"))

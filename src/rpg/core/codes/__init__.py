@@ -6,7 +6,7 @@ reported code is known follow from here.
 
 from __future__ import annotations
 
-from rpg.core.codes import arrange, feasibility, language, starts, steer, store, validate
+from rpg.core.codes import arrange, batch, feasibility, language, starts, steer, store, validate
 from rpg.core.codes.base import Code
 
 ROOMS: dict[str, tuple[Code, ...]] = {
@@ -17,6 +17,7 @@ ROOMS: dict[str, tuple[Code, ...]] = {
     "validate": validate.CODES,
     "store": store.CODES,
     "steer": steer.CODES,
+    "batch": batch.CODES,
 }
 """The codes of each room, in the order in which the documentation lists them."""
 

@@ -54,6 +54,8 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     for item in meaning.items:
         if isinstance(item, Noun) and _repeats(item, seen, scene):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
+        if parts and isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None:
+            raise refuse("misplaced", "this could describe the blocks before it", item.span, "say it in front of them")
         if isinstance(item, Noun):
             seen.append(item.traits)
             if item.det == "each" and item.part_of is not None:

@@ -10,9 +10,10 @@ from rpg.passes.schema.grammar.adjectives import adjectives, colors
 from rpg.passes.schema.grammar.amounts import count, length
 from rpg.passes.schema.grammar.core import Parser, Results, TooMuchWork, rule
 from rpg.passes.schema.grammar.labels import label_list, literal
+from rpg.passes.schema.grammar.measures import bounds
 from rpg.passes.schema.grammar.nouns import noun_phrase, simple
 from rpg.passes.schema.grammar.orders import order
-from rpg.passes.schema.grammar.relations import bounds, loc
+from rpg.passes.schema.grammar.relations import loc
 from rpg.passes.schema.grammar.sizes import dimensions
 from rpg.passes.schema.tokens import Token, tokenize
 

@@ -53,7 +53,8 @@ _PLAIN = {
 """Single words. "target" here only says "the one meant"; it selects nothing."""
 
 _PHRASES = {
-    "circle shaped": ("shape", "circle"), "square shaped": ("shape", "square"), "rectangle shaped": ("shape", "rectangle"),
+    "circle shaped": ("shape", "circle"), "square shaped": ("shape", "square"),
+    "rectangle shaped": ("shape", "rectangle"),
     "same colored": ("scheme", "same"), "same coloured": ("scheme", "same"), "same color": ("scheme", "same"),
     "single colored": ("scheme", "same"), "differently colored": ("scheme", "different"),
     "differently coloured": ("scheme", "different"), "different colored": ("scheme", "different"),

@@ -156,7 +156,7 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
                     verb="spell", theme=word, adjuncts=(Using(members=them, span=them.span), *found), span=p.span(i, k)
                 )
                 yield That(kind="so", clauses=Chain(clauses=(said,), links=("and",), span=said.span), span=said.span), k
-    if j := p.any_of(comma, ("without", "while not", "while never", "but without", "and without", "but not")):
+    if j := p.any_of(comma, ("without", "while not", "while never", "but without", "and without")):
         for clauses, k in gerund_clause(p, j):
             yield That(kind="without", clauses=clauses, span=p.span(i, k)), k
     if j := p.any_of(comma, ("while keeping", "while leaving", "keeping", "leaving", "but keep", "but leave")):

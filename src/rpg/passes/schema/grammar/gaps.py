@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from rpg.passes.schema.grammar.core import Parser, Results, rule
+from rpg.passes.schema.grammar.measures import bounds
 from rpg.passes.schema.grammar.nouns import noun_phrase
-from rpg.passes.schema.grammar.relations import bounds
 from rpg.passes.schema.meaning import Clause, Loc, Meaning, Pronoun
 
 _GAPS = (

@@ -281,7 +281,7 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     """ "red on blue", "the other two", "A", "a red and a blue block"."""
     ranked = quantity.det == "the" and marks.get("rank") not in (None, "top", "bottom", "middle")
     named = j > start and p.words[j - 1] not in ("target", "goal")
-    if named and (marks.get("colors") or marks.get("size") or ranked or marks.get("edge")):
+    if named and "edge" not in marks and (marks.get("colors") or marks.get("size") or ranked):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")
         if several and _list_goes_on(p, j):

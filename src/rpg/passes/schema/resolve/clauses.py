@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.passes.schema.meaning import Clause, Loc, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.passes.schema.meaning import Clause, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
@@ -112,6 +112,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return _themeless(clause, spec, scene, scope)
     if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
         return turning.turn(clause, spec, scene, scope)
+    if clause.lemma == "balance" and any(isinstance(x, In) for x in spec.places):
+        raise refuse("misplaced", "blocks lie flat: none is balanced on an edge or a corner", clause.span, "say 'on'")
     if clause.lemma == "alphabetize":
         spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
     shape = _kind_of_shape(spec)

@@ -39,7 +39,10 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         )
     found = Order()
     for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "reverse")):
-        found = _merge(found, order, names, kind, scene, scope, first)
+        merged = _merge(found, order, names, kind, scene, scope, first)
+        if found.by not in ("any", merged.by) and order.by not in ("in_order", "reverse", "any"):
+            raise refuse("order-conflict", "two orders are given for the same blocks", order.span, "keep one of them")
+        found = merged
     reverse = any(o.by == "reverse" for o in spec.orders)
     if reverse:
         if found.by == "any":

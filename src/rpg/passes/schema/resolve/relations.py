@@ -110,6 +110,10 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [r.Clear(a=crown(mark), span=span)]
     if theme.everything and theme.quant is not None and mark.patch and loc.rel in ("on", "above", "in"):
         return [r.Empty(patch=p, span=span) for p in mark.names]
+    if mark.op == "except":
+        raise refuse(
+            "misplaced", "'except' does not fit a place", loc.span, "say 'all blocks except ...' where they are named"
+        )
     _check_self(theme, mark, loc)
     if mark.matching:
         return matching_patches(theme, mark, scene, span)

@@ -74,8 +74,8 @@ def without(that: That, scene: Scene) -> Goals:
         if not isinstance(clause, Clause):
             continue
         if clause.verb in ("place", "touch", "turn", "swap", "pick") and not clause.adjuncts:
-            theme = refer(_moved_theme(clause), scene, Scope())
-            goals.append(_stayed(theme, that.span))
+            theme = refer(_moved_theme(clause), scene, Scope(role="landmark"))
+            goals.append(_untouched(clause, theme, scene, that.span))
         elif clause.verb in ("place", "stack", "use"):
             from rpg.passes.schema.resolve.clauses import clause_goals
 
@@ -85,6 +85,21 @@ def without(that: That, scene: Scene) -> Goals:
         else:
             raise refuse("misplaced", "this cannot be forbidden here", clause.span, "say 'without moving ...'")
     return goals
+
+
+def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
+    """ "next to the red block without touching it" is about the two blocks; else the block stays where it is."""
+    now = [m for m in scene.mentions if m.clause == scene.clause]
+    placed = next((m.ref for m in now if m.role == "theme" and m.ref.names), None)
+    marks = {n for m in now if m.role == "landmark" for n in m.ref.names}
+    if (
+        clause.verb == "touch"
+        and placed is not None
+        and isinstance(clause.theme, Pronoun)
+        and set(theme.names) <= marks
+    ):
+        return g.Not(goal=r.Touching(a=placed.names, b=theme.names, span=span), span=span)
+    return _stayed(theme, span)
 
 
 def _moved_theme(clause: Clause) -> Meaning:

@@ -115,13 +115,11 @@ def _join(p: Parser, i: int) -> int:
 
 def m_cost(found: r.Request) -> int:
     """The cost of the phrases inside a request."""
-    from rpg.passes.schema.meaning import cost_of
-
     total = 0
     for name in type(found).__dataclass_fields__:
         value = getattr(found, name)
         if isinstance(value, m.Meaning):
-            total += cost_of(value)
+            total += m.cost_of(value)
         elif isinstance(value, tuple):
-            total += sum(cost_of(each) for each in value if isinstance(each, m.Meaning))
+            total += sum(m.cost_of(each) for each in value if isinstance(each, m.Meaning))
     return total

@@ -124,6 +124,9 @@ class Speaker:
 
 
 def _plural(noun: str) -> str:
+    """ "red blocks", and "blocks labelled O": a symbol in front of a plural reads like a number or a word."""
+    if _LABEL.fullmatch(noun):
+        return f"blocks labelled {noun.removesuffix(' block')}"
     return noun + ("es" if noun.endswith(("ch", "x")) else "s")
 
 

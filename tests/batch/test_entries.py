@@ -60,7 +60,7 @@ def test_globs_are_expanded_in_order(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "text", "said"),
     [
-        ("a.yaml", "- instruction: x\n  seeed: 3\n", "a.yaml:1: seeed"),
+        ("a.yaml", "- instruction: x\n  seeed: 3\n", "a.yaml:1: an entry has no `seeed`"),
         ("a.yaml", "- a\n- {edits: [b]}\n", "a.yaml:2: an entry has"),
         ("a.yaml", "tasks: [x\n", "a.yaml:2"),
         ("a.yaml", "taks:\n- x\n", "a.yaml:1: `taks` is no list"),

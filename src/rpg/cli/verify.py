@@ -51,6 +51,8 @@ def run(
             },
         }
     )
+    if news:
+        out.result.print(f"verified by other versions before: {news}", highlight=False)
     for problem in said:
         color = "bold red" if problem.severity == "error" else "yellow"
         out.result.print(Text.assemble((problem.code, color), f": {problem.message}"), soft_wrap=True)

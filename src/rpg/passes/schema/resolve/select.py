@@ -88,6 +88,8 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
             return (_pick(noun, found, scene, scope).name,)
         if claimed := _claim(noun, scene, scope, patch, 1):
             return (claimed[0].name,)
+        if (shown := _shown_on(noun, scene)) is not None:
+            return (shown,)
         scene.new_batch()
         return (create(noun.traits, scene, patch).name,)
     if amount is not None:
@@ -113,6 +115,18 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
     scene.new_batch()
     found = found + elastic([create(noun.traits, scene, patch) for _ in range(max(0, count - len(found)))], noun, patch)
     return tuple(t.name for t in found)
+
+
+def _shown_on(noun: Noun, scene: Scene) -> str | None:
+    """ "rotate a block so that the letter ...": the letter is the one that the block just spoken of shows."""
+    last = scene.mentions[-1].ref.names if scene.mentions else ()
+    if noun.det != "the" or noun.traits.kind not in ("letter", "digit") or noun.traits.colors or len(last) != 1:
+        return None
+    thing = scene.things[last[0]]
+    if thing.patch or thing.label is not None or thing.kind is not None:
+        return None
+    thing.kind = noun.traits.kind
+    return thing.name
 
 
 def wanted(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> int:

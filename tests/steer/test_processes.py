@@ -17,7 +17,7 @@ from rpg.publishing import publish
 from rpg.store import Family, Workspace, Written
 
 KILLS = 12
-"""How often a steering process is killed here; the same loop was run 200 times by hand."""
+"""How often a steering process is killed."""
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from rpg.ir.node import Direction
@@ -56,9 +56,35 @@ class Ideal:
     room: float | None = None
 
 
-@lru_cache(maxsize=512)
 def ideals(node: Cells, count: int) -> tuple[Ideal, ...]:
-    """The figures that `node` accepts for so many blocks, the most natural first."""
+    """The figures that `node` accepts for so many blocks, the most natural first; the same objects for every node
+    that differs in its blocks alone."""
+    return _ideals(_Form(node), count)
+
+
+@cache
+def _form_fields(kind: type[Cells]) -> tuple[str, ...]:
+    return tuple(field for field in kind.model_fields if field not in Cells.model_fields)
+
+
+class _Form:
+    """A node, equal to every other one that asks for the same figures."""
+
+    def __init__(self, node: Cells) -> None:
+        lines = node.pattern.kind if node.pattern is not None else None
+        self.node = node
+        self.key = type(node), node.readable, lines, *[getattr(node, field) for field in _form_fields(type(node))]
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Form) and self.key == other.key
+
+
+@lru_cache(maxsize=512)
+def _ideals(form: _Form, count: int) -> tuple[Ideal, ...]:
+    node = form.node
     match node:
         case Grid():
             found = _grids(node)

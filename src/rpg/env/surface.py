@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
-from typing import Any
+from collections.abc import Hashable, Mapping, Sequence
+from copy import deepcopy
+from typing import Any, NamedTuple
 
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict
 from rpg.ir.node import Highest, Lowest, Node
-from rpg.ir.walk import names
+from rpg.ir.walk import names, rename
 
 Names = str | Sequence[str]
 """One name, or several."""
@@ -17,28 +18,76 @@ Where = Names | Lowest | Highest
 """One block or patch, several, or the foot or the top of a tower."""
 
 
+class _Call(NamedTuple):
+    """A call of a predicate method: its kind of atom, its arguments, and the atom, by naming as it then stands."""
+
+    kind: type[Node]
+    fields: dict[str, Any]
+    node: Node
+    renamed: dict[int, Node]
+
+
 class Atoms:
-    """Judges single atoms of the goal on the current state, and notes each for the report of conditions."""
+    """Judges single atoms of the goal on the current state, and notes each for the report of conditions.
+
+    Under a naming of look-alikes an atom speaks of other blocks; what it says of these is judged once for a state,
+    however many namings, or atoms, say the same.
+    """
 
     world: World
+    _namings: Sequence[Mapping[str, str]]
 
     def __init__(self) -> None:
         self._now: BlockState | None = None
-        self._nodes: dict[Hashable, Node] = {}
+        self._naming = 0
+        self._calls: dict[Hashable, _Call] = {}
+        self._script: list[_Call] = []
+        self._distinct: dict[Hashable, Node] = {}
+        self._verdicts: dict[int, Verdict] = {}
         self._noted: list[tuple[Node, Verdict]] = []
+
+    def _look_at(self, state: BlockState) -> None:
+        """Judge `state` from now on, with names as they stand."""
+        self._now, self._verdicts = state, {}
+        self._begin_naming(0)
+
+    def _begin_naming(self, naming: int) -> None:
+        """Names now stand for what this naming says."""
+        self._naming, self._noted = naming, []
 
     def _atom(self, kind: type[Node], **fields: Any) -> Verdict:
         if self._now is None:
             raise RuntimeError("the task has no state yet: call reset() before judging it")
-        key = (kind, *map(_frozen, fields.values()))
-        node = self._nodes.get(key)
+        call = self._call(kind, fields)
+        node = call.renamed.get(self._naming)
         if node is None:
+            node = call.renamed[self._naming] = self._renamed(call.node)
+        verdict = self._verdicts.get(id(node))
+        if verdict is None:
+            verdict = self._verdicts[id(node)] = evaluate(node, self._now)  # type: ignore[arg-type]
+        self._noted.append((call.node, verdict))
+        return verdict
+
+    def _call(self, kind: type[Node], fields: dict[str, Any]) -> _Call:
+        """The call, most likely the one that was made at this place last time."""
+        place = len(self._noted)
+        if place < len(self._script):
+            last = self._script[place]
+            if last.kind is kind and last.fields == fields:
+                return last
+        key = (kind, *map(_frozen, fields.values()))
+        call = self._calls.get(key)
+        if call is None:
             node = kind(**fields)
             self._check_names(node)
-            self._nodes[key] = node
-        verdict = evaluate(node, self._now)  # type: ignore[arg-type]
-        self._noted.append((node, verdict))
-        return verdict
+            call = self._calls[key] = _Call(kind, deepcopy(fields), node, {})
+        self._script[place : place + 1] = [call]
+        return call
+
+    def _renamed(self, node: Node) -> Node:
+        """The atom under the naming at hand: one object for all that are equal."""
+        renamed: Node = rename(node, self._namings[self._naming])  # type: ignore[arg-type, assignment]
+        return self._distinct.setdefault(renamed, renamed)
 
     def _check_names(self, node: Node) -> None:
         unknown = [name for name in names(node) if name not in self.world.assets]  # type: ignore[arg-type]

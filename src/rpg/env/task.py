@@ -16,7 +16,7 @@ from rpg.blocks.judgement import Judgement
 from rpg.blocks.physics import Physics
 from rpg.blocks.scene import build_spec
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.symmetry import Cells, namings, rename_state
+from rpg.blocks.symmetry import Cells, namings
 from rpg.blocks.verdict import FALSE, Verdict, between
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.env.embodiment import ACTION_SIZE, Action, Embodiment, Robot
@@ -269,23 +269,26 @@ class BlockTask(Relations, Structures, Setup):
     def _judged(self, state: BlockState) -> Judgement:
         """The judgement under the naming of look-alikes that comes closest to success."""
         at_rest = self._rest = settled(state)
-        best: tuple[tuple[bool, bool, int, float], Judgement] | None = None
+        self._look_at(state)
+        best: tuple[tuple[bool, bool, int, float], Verdict, list[tuple[Node, Verdict]]] | None = None
         lost = True
-        for naming, memory in zip(self._namings, self._memories, strict=True):
-            self._now, self._memory, self._noted = rename_state(state, naming), memory, []
+        for number, memory in enumerate(self._memories):
+            self._begin_naming(number)
+            self._memory = memory
             memory.begin(at_rest.value)
             success = _as_verdict(self._success())
             failed = _as_verdict(self._fail()).value
             lost = lost and failed
             rank = (success.value, not failed, memory.stage, success.margin)
             if best is None or rank > best[0]:
-                best = rank, Judgement(success, failed, memory.stage, self._conditions(at_rest))
-        self._now = state
+                best = rank, success, self._noted
+        self._begin_naming(0)
         assert best is not None
-        return best[1]._replace(failed=lost)
+        (_, _, stage, _), success, noted = best
+        return Judgement(success, lost, stage, self._conditions(noted, at_rest))
 
-    def _conditions(self, at_rest: Verdict) -> tuple[tuple[str, Verdict], ...]:
-        found = {self._condition(node): verdict for node, verdict in self._noted}
+    def _conditions(self, noted: list[tuple[Node, Verdict]], at_rest: Verdict) -> tuple[tuple[str, Verdict], ...]:
+        found = {self._condition(node): verdict for node, verdict in noted}
         return (*found.items(), (AT_REST, at_rest))
 
     def _condition(self, node: Node) -> str:

@@ -90,7 +90,7 @@ class CellsPredicate(Predicate[Cells]):
             return None
         edge = largest_edge(state, names)
         levels, margin = heights(state, names, edge)
-        margin = min(margin, flatness(state, names))
+        lying: float | None = None
         places = [(*state.position[name][:2], level) for name, level in zip(names, levels, strict=True)]
         tolerance = node.fit_edges * edge
         best: Found | None = None
@@ -100,7 +100,8 @@ class CellsPredicate(Predicate[Cells]):
             fit = best_fit(ideal, places, pitches, tolerance)
             if fit is None:
                 continue
-            room = min(margin, slack(fit.deviation, tolerance))
+            lying = flatness(state, names) if lying is None else lying
+            room = min(margin, lying, slack(fit.deviation, tolerance))
             if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance and len(names) > 3:
                 room = min(room, -outdone(ideal, fit, places, pitches))
             found = self._judge(node, ideal, fit, room, state)

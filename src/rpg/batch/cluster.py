@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from rpg.batch.pool import Job
+from rpg.batch.entries import Entry
+from rpg.batch.pool import AHEAD, Job
 from rpg.batch.work import Result, build, lost
 from rpg.core.diagnostics import Unavailable
 
@@ -28,18 +31,29 @@ class RayCluster:
         if started:
             ray.init(log_to_driver=False, include_dashboard=False)
         try:
-            remote = ray.remote(max_retries=RETRIES)(build)
-            for reference in [remote.remote(entry, pictures) for entry, pictures in jobs]:
-                yield _result(ray, reference)
+            remote = ray.remote(max_retries=RETRIES)(_build)
+            ahead = AHEAD * max(1, int(ray.cluster_resources().get("CPU", 1)))
+            waiting: deque[Any] = deque()
+            for job in jobs:
+                waiting.append(remote.remote(*job))
+                if len(waiting) >= ahead:
+                    yield _result(ray, waiting.popleft())
+            while waiting:
+                yield _result(ray, waiting.popleft())
         finally:
             if started:
                 ray.shutdown()
 
 
-def _result(ray: object, reference: object) -> Result:
+def _build(entry: Entry, pictures: bool) -> Result:
+    import rpg.batch.preload  # noqa: F401
+
+    return build(entry, pictures)
+
+
+def _result(ray: Any, reference: Any) -> Result:
     try:
-        found: Result = ray.get(reference)  # type: ignore[attr-defined]
+        found: Result = ray.get(reference)
         return found
-    except ray.exceptions.RayError as error:  # type: ignore[attr-defined]
-        message = f"the cluster lost this entry {RETRIES + 1} times: {str(error).splitlines()[0]}"
-        return lost("worker-lost", message)
+    except ray.exceptions.RayError as error:
+        return lost("worker-lost", f"the cluster lost this entry {RETRIES + 1} times: {str(error).splitlines()[0]}")

@@ -86,7 +86,7 @@ class Atoms:
 
     def _renamed(self, node: Node) -> Node:
         """The atom under the naming at hand: one object for all that are equal."""
-        renamed: Node = rename(node, self._namings[self._naming])  # type: ignore[arg-type, assignment]
+        renamed: Node = rename(node, self._namings[self._naming])  # type: ignore[arg-type]
         return self._distinct.setdefault(renamed, renamed)
 
     def _check_names(self, node: Node) -> None:

@@ -1,0 +1,144 @@
+"""Look-alikes: a task judges as the plain definition does, which looks at every naming of a renamed state in full."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from random import Random
+from typing import Any
+
+import pytest
+
+from rpg.blocks.evaluate import evaluate, settled
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.symmetry import interchangeable, link, namings, rename_state
+from rpg.blocks.verdict import Verdict
+from rpg.env import BlockTask
+from rpg.env.progress import Memory
+from rpg.ir import goal as g
+from rpg.ir.walk import instances
+from tests.blocks.random_goals import random_atom, random_state, random_world
+
+
+def told(task: BlockTask, goal: g.Goal) -> Verdict:
+    """The goal as the calls that generated code makes."""
+    match goal:
+        case g.All():
+            return _fold(goal.goals, task, all_of=True)
+        case g.Any():
+            return _fold(goal.goals, task, all_of=False)
+        case g.Not():
+            return ~told(task, goal.goal)
+        case g.Always():
+            return task.always(told(task, goal.goal))
+        case g.Count():
+            verdicts = [told(task, part) for part in instances(goal)]
+            return task.count(verdicts, at_least=goal.at_least, at_most=goal.at_most)
+        case g.Sequence():
+            undone = [k for k, stage in enumerate(goal.stages) if stage.undone]
+            return task.in_order(*[told(task, stage.goal) for stage in goal.stages], undone=undone)
+    fields: dict[str, Any] = {field: getattr(goal, field) for field in type(goal).model_fields}
+    method = getattr(task, fields.pop("kind"))
+    del fields["span"]
+    verdict: Verdict = method(**fields)
+    return verdict
+
+
+def _fold(goals: Sequence[g.Goal], task: BlockTask, *, all_of: bool) -> Verdict:
+    first, *rest = [told(task, goal) for goal in goals]
+    for verdict in rest:
+        first = first & verdict if all_of else first | verdict
+    return first
+
+
+def task_of(goal: g.Goal, world: World) -> BlockTask:
+    class Asked(BlockTask):
+        interchangeable = interchangeable(goal, world)
+
+        def _initialize_env(self) -> None:
+            for asset in world.assets.values():
+                self.add(asset)
+
+        def _success(self) -> Verdict:
+            return told(self, goal) & self.at_rest()
+
+        def _fail(self) -> Verdict:
+            return self.out_of_order() | self.lapsed()
+
+    return Asked()
+
+
+class Plain:
+    """The definition: every naming by itself, on a state in which the blocks have changed their names."""
+
+    def __init__(self, goal: g.Goal, world: World) -> None:
+        self.goal = goal
+        self.namings = namings(interchangeable(goal, world))
+        self.memories = [Memory() for _ in self.namings]
+
+    def judge(self, state: BlockState) -> tuple[Verdict, bool, int]:
+        found, lost = [], True
+        rest = settled(state)
+        for naming, memory in zip(self.namings, self.memories, strict=True):
+            memory.begin(rest.value)
+            success = self._value(self.goal, rename_state(state, naming), memory) & rest
+            failed = (memory.out_of_order() | memory.lapsed()).value
+            lost = lost and failed
+            found.append((success.value, not failed, memory.stage, success.margin))
+        value, _, stage, margin = max(found)
+        return Verdict(value, margin), lost, stage
+
+    def _value(self, goal: g.Goal, state: BlockState, memory: Memory) -> Verdict:
+        match goal:
+            case g.Sequence():
+                stages = [evaluate(stage.goal, state) for stage in goal.stages]
+                return memory.in_order(stages, [k for k, stage in enumerate(goal.stages) if stage.undone])
+            case g.Always():
+                return memory.always(evaluate(goal.goal, state))
+            case g.All() if goal.goals:
+                first, *rest = [self._value(part, state, memory) for part in goal.goals]
+                for verdict in rest:
+                    first &= verdict
+                return first
+        return evaluate(goal, state)
+
+
+def random_goal(world: World, rng: Random) -> g.Goal:
+    """One to four conditions, now and then with "not", "or", a count, a sequence or what always holds around them."""
+    parts: list[g.Goal] = [random_atom(world, rng) for _ in range(rng.randint(1, 4))]
+    shape = rng.random()
+    if shape < 0.2:
+        parts[0] = g.Not(goal=parts[0])
+    elif shape < 0.4:
+        parts[0] = g.Any(goals=(parts[0], random_atom(world, rng)))
+    elif shape < 0.55:
+        inner = g.OnTable(a=("each",))
+        parts[0] = g.Count(over=tuple(world.blocks), at_least=1, at_most=rng.choice((None, 2)), goal=inner)
+    elif shape < 0.75:
+        stages = tuple(g.Stage(goal=random_atom(world, rng), undone=rng.random() < 0.3 and k == 0) for k in range(2))
+        parts.append(g.Sequence(stages=stages))
+    elif shape < 0.9:
+        parts.append(g.Always(goal=random_atom(world, rng)))
+    return link(g.All(goals=tuple(parts)), world)
+
+
+@pytest.mark.parametrize("block", range(6))
+def test_a_task_judges_look_alikes_as_the_definition_does(block: int) -> None:
+    several = 0
+    for seed in range(60 * block, 60 * (block + 1)):
+        rng = Random(seed)
+        world = random_world(rng)
+        goal = random_goal(world, rng)
+        task, plain = task_of(goal, world), Plain(goal, world)
+        if len(plain.namings) > 200:
+            continue
+        several += len(plain.namings) > 1
+        start = random_state(world, rng)
+        states = [replace(random_state(world, rng), start=start, _axes={}) for _ in range(4)]
+        states.append(replace(states[0], held=frozenset({rng.choice(list(world.blocks))})))
+        plain.judge(replace(start, start=start))
+        for state, judged in zip(states, task.judge_states(states, start), strict=True):
+            success, failed, stage = plain.judge(state)
+            assert (judged.success.value, judged.failed, judged.stage) == (success.value, failed, stage), goal
+            assert judged.success.margin == pytest.approx(success.margin, abs=1e-9), goal
+    assert several > 10

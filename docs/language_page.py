@@ -10,7 +10,7 @@ import yaml
 from rpg.ir import goal as g
 from rpg.ir.node import Node
 from rpg.ir.walk import ATOMS
-from rpg.passes.schema import lexicon
+from rpg.language import lexicon
 
 EXAMPLES = Path(__file__).parent / "language_examples.yaml"
 CONNECTIVES: tuple[type[Node], ...] = (g.All, g.Any, g.Not, g.Count, g.Sequence, g.Always)

@@ -12,7 +12,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-import rpg.passes.schema.lexicon as lexicon
+import rpg.language.lexicon as lexicon
 from rpg.cli.report import diagnostic_lines
 from rpg.passes.schema.frontend import BuiltinFrontEnd
 

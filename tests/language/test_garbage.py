@@ -5,8 +5,8 @@ import string
 import time
 
 from rpg.core.codes import CODES
+from rpg.language.spelling import vocabulary
 from rpg.passes.schema.frontend import BuiltinFrontEnd
-from rpg.passes.schema.spelling import vocabulary
 
 TEXTS = 250
 

@@ -14,7 +14,9 @@ RELATIONS = {
     "put red next to blue": "beside(red_block, blue_block)",
     "put the red block between the blue block and the green block": "between(red_block, blue_block, green_block)",
     "put red and blue 12 cm apart": "distance(red_block, blue_block; minimum=0.11, maximum=0.13)",
-    "put the red block to the left or behind the blue block": "left_of(red_block, blue_block) or behind(red_block, blue_block)",
+    "put the red block to the left or behind the blue block": (
+        "left_of(red_block, blue_block) or behind(red_block, blue_block)"
+    ),
     "stack the green block on the yellow block beside the red block": (
         "on(green_block, yellow_block) and beside(yellow_block, red_block)"
     ),

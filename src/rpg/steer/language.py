@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from functools import cache
 
-from rpg.passes.schema import lexicon
-from rpg.passes.schema import meaning as m
-from rpg.passes.schema.grammar.adjectives import adjectives, colors
-from rpg.passes.schema.grammar.amounts import count, length
-from rpg.passes.schema.grammar.core import Parser, Results, TooMuchWork, rule
-from rpg.passes.schema.grammar.labels import label_list, literal
-from rpg.passes.schema.grammar.measures import bounds
-from rpg.passes.schema.grammar.nouns import noun_phrase, simple
-from rpg.passes.schema.grammar.orders import order
-from rpg.passes.schema.grammar.relations import loc
-from rpg.passes.schema.grammar.sizes import dimensions
-from rpg.passes.schema.tokens import Token, tokenize
+from rpg.language import lexicon
+from rpg.language import meaning as m
+from rpg.language.grammar.adjectives import adjectives, colors
+from rpg.language.grammar.amounts import count, length
+from rpg.language.grammar.core import Parser, Results, TooMuchWork, rule
+from rpg.language.grammar.labels import label_list, literal
+from rpg.language.grammar.measures import bounds
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.orders import order
+from rpg.language.grammar.relations import loc
+from rpg.language.grammar.sizes import dimensions
+from rpg.language.tokens import Token, tokenize
 
 
 @cache

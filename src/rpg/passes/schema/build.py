@@ -12,10 +12,10 @@ from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
+from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Structure, cost_of, parts_of
+from rpg.language.read import Sentence
 from rpg.passes.schema import feasibility
-from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Structure, cost_of, parts_of
 from rpg.passes.schema.names import family_name
-from rpg.passes.schema.read import Sentence
 from rpg.passes.schema.resolve import finish
 from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check

@@ -6,11 +6,11 @@ from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.language.read import read_sentences
+from rpg.language.spelling import read_words
+from rpg.language.tokens import tokenize
 from rpg.passes.schema.build import build
 from rpg.passes.schema.guard import guard
-from rpg.passes.schema.read import read_sentences
-from rpg.passes.schema.spelling import read_words
-from rpg.passes.schema.tokens import tokenize
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
 

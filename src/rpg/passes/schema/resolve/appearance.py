@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.passes.schema.meaning import Clause, Quality, Traits
+from rpg.language.meaning import Clause, Quality, Traits
 from rpg.passes.schema.resolve.operands import crown
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec

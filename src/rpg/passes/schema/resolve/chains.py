@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.ir import goal as g
-from rpg.passes.schema.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy
+from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy
 from rpg.passes.schema.resolve.clauses import clause_goals
 from rpg.passes.schema.resolve.conflicts import undoes
 from rpg.passes.schema.resolve.logic import conj, disj

@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.passes.schema.meaning import Clause, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.language.meaning import Clause, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted

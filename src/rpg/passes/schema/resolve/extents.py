@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.passes.schema.meaning import Structure
+from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.members import amount_of
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.blocks.figures import FEWEST, takes
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import Structure
+from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.grids import grid
 from rpg.passes.schema.resolve.members import members_of

@@ -6,8 +6,8 @@ import math
 
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
-from rpg.passes.schema.meaning import Absolute, At, Structure
-from rpg.passes.schema.meaning import Pattern as Said
+from rpg.language.meaning import Absolute, At, Structure
+from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.patterns import pattern_of

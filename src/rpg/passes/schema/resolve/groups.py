@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import Structure, Traits
+from rpg.language.meaning import Structure, Traits
 from rpg.passes.schema.resolve.members import members_of, new_members
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import VOWELS

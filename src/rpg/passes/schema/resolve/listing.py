@@ -5,7 +5,7 @@ from __future__ import annotations
 import string
 from dataclasses import replace
 
-from rpg.passes.schema.meaning import Amount, Noun
+from rpg.language.meaning import Amount, Noun
 from rpg.passes.schema.resolve.select import select
 from rpg.passes.schema.resolve.things import create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse

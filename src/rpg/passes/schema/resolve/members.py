@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
-from rpg.passes.schema.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.orders import implied_kind
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -167,7 +167,7 @@ def _checked(names: tuple[str, ...], need: int | None, span: Span, scene: Scene)
 
 def _from_absolutes(spec: Spec, need: int | None, scene: Scene) -> tuple[str, ...]:
     """ "a tower with a red block at the bottom and a blue one on top": its members, when their number agrees."""
-    from rpg.passes.schema.meaning import At
+    from rpg.language.meaning import At
 
     inside = [a for a in spec.absolutes if isinstance(a.adjuncts[0], At)]
     if not inside or (need is not None and len(inside) < need):

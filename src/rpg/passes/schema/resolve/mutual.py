@@ -11,7 +11,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
-from rpg.passes.schema.meaning import Loc
+from rpg.language.meaning import Loc
 from rpg.passes.schema.resolve.logic import Atoms, negation
 from rpg.passes.schema.resolve.operands import LEVEL, foot
 from rpg.passes.schema.resolve.world import Ref, refuse

@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH, Highest, Lowest, Operand
-from rpg.passes.schema.meaning import Amount, Loc
+from rpg.language.meaning import Amount, Loc
 from rpg.passes.schema.resolve.logic import conj, disj, negation
 from rpg.passes.schema.resolve.world import Ref, Scene
 

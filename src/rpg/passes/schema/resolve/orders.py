@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
-from rpg.passes.schema.lexicon import RAINBOW
-from rpg.passes.schema.meaning import Meaning, Noun, OrderBy
+from rpg.language.lexicon import RAINBOW
+from rpg.language.meaning import Meaning, Noun, OrderBy
 from rpg.passes.schema.resolve.positions import SIDES, positions
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec

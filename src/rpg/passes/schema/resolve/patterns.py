@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from rpg.ir.order import Order, Pattern
-from rpg.passes.schema.lexicon import COLORS
-from rpg.passes.schema.meaning import Structure
+from rpg.language.lexicon import COLORS
+from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse

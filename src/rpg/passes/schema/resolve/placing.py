@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
-from rpg.passes.schema.meaning import At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.operands import crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import At, Coord, Meaning, Noun, Pronoun
+from rpg.language.meaning import At, Coord, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import matching, open_to

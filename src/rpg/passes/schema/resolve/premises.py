@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
-from rpg.passes.schema.meaning import In, Loc
+from rpg.language.meaning import In, Loc
 from rpg.passes.schema.resolve.conflicts import clash, required
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.relations import place

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.passes.schema.meaning import Noun, Pronoun
+from rpg.language.meaning import Noun, Pronoun
 from rpg.passes.schema.resolve.world import Mention, Ref, Scene, Scope, refuse
 
 _EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
@@ -29,7 +29,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return _it(word, scene, scope)
     if word.word in ("nothing", "nothing else", "none of them", "neither of them"):
         names = tuple(t.name for t in scene.blocks() if not t.extra)
-        from rpg.passes.schema.meaning import Amount
+        from rpg.language.meaning import Amount
 
         return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True)
     if word.word in ("everything", "all", "all of it"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.passes.schema.meaning import Noun
+from rpg.language.meaning import Noun
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 _FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "word": "left"}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.passes.schema.meaning import Noun, Traits
+from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things import alike, create, elastic, give, matching, open_to
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse, said
 

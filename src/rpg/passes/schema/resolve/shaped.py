@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.passes.schema.meaning import Clause, Coord, Into, Meaning, Noun, Structure
+from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks
 from rpg.passes.schema.resolve.placing import Goals, absolutes, places
 from rpg.passes.schema.resolve.refer import refer

@@ -9,7 +9,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.walk import transform
-from rpg.passes.schema.meaning import At, Meaning
+from rpg.language.meaning import At, Meaning
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.positions import SIDES, alternatives, ranks_from
 from rpg.passes.schema.resolve.structures import either, stack_built

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import Clause, Loc, Pronoun, Structure
+from rpg.language.meaning import Clause, Loc, Pronoun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.mutual import reciprocal

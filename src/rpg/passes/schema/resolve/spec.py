@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from rpg.passes.schema.meaning import (
+from rpg.language.meaning import (
     Absolute,
     At,
     Coord,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import Clause, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.listing import continued
 from rpg.passes.schema.resolve.placing import Goals, places
 from rpg.passes.schema.resolve.refer import refer

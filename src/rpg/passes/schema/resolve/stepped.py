@@ -6,7 +6,7 @@ import math
 
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import At, Noun, Size, Structure
+from rpg.language.meaning import At, Noun, Size, Structure
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import amount_of, members_of
 from rpg.passes.schema.resolve.patterns import pattern_of

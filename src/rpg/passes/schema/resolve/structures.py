@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
-from rpg.passes.schema.meaning import Amount, Noun, OrderBy, Size, Structure
+from rpg.language.meaning import Amount, Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve import figures, grids, groups, stepped, symbols, towers
 from rpg.passes.schema.resolve.members import amount_of, members_of
 from rpg.passes.schema.resolve.orders import order_of

@@ -10,7 +10,7 @@ from itertools import permutations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import Meaning, Noun, Structure, Traits, Using, parts_of
+from rpg.language.meaning import Meaning, Noun, Structure, Traits, Using, parts_of
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import create

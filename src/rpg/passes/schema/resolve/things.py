@@ -5,8 +5,8 @@ from __future__ import annotations
 import string
 from dataclasses import dataclass
 
-from rpg.passes.schema.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.passes.schema.meaning import Meaning, Noun, Traits
+from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
+from rpg.language.meaning import Meaning, Noun, Traits
 from rpg.passes.schema.resolve.world import Scene, Thing
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}

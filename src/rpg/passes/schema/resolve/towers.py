@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.passes.schema.meaning import Meaning, Noun, Structure, Traits
+from rpg.language.meaning import Meaning, Noun, Structure, Traits
 from rpg.passes.schema.resolve.members import certain, declared, new_members
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec

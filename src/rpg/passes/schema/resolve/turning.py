@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.passes.schema.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, That, Using
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, That, Using
 from rpg.passes.schema.resolve.finish import label_of
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.refer import refer

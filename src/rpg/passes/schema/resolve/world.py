@@ -8,7 +8,7 @@ from typing import Any
 
 from rpg.core.diagnostics import Diagnostic, Label, Refusal, Span
 from rpg.ir.goal import Goal
-from rpg.passes.schema.meaning import Amount, Meaning, Traits
+from rpg.language.meaning import Amount, Meaning, Traits
 
 
 @dataclass

@@ -1,0 +1,138 @@
+"""Absolute phrases: "with the red block on top and the blue one below it"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.relations import loc
+from rpg.language.grammar.sides import SIDES, at
+from rpg.language.meaning import Absolute, At, Coord, Loc, Manner, Meaning, Noun, TableTop
+
+
+def absolute(p: Parser, i: int) -> Results[Meaning]:
+    """ "with the red block on top and the blue one below it"; "the green one on top" after a comma."""
+    comma = p.opt(i, ",", ":")
+    j = p.any_of(
+        comma,
+        (
+            "with",
+            "having",
+            "where",
+            "keeping",
+            "and with",
+            "but with",
+            "whose",
+            "crowned by",
+            "crowned with",
+            "topped by",
+            "topped with",
+        ),
+    ) or (comma if comma > i else 0)
+    if not j:
+        return
+    if p.words[j - 1] in ("by", "with") and p.words[j - 2] in ("crowned", "topped"):
+        for theme, k in simple(p, j):
+            yield Absolute(theme=theme, adjuncts=(At(side="top", span=p.span(i, j)),), span=p.span(i, k)), k
+        return
+    for first, end in _one_absolute(p, j):
+        first_place = first.adjuncts[0]
+        table = isinstance(first_place, Loc) and isinstance(first_place.landmark, TableTop)
+        cost = 2 if table or (j == comma and isinstance(first_place, Loc)) else 1 if isinstance(first_place, At) else 0
+        first = replace(first, cost=cost)
+        yield first, end
+        yield from _absolute_more(p, i, end, (first,))
+
+
+@rule
+def sided(p: Parser, i: int) -> Results[Meaning]:
+    """Absolutes about the sides of a structure alone."""
+    for found, j in absolute(p, i):
+        parts = found.items if isinstance(found, Coord) else (found,)
+        if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At) for x in parts):
+            if isinstance(found, Coord):
+                found = replace(found, items=(replace(parts[0], cost=0), *parts[1:]))
+            yield replace(found, cost=0), j
+
+
+def _one_absolute(p: Parser, j: int) -> Results[Absolute]:
+    """ "a red block at the bottom" or "bottom red"."""
+    for theme, k in noun_phrase(p, j):
+        k = p.opt(k, "is", "are", "being", "goes", "should", "lying", "standing", "left")
+        k = p.opt(k, "be")
+        k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
+        for found, end in _places(p, k):
+            yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
+    the = p.opt(j, "the", "whose")
+    the = p.opt(the, "the")
+    side = {**SIDES, "lower": "bottom", "upper": "top", "middle": "middle"}.get(p.words[the]) if the < p.end else None
+    if side:
+        k = p.opt(p.reach(the + 1), "one", "block", "cube", "layer")
+        k = p.opt(k, "is", "being", ":", "should")
+        k = p.opt(k, "be")
+        for theme, end in simple(p, k):
+            if isinstance(theme, Noun):
+                yield (
+                    Absolute(theme=theme, adjuncts=(At(side=side, span=p.span(j, k)),), span=p.span(j, end), cost=1),
+                    end,
+                )
+
+
+def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Results[Meaning]:
+    """ "... and blue on top", "... then green": further ones, in one record."""
+    j = p.opt(at_, ",")
+    then = p.any_of(j, ("and then", "then", "followed by"))
+    j = then or p.any_of(j, ("and",)) or j
+    if j == at_ or len(had) > 12:
+        return
+    more = list(_one_absolute(p, j))
+    if then:
+        more += [
+            (Absolute(theme=t, adjuncts=(At(side="next", span=t.span),), span=t.span), k)
+            for t, k in simple(p, j)
+            if isinstance(t, Noun)
+        ]
+    for one, end in more:
+        if then and len(getattr(one.theme, "items", ())) > 1:
+            one = replace(one, cost=one.cost + 1)
+        whole = (*had, one)
+        yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
+        yield from _absolute_more(p, i, end, whole)
+
+
+def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    for found, k in loc(p, i):
+        yield (found,), k
+        if isinstance(found, Loc) and not isinstance(found.landmark, TableTop):
+            yield from (
+                ((found, side), end)
+                for side, end in at(p, k)
+                if isinstance(side, At) and side.side in ("left", "right", "front", "back")
+            )
+    for found, k in at(p, i):
+        yield (found,), k
+    for phrase, side in (
+        ("below", "bottom"),
+        ("underneath", "bottom"),
+        ("beneath", "bottom"),
+        ("above", "top"),
+        ("under", "bottom"),
+    ):
+        if k := p.one(i, phrase):
+            yield (At(side=side, span=p.span(i, k)),), k
+    if p.words[i : i + 1] in (["first"], ["last"]):
+        yield (At(side="first", index=1 if p.words[i] == "first" else -1, span=p.span(i, i + 1)),), p.reach(i + 1)
+    if k := p.any_of(
+        i,
+        (
+            "lying around",
+            "as distractors",
+            "as a distractor",
+            "lying on the table",
+            "on the side as distractors",
+            "for distraction",
+            "as distraction",
+        ),
+    ):
+        yield (Manner(kind="extra", span=p.span(i, k)),), k

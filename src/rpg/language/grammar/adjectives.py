@@ -1,0 +1,266 @@
+"""What describes a block or a patch: colours, sizes, labels, kinds; before the noun or after it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from rpg.language import lexicon
+from rpg.language.grammar.amounts import length
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import label_list
+from rpg.language.meaning import Traits
+
+
+class Marks(dict[str, Any]):
+    """Traits by name; hashable, so that rules can be memoised on them."""
+
+    def __hash__(self) -> int:  # type: ignore[override]
+        return hash(tuple(sorted(self.items(), key=lambda item: item[0])))
+
+
+EMPTY = Marks()
+
+_PLAIN = {
+    "empty": ("empty", True), "free": ("empty", True), "vacant": ("empty", True), "unoccupied": ("empty", True),
+    "long": ("long", True), "elongated": ("long", True), "plain": ("kind", "plain"), "ordinary": ("kind", "plain"),
+    "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"), "symbols": ("kind", "symbol"),
+    "extra": ("extra", True), "distractor": ("extra", True),
+    "additional": ("extra", True), "matching": ("matching", True), "corresponding": ("matching", True),
+    "respective": ("matching", True),
+    "even": ("quality", "even"), "odd": ("quality", "odd"), "vowel": ("quality", "vowel"),
+    "consonant": ("quality", "consonant"),
+    "alphabet": ("kind", "letter"), "alphabetic": ("kind", "letter"), "lettered": ("kind", "letter"),
+    "numbered": ("kind", "digit"), "letter": ("kind", "letter"), "letters": ("kind", "letter"),
+    "number": ("kind", "digit"), "digit": ("kind", "digit"), "numeric": ("kind", "digit"),
+    "circular": ("shape", "circle"), "round": ("shape", "circle"), "square": ("shape", "square"),
+    "rectangular": ("shape", "rectangle"), "target": ("target", True), "goal": ("target", True),
+    "designated": ("target", True), "identical": ("scheme", "same"), "mixed": ("scheme", "mixed"),
+    "assorted": ("scheme", "mixed"), "multicolored": ("scheme", "different"), "multicoloured": ("scheme", "different"),
+    "colorful": ("scheme", "different"), "colourful": ("scheme", "different"), "colored": ("scheme", "some"),
+    "coloured": ("scheme", "some"), "color": ("scheme", "some"), "colour": ("scheme", "some"),
+    "top": ("rank", "top"), "topmost": ("rank", "top"), "uppermost": ("rank", "top"), "highest": ("rank", "top"),
+    "bottom": ("rank", "bottom"), "lowest": ("rank", "bottom"), "lowermost": ("rank", "bottom"),
+    "bottommost": ("rank", "bottom"), "middle": ("rank", "middle"), "central": ("rank", "middle"),
+    "leftmost": ("rank", "left"), "rightmost": ("rank", "right"), "frontmost": ("rank", "front"),
+    "nearest": ("rank", "front"), "rearmost": ("rank", "back"), "farthest": ("rank", "back"),
+    "base": ("rank", "bottom"), "largest": ("rank", "largest"), "biggest": ("rank", "largest"),
+    "smallest": ("rank", "smallest"), "cubic": ("target", True), "new": ("target", True),
+    "individual": ("target", True),
+    "loose": ("target", True), "single": ("target", True), "lone": ("target", True),
+    "same": ("scheme", "same"), "different": ("scheme", "different"), "unique": ("scheme", "different"),
+}  # fmt: skip
+"""Single words. "target" here only says "the one meant"; it selects nothing."""
+
+_PHRASES = {
+    "circle shaped": ("shape", "circle"), "square shaped": ("shape", "square"),
+    "rectangle shaped": ("shape", "rectangle"),
+    "same colored": ("scheme", "same"), "same coloured": ("scheme", "same"), "same color": ("scheme", "same"),
+    "single colored": ("scheme", "same"), "differently colored": ("scheme", "different"),
+    "differently coloured": ("scheme", "different"), "different colored": ("scheme", "different"),
+    "different coloured": ("scheme", "different"), "different color": ("scheme", "different"),
+    "multi colored": ("scheme", "different"), "multi coloured": ("scheme", "different"),
+    "randomly colored": ("scheme", "mixed"), "mixed color": ("scheme", "mixed"), "assorted color": ("scheme", "mixed"),
+    "assorted colored": ("scheme", "mixed"), "color specific": ("matching", True), "color matched": ("matching", True),
+    "color coded": ("matching", True), "colour coded": ("matching", True), "matching color": ("matching", True),
+    "matching colored": ("matching", True), "matching colour": ("matching", True), "color matching": ("matching", True),
+    "corresponding colored": ("matching", True), "corresponding color": ("matching", True),
+    "colored matching": ("matching", True), "same colour": ("scheme", "same"),
+    "rainbow colored": ("scheme", "different"), "uniquely colored": ("scheme", "different"),
+}  # fmt: skip
+
+
+def merge(marks: Mapping[str, Any], update: Mapping[str, Any]) -> Marks | None:
+    """Both, unless they contradict each other."""
+    merged = Marks(marks)
+    for key, value in update.items():
+        had = merged.get(key)
+        if had and had != value:
+            if key == "scheme" and "some" in (had, value):
+                value = had if value == "some" else value
+            elif key == "kind" and {had, value} == {"letter", "symbol"}:
+                value = "letter"
+            elif key == "kind" and {had, value} == {"digit", "symbol"}:
+                value = "digit"
+            else:
+                return None
+        merged[key] = value
+    return merged
+
+
+def clash(traits: Traits, update: Mapping[str, Any]) -> bool:
+    """Whether `update` contradicts what `traits` says already."""
+    for key, value in update.items():
+        had = getattr(traits, key)
+        if had and value and had != value and not (key == "kind" and "symbol" in (had, value)) and key != "scheme":
+            return True
+    return False
+
+
+@rule
+def adjectives(p: Parser, i: int) -> Results[Marks]:
+    """Every run of adjectives from i on, the empty one included, longest first."""
+    for update, j in adjective(p, i):
+        comma = p.opt(j, ",")
+        runs = [(rest, k) for rest, k in adjectives(p, comma) if rest] if comma > j else list(adjectives(p, j))
+        runs += [(EMPTY, j)] if comma > j else []
+        for rest, k in runs:
+            both = merge(update, rest) if not (update.get("colors") and rest.get("colors")) else None
+            if both is not None:
+                yield both, k
+    yield EMPTY, i
+
+
+@rule
+def color(p: Parser, i: int) -> Results[str]:
+    """A colour, with a shade that the palette does not tell apart ("navy blue", "bright red")."""
+    if p.lex(i, lexicon.COLOR):
+        first = lexicon.COLOR[p.words[i]]
+        second = lexicon.COLOR.get(p.words[i + 1]) if i + 1 < p.end else None
+        if second is not None and (first == second) and p.words[i] != second:
+            yield first, p.reach(i + 2)
+        yield first, i + 1
+    elif p.words[i] in lexicon.SHADE and i + 1 < p.end and p.words[i + 1] in lexicon.COLOR:
+        yield lexicon.COLOR[p.words[i + 1]], p.reach(i + 2)
+
+
+@rule
+def colors(p: Parser, i: int) -> Results[tuple[tuple[str, ...], bool]]:
+    """A colour or a list of them, longest first; True for alternatives ("red or blue")."""
+    for first, j in color(p, i):
+        listed, at, either = [first], j, False
+        readings: list[tuple[tuple[tuple[str, ...], bool], int]] = [(((first,), False), j)]
+        while True:
+            k = p.opt(at, ",", "/")
+            joined = p.one(k, frozenset({"and", "or", "&"}))
+            if k == at and not joined:
+                break
+            more = list(color(p, joined or k))
+            if not more:
+                break
+            either = either or bool(joined and p.words[k] == "or")
+            listed.append(more[0][0])
+            at = more[0][1]
+            readings.append(((tuple(listed), either), at))
+        yield from reversed(readings)
+        return
+
+
+@rule
+def adjective(p: Parser, i: int) -> Results[Marks]:
+    """One adjective."""
+    for phrase, (key, value) in _PHRASES.items():
+        if j := p.seq(i, phrase):
+            yield Marks({key: value}), j
+    for (listed, either), j in colors(p, i):
+        yield (
+            Marks({"colors": listed, **({"either": True} if either else {})}),
+            p.opt(j, "colored", "coloured", "color"),
+        )
+    word = p.words[i] if i < p.end else ""
+    if word in _PLAIN:
+        key, value = _PLAIN[word]
+        yield Marks({key: value}), p.reach(i + 1)
+    size = p.lex(i, lexicon.SIZE)
+    if size:
+        yield Marks({"size": size}), i + 1
+    for metres, j in length(p, i):
+        j = p.opt(j, "wide", "large", "big", "sized", "long")
+        yield Marks({"edge": metres}), j
+    ordinal = p.lex(i, lexicon.ORDINAL)
+    if ordinal:
+        yield Marks({"rank": str(ordinal)}), i + 1
+    if p.words[i : i + 1] == ["last"]:
+        yield Marks({"rank": "last"}), p.reach(i + 1)
+    for (labels, more), j in label_list(p, i):
+        plural = lexicon.BLOCK.get(p.words[j]) if j < p.end else None
+        if len(labels) == 1 and (
+            plural is not False or (p.words[i - 1 : i] not in (["the"], ["a"], ["an"]) and labels[0].isdigit())
+        ):
+            continue
+        if len(labels) > 1 and plural is not True:
+            continue
+        yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
+
+
+_LABELLED = ("labelled", "labeled", "marked", "showing", "named", "called", "bearing", "reading", "saying", "carrying",
+             "with", "numbered", "displaying", "lettered")  # fmt: skip
+_LABEL_NOUNS = frozenset({"letter", "letters", "label", "labels", "number", "numbers", "digit", "digits", "symbol",
+                          "symbols", "sign"})  # fmt: skip
+_KINDS = {"letter": "letter", "letters": "letter", "number": "digit", "numbers": "digit", "digit": "digit",
+          "digits": "digit", "symbols": "symbol", "symbol": "symbol"}  # fmt: skip
+
+
+@rule
+def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
+    """What follows a noun directly: "A", "labelled A", "with letters", "of the same colour", "of 5 cm", "in red"."""
+    if head == "block":
+        for (labels, more), j in label_list(p, i, p.words[i - 1] in _LABEL_NOUNS):
+            yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
+        yield from _labelled(p, i)
+        if p.words[i - 1] in ("blocks", "cubes", "bricks"):
+            yield from (
+                (Marks({"colors": listed}), k)
+                for (listed, either), k in colors(p, p.opt(i, ":"))
+                if len(listed) > 1 and not either
+            )
+    for phrase, value in (
+        ("of the same color", "same"), ("of the same colour", "same"), ("of one color", "same"),
+        ("of one colour", "same"),
+        ("of a single color", "same"), ("of identical color", "same"), ("in the same color", "same"),
+        ("of different colors", "different"), ("of different colours", "different"),
+        ("in different colors", "different"),
+        ("of a different color", "different"), ("each of a different color", "different"),
+        ("with different colors", "different"),
+        ("of distinct colors", "different"), ("of various colors", "different"), ("of assorted colors", "mixed"),
+        ("of mixed colors", "mixed"), ("of any color", "mixed"), ("of all different colors", "different"),
+        ("all of different colors", "different"), ("of multiple colors", "different"), ("in assorted colors", "mixed"),
+        ("of varying colors", "different"), ("in a single color", "same"), ("of just one color", "same"),
+        ("in various colors", "different"),
+    ):  # fmt: skip
+        if j := p.seq(i, phrase):
+            yield Marks({"scheme": value}), j
+    if j := p.any_of(i, (", all of them", ", all in", ", all", ", each", ", both", ", every one of them")):
+        for (listed, _either), k in colors(p, j):
+            if len(listed) == 1:
+                yield Marks({"colors": listed}), k
+    if head == "patch" and (
+        j := p.any_of(
+            i,
+            (
+                "designated on the table",
+                "on the table",
+                "marked on the table",
+                "painted on the table",
+                "drawn on the table",
+            ),
+        )
+    ):
+        yield Marks({"target": True}), j
+    for phrase in ("of its color", "of its own color", "of the same color", "of matching color", "of that color",
+                   "of its colour", "of its own colour", "of the corresponding color", "of their color",
+                   "in its color", "of their own color",
+                   "of the matching color", "with matching color", "that matches its color",
+                   "matching its color", "that matches their color", "matching their color", "matching in color",
+                   "with its color", "that match its color", "that match their color", "with the matching color",
+                   "that has the same color", "that has its color", "in the same color"):  # fmt: skip
+        if head == "patch" and (j := p.seq(i, phrase)):
+            yield Marks({"matching": True}), j
+    if j := p.any_of(i, ("of size", "of edge", "with edge", "with edges of", "with sides of", "of edge length", "of")):
+        yield from ((Marks({"edge": metres}), k) for metres, k in length(p, j))
+    if j := p.any_of(i, ("in", "in color", "colored", "coloured", "painted", "of color", "with color")):
+        yield from ((Marks({"colors": listed, "either": either}), k) for (listed, either), k in colors(p, j))
+
+
+def _labelled(p: Parser, i: int) -> Results[Marks]:
+    j = p.any_of(i, _LABELLED)
+    if not j:
+        return
+    j = p.opt(j, "with", "as", "by")
+    j = p.opt(j, "the", "a", "an")
+    noun = p.one(j, _LABEL_NOUNS)
+    if noun or p.words[i] not in ("with", "carrying") or j > p.any_of(i, ("with",)):
+        for (labels, more), k in label_list(p, noun or j, True):
+            yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), k
+    if noun and p.words[j] in _KINDS:
+        yield Marks({"kind": _KINDS[p.words[j]]}), p.any_of(noun, ("on them", "on it", "on top")) or noun

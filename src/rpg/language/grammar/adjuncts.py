@@ -1,0 +1,169 @@
+"""Whatever may follow a verb and its theme: places, orders, structures to form, what to use, conditions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.absolutes import absolute
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import literal
+from rpg.language.grammar.manners import manner
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.orders import order
+from rpg.language.grammar.relations import loc
+from rpg.language.grammar.sides import at
+from rpg.language.grammar.sizes import size_phrase
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Chain,
+    Clause,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    That,
+    Using,
+    parts_of,
+)
+
+_INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "forming", "making", "creating", "like",
+    "to be", "so as to form",
+         "so they form", "so that they form", "such that they form", "so that it forms",
+         "in such a way that they form", "to become", "in the form of",
+         "in the shape of", "so it forms", "so as to make", "so that they make", "to construct", "and form",
+         "to spell", "to get", "so you get",
+         "so that you get", "arranged in", "lined up in", "placed in", "standing in", "arranged as", "arranged into",
+         "that form", "which form", "that forms", "that make", "that make up", "set up as", "laid out in",
+         "laid out as",
+         "laid out like", "all in", "stacked in", "organized in", "down", "up in", "so as to create",
+         "so that they create", "so it makes", "each in", "standing as", "stacked as", "stacked into", "set in",
+         "shaped like", "in the pattern of", "arranged like", "along")  # fmt: skip
+
+
+_USING = ("using", "with", "from", "out of", "by using", "made of", "made from", "made out of", "consisting of",
+    "composed of", "built from",
+          "made up of", "use", "made with")  # fmt: skip
+
+
+@rule
+def adjunct(p: Parser, i: int) -> Results[Meaning]:
+    """One adjunct."""
+    if i >= p.end:
+        return
+    yield from loc(p, i)
+    yield from order(p, i)
+    yield from at(p, i)
+    yield from _into(p, i)
+    yield from _using(p, i)
+    yield from absolute(p, i)
+    yield from _that(p, i)
+    yield from manner(p, i)
+    yield from size_phrase(p, i)
+
+
+@rule
+def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """Any number of adjuncts, the longest run first; commas and "and" may stand between them."""
+    for first, j in adjunct(p, i):
+        for rest, k in adjuncts(p, j):
+            yield (
+                (
+                    (replace(first, cost=first.cost + 1), *rest)
+                    if rest and (isinstance(first, That) or _side_after(first, rest[0]))
+                    else (first, *rest)
+                ),
+                k,
+            )
+        for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but")} - {j}:
+            for rest, k in adjuncts(p, joined):
+                if rest:
+                    yield (first, *rest), k
+    yield (), i
+
+
+def _side_after(first: Meaning, second: Meaning) -> bool:
+    """A side right after "with ... beside it" belongs to that, not to the clause."""
+    return isinstance(first, Absolute) and isinstance(second, At) and isinstance(first.adjuncts[0], Loc)
+
+
+def _into(p: Parser, i: int) -> Results[Meaning]:
+    if j := p.any_of(
+        i,
+        (
+            "in another",
+            "in the other",
+            "in a second",
+            "into another",
+            "into the other",
+            "in another one",
+            "in the other one",
+        ),
+    ):
+        yield Into(structure=Structure(kind="again", span=p.span(i, j)), span=p.span(i, j)), j
+    if j := p.any_of(i, ("so that the equation is right", "so that the equation is correct",
+        "so that the equation is true", "so the equation is correct", "so that the equation holds",
+                         "so the equation is true", "so that the math is right",
+                         "so that the math is correct")):  # fmt: skip
+        yield Into(structure=Structure(kind="equation", span=p.span(i, j)), span=p.span(i, j)), j
+    for lead in _INTO:
+        if j := p.seq(i, lead):
+            for target, k in simple(p, j):
+                if isinstance(target, Structure):
+                    yield Into(structure=target, span=p.span(i, k)), k
+            for target, k in noun_phrase(p, j):
+                if not isinstance(target, Structure) and isinstance(getattr(target, "items", (None,))[0], Structure):
+                    yield Into(structure=target, span=p.span(i, k)), k
+
+
+def _using(p: Parser, i: int) -> Results[Meaning]:
+    for lead in _USING:
+        if j := p.seq(i, lead):
+            for members, k in noun_phrase(p, j):
+                if not any(isinstance(part, Structure) for part in parts_of(members)):
+                    yield Using(members=members, span=p.span(i, k), cost=1), k
+    if j := p.any_of(i, ("in", "written in", "written with", "spelled with", "spelled in")):
+        for members, k in noun_phrase(p, j):
+            if isinstance(members, Noun) and members.head == "block" and members.plural and members.traits.kind:
+                yield Using(members=members, span=p.span(i, k), cost=1), k
+
+
+def _that(p: Parser, i: int) -> Results[Meaning]:
+    from rpg.language.grammar.chains import chain
+    from rpg.language.grammar.verbs import gerund_clause
+
+    j = p.any_of(i, (", so that", "so that", "such that", "in such a way that", "so as", ", such that",
+        "making sure that", "making sure", "ensuring that", "ensuring",
+                     "where", ", where", "in a way that", "and make sure that", "and ensure that",
+                     "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring",
+                     "while making sure", "while ensuring"))  # fmt: skip
+    if j:
+        for clauses, k in chain(p, j):
+            yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
+    comma = p.opt(i, ",")
+    if j := p.any_of(comma, ("that read", "that reads", "that spell", "that spells", "to spell", "to read",
+        "which spell", "which spells", "that say", "that says", "to say", "spelling", "so it reads",
+                             "so they read", "so they spell", "so they say", "so that it reads", "so that it spells",
+                             "to write", "reading", "saying", "which read", "which reads")):  # fmt: skip
+        text = literal(p, j)
+        if text is not None and len(text) > 1:
+            word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
+            them = Pronoun(word="them", span=p.span(i, j))
+            for found, k in adjuncts(p, j + 1):
+                said = Clause(
+                    verb="spell", theme=word, adjuncts=(Using(members=them, span=them.span), *found), span=p.span(i, k)
+                )
+                yield That(kind="so", clauses=Chain(clauses=(said,), links=("and",), span=said.span), span=said.span), k
+    if j := p.any_of(comma, ("without", "while not", "while never", "but without", "and without")):
+        for clauses, k in gerund_clause(p, j):
+            yield That(kind="without", clauses=clauses, span=p.span(i, k)), k
+    if j := p.any_of(comma, ("while keeping", "while leaving", "keeping", "leaving", "but keep", "but leave")):
+        for clauses, k in gerund_clause(p, j - 1):
+            yield That(kind="while", clauses=clauses, span=p.span(i, k)), k
+
+
+def spelt_word(p: Parser, i: int) -> str | None:
+    """The word after "spell"."""
+    return literal(p, i)

@@ -1,0 +1,178 @@
+"""Determiners and quantities: "the two", "exactly three of the four", "half a dozen", "none of the"; lengths."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.meaning import Amount
+
+
+class Quantity(NamedTuple):
+    """A determiner with its amount. `partitive`: "of the ..." must follow. `plural`: None when it does not say."""
+
+    det: str
+    amount: Amount | None = None
+    plural: bool | None = None
+    partitive: bool = False
+
+
+THE = frozenset({"the", "these", "those", "this", "that", "my", "your", "our"})
+_VAGUE = (
+    "several", "a few", "many", "multiple", "various", "a number of", "a set of", "a collection of", "a series of",
+    "a bunch of", "a handful of", "some", "lots of", "a lot of", "a variety of", "a group of", "a mix of",
+    "a mixture of", "any number of",
+)  # fmt: skip
+_LOW = ("at least", "no fewer than", "no less than", "a minimum of", "minimum")
+_HIGH = ("at most", "no more than", "up to", "a maximum of", "maximum", "not more than")
+_EXACT = ("exactly", "precisely", "only", "just")
+
+
+@rule
+def count(p: Parser, i: int) -> Results[int]:
+    """A bare whole number: "two", "3", "a pair of", "half a dozen"."""
+    for phrase, value in (
+        ("a pair of", 2), ("a couple of", 2), ("a couple", 2), ("pair of", 2), ("couple of", 2), ("half a dozen", 6),
+        ("a half dozen", 6), ("a dozen", 12), ("one dozen", 12), ("two dozen", 24), ("dozen", 12), ("a trio of", 3),
+    ):  # fmt: skip
+        if j := p.seq(i, phrase):
+            yield value, (p.opt(j, "of") if "dozen" in phrase else j)
+            return
+    number = p.number(i)
+    if number is not None:
+        tens = p.number(i + 1) if number in range(20, 60, 10) and p.token(i).kind == "word" else None  # type: ignore[union-attr]
+        if tens is not None and 0 < tens < 10:
+            yield number + tens, i + 2
+        else:
+            yield number, i + 1
+
+
+@rule
+def amount(p: Parser, i: int) -> Results[Amount]:
+    """A number with its bounds: "exactly two", "at least 3", "two or three", "between 2 and 4"."""
+    for n, j in count(p, i):
+        yield Amount(n, n), j
+        if k := p.any_of(j, ("or more", "and more")):
+            yield Amount(n, None, True), k
+        if k := p.one(j, frozenset({"or", "to"})):
+            for m, after in count(p, k):
+                if m > n:
+                    yield Amount(n, m, True), after
+    for phrases, kind in ((_EXACT, "exact"), (_LOW, "low"), (_HIGH, "high")):
+        if j := p.any_of(i, phrases):
+            for n, k in count(p, j):
+                bounds = {"exact": (n, n), "low": (n, None), "high": (0, n)}[kind]
+                yield Amount(bounds[0], bounds[1], True), k
+    if j := p.seq(i, "more than"):
+        yield from ((Amount(n + 1, None, True), k) for n, k in count(p, j))
+    if j := p.any_of(i, ("fewer than", "less than")):
+        yield from ((Amount(0, n - 1, True), k) for n, k in count(p, j) if n > 0)
+    if j := p.one(i, "between"):
+        for n, k in count(p, j):
+            if k := p.one(k, "and"):
+                yield from ((Amount(n, m, True), after) for m, after in count(p, k) if m > n)
+
+
+@rule
+def quantity(p: Parser, i: int) -> Results[Quantity]:
+    """Everything that may stand before the adjectives of a noun phrase."""
+    yield from _universal(p, i)
+    if (
+        p.words[i : i + 1] in (["n"], ["k"])
+        and i + 1 < p.end
+        and (p.words[i + 1].endswith("s") or p.words[i + 2 : i + 3] != [""])
+    ):
+        yield Quantity("some", None, True), p.reach(i + 1)
+    if j := p.one(i, frozenset({"a", "an"})):
+        yield Quantity("a", Amount(1, 1), False), j
+        if k := p.one(j, "single"):
+            yield Quantity("a", Amount(1, 1), False), k
+    if j := p.one(i, THE):
+        yield Quantity("the"), j
+        for found, k in amount(p, j):
+            yield Quantity("the", found, found.high != 1), k
+    if j := p.any_of(
+        i,
+        (
+            "at least one but not all of",
+            "some but not all of",
+            "some , but not all of",
+            "at least one , but not all of",
+        ),
+    ):
+        yield Quantity("some", Amount(1, -1, True), True, partitive=True), j
+    for found, j in amount(p, i):
+        yield Quantity("bare", found, found.high != 1), j
+        if k := p.any_of(j, ("of", "out of")):
+            yield Quantity("some", found, True, partitive=True), k
+        if k := p.one(j, frozenset({"more", "other", "additional", "extra"})):
+            yield Quantity("other" if p.words[j] == "other" else "another", found, found.high != 1), k
+    if j := p.any_of(i, _VAGUE):
+        yield Quantity("some", None, True), j
+    if j := p.one(i, frozenset({"its", "their"})):
+        yield Quantity("its"), j
+    yield from _others(p, i)
+
+
+def _universal(p: Parser, i: int) -> Results[Quantity]:
+    for word, det in (("all", "all"), ("both", "both"), ("each", "each"), ("every", "each"), ("any", "any"),
+        ("no", "no"),
+                      ("none", "no"), ("neither", "no"), ("either", "any"), ("one", "any")):  # fmt: skip
+        j = p.one(i, word)
+        if not j:
+            continue
+        if det == "both":
+            fixed: Amount | None = Amount(2, 2)
+        else:
+            fixed = None
+        j = p.opt(j, "single") if det in ("each", "no") else j
+        of = p.one(j, "of")
+        if of:
+            yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
+        if word in ("each", "every", "any") and (of := p.seq(j, "one of")):
+            yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
+        if word in ("none", "one"):
+            continue
+        plural = None if det in ("any", "no") else det != "each"
+        yield Quantity(det, fixed, plural), j
+        k = p.one(j, THE)
+        if k and det in ("all", "both"):
+            yield Quantity(det, fixed, True), k
+            j = k
+        if det in ("all", "any", "no"):
+            for found, k in amount(p, j):
+                yield Quantity(det, found, found.high != 1), k
+
+
+def _others(p: Parser, i: int) -> Results[Quantity]:
+    if j := p.one(i, "another"):
+        yield Quantity("another", Amount(1, 1), False), j
+        for found, k in amount(p, j):
+            yield Quantity("another", found, found.high != 1), k
+    j = p.opt(i, "all")
+    j = p.opt(j, "of")
+    if j := p.any_of(j, ("the other", "the remaining", "the rest of the", "the others of the", "the leftover")):
+        yield Quantity("other"), j
+        for found, k in amount(p, j):
+            yield Quantity("other", found, found.high != 1), k
+    if j := p.seq(i, "the"):
+        for found, k in amount(p, j):
+            if k := p.one(k, frozenset({"other", "remaining"})):
+                yield Quantity("other", found, found.high != 1), k
+
+
+@rule
+def length(p: Parser, i: int) -> Results[float]:
+    """A length in metres: "5 cm", "half a centimetre", "two inches"."""
+    value = p.figure(i)
+    if value is not None:
+        factor = p.lex(i + 1, lexicon.UNIT)
+        if factor is not None:
+            yield round(value * factor, 6), i + 2
+    if (j := p.one(i, frozenset({"a", "an", "one"}))) and (factor := p.lex(j, lexicon.UNIT)) is not None and factor < 1:
+        yield factor, j + 1
+    if j := p.any_of(i, ("half a", "half an")):
+        factor = p.lex(j, lexicon.UNIT)
+        if factor is not None:
+            yield factor / 2, j + 1

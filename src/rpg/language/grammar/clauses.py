@@ -1,0 +1,269 @@
+"""Clauses: commands, states, descriptions, what there is; and chains of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG
+from rpg.language.grammar.gaps import gap
+from rpg.language.grammar.having import having
+from rpg.language.grammar.lists import listed
+from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.piled import piled
+from rpg.language.grammar.states import state
+from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Size,
+    Structure,
+    Toward,
+)
+
+
+@rule
+def clause(p: Parser, i: int) -> Results[Meaning]:
+    """One clause with whatever frame stands before it."""
+    for start, mode in _frames(p, i):
+        yield from ((piled(found), j) for found, j in _plain(p, start, mode))
+        yield from ((piled(found), j) for found, j in _fronted(p, start, mode))
+
+
+@rule
+def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    when = "start" if mode == "start" else "goal"
+    if mode in ("command", "any"):
+        yield from _command(p, i)
+    yield from gap(p, i)
+    yield from state(p, i, when)
+    yield from _exists(p, i)
+    yield from _describe(p, i, when)
+    yield from having(p, i, when)
+
+
+@rule
+def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
+    for first, j in adjunct(p, i):
+        if isinstance(first, Absolute | Size):
+            continue
+        j = p.opt(j, ",", ":")
+        k = p.any_of(j, ("there is", "there are", "there should be", "there must be", "is", "are", "should be",
+            "comes", "goes", "sits", "stands", "lies", "go", "you put",
+                         "place", "put", "comes then", "come"))  # fmt: skip
+        if isinstance(first, Loc | In | At):
+            for theme, end in noun_phrase(p, k or j):
+                if (
+                    isinstance(theme, Noun)
+                    and not k
+                    and theme.det == "bare"
+                    and theme.amount is None
+                    and not (theme.traits.colors or theme.traits.labels)
+                ):
+                    continue
+                for more, last in adjuncts(p, end):
+                    verb = "build" if isinstance(theme, Structure) else "be"
+                    said = Clause(
+                        verb=verb,
+                        theme=theme,
+                        adjuncts=(first, *more),
+                        mode="start" if mode == "start" else "goal",
+                        span=p.span(i, last),
+                        cost=1 if k else 2,
+                    )
+                    yield said, last
+        for found, end in _plain(p, j, mode):
+            if isinstance(found, Clause) and found.verb != "exist":
+                yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
+        if isinstance(first, Toward):
+            there = (
+                p.any_of(
+                    j,
+                    (
+                        "there should be",
+                        "there must be",
+                        "there is",
+                        "there are",
+                        "put",
+                        "it is",
+                        "they are",
+                        "you see",
+                    ),
+                )
+                or j
+            )
+            for items, end in listed(p, there):
+                given = OrderBy(by="given", items=items, span=p.span(there, end))
+                for more, last in adjuncts(p, end):
+                    yield (
+                        Clause(
+                            verb="arrange", adjuncts=(first, given, *more), mode="goal", span=p.span(i, last), cost=1
+                        ),
+                        last,
+                    )
+
+
+def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
+    """Positions after the polite and framing words at i, with what they leave open."""
+    found = [(i, "any")]
+    seen = {i}
+    for start, mode in found:
+        for table, kind in (
+            (COMMAND_FRAMES, "command"),
+            (STATE_FRAMES, "state"),
+            (START_FRAMES, "start"),
+            (FIRST, mode),
+        ):
+            for j in table.matches(p, start):
+                if p.words[j - 1] == "next" and p.words[j] == "to":
+                    continue
+                j = p.opt(j, ",") if table in (FIRST, START_FRAMES) else j
+                if j not in seen and len(found) < 40:
+                    seen.add(j)
+                    found.append((j, kind if mode != "start" else "start"))
+    return found
+
+
+@rule
+def _command(p: Parser, i: int) -> Results[Meaning]:
+    """ "stack the red block on ...", "do not move ...", "never touch ..."."""
+    j, negated = i, False
+    if k := p.any_of(i, ("do not", "never", "avoid", "do n't", "not")):
+        j, negated = k, True
+        j = p.opt(j, "ever")
+    never = p.words[i : i + 1] == ["never"]
+    for lead in ("let", "allow", "have", "make"):
+        if negated and (k := p.one(j, lead)):
+            for found, end in state(p, k, "goal"):
+                if isinstance(found, Clause):
+                    yield ever(replace(found, negated=True, span=p.span(i, end)), never), end
+    if i > 0 and p.words[i - 1] == "by":
+        yield from verb_phrase(p, i, ("ing",))
+    for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
+        yield ever(replace(found, negated=negated, span=p.span(i, k)), never), k
+
+
+@rule
+def _exists(p: Parser, i: int) -> Results[Meaning]:
+    """ "there are three red blocks", "there should be a tower ..."."""
+    j = p.any_of(
+        i,
+        (
+            "there should be",
+            "there must be",
+            "there has to be",
+            "there will be",
+            "there shall be",
+            "there needs to be",
+            "there should only be",
+        ),
+    )
+    mode = "goal"
+    if not j:
+        j = p.any_of(i, ("there are already", "there is already", "there are", "there is", "you have", "we have",
+            "i have", "you are given", "we are given", "you get",
+                         "given are", "here are", "the scene has", "the scene contains", "the table has",
+                         "the workspace contains", "the table holds", "there also are",
+                         "you start with", "there were", "there was", "the table contains", "on the table there are",
+                         "on the table are", "on the table there is"))  # fmt: skip
+        mode = "given"
+    if not j:
+        return
+    j = p.opt(j, "also", "exactly", "now", "currently", "initially")
+    for theme, k in noun_phrase(p, j):
+        for found, end in adjuncts(p, k):
+            yield Clause(verb="exist", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)), end
+
+
+@rule
+def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "a tower of three green blocks", "three red blocks stacked on ...": a picture of the end."""
+    for theme, j in noun_phrase(p, i):
+        if isinstance(theme, Pronoun) and theme.word in (
+            "it",
+            "them",
+            "they",
+            "that",
+            "this",
+            "one",
+            "each",
+            "all",
+            "both",
+        ):
+            continue
+        shaped = isinstance(theme, Structure) or (
+            isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items)
+        )
+        for found, k in [
+            *adjuncts(p, j),
+            *((f, e) for f, e in (adjuncts(p, j + 1) if p.words[j : j + 1] == [","] else ()) if f),
+        ]:
+            if found or shaped:
+                cost = 2 if found and isinstance(found[0], At) else 1
+                yield (
+                    Clause(
+                        verb="build" if shaped else "be",
+                        theme=theme,
+                        adjuncts=found,
+                        mode=mode,
+                        span=p.span(i, k),
+                        cost=cost,
+                    ),
+                    k,
+                )
+        colon = p.opt(p.opt(j, ",", ":"), "all")
+        for apposed, k in noun_phrase(p, colon) if colon > j else ():
+            if isinstance(apposed, Structure) and apposed.members is None and not shaped:
+                for found, end in adjuncts(p, k):
+                    into = Into(structure=apposed, span=apposed.span)
+                    yield (
+                        Clause(
+                            verb="arrange", theme=theme, adjuncts=(into, *found), mode=mode, span=p.span(i, end), cost=1
+                        ),
+                        end,
+                    )
+        for found_, k in _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode):
+            yield found_, k
+
+
+def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
+    for sense, lemma, form in p.lex(j, lexicon.VERB) or ():
+        if form in ("past", "ing"):
+            for at_ in dict.fromkeys((p.opt(j + 1, *PARTICLES), j + 1)):
+                for found, k in adjuncts(p, at_):
+                    if found or sense == "stack":
+                        yield (
+                            Clause(
+                                verb=sense,
+                                lemma=lemma,
+                                theme=theme,
+                                adjuncts=found,
+                                mode=mode,
+                                span=p.span(i, k),
+                                word=p.span(j, j + 1),
+                                cost=1,
+                            ),
+                            k,
+                        )
+
+
+def tail(p: Parser, i: int) -> int:
+    """The position after closing words that carry nothing ("please", "thanks")."""
+    while True:
+        j = p.opt(i, ",")
+        k = max((m for m in TAG.matches(p, j)), default=0)
+        if not k:
+            return i
+        i = k

@@ -1,0 +1,37 @@
+"""Equations in signs and in words: "2+3=5", "two plus three equals five"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+
+_WORD_SIGNS = {"plus": "+", "minus": "-", "times": "*", "multiplied by": "*", "divided by": "/", "x": "*"}
+
+
+_WORD_EQUALS = ("is equal to", "equals", "equal", "is", "makes", "gives", "equals to")
+
+
+@rule
+def equation(p: Parser, i: int) -> Results[str]:
+    """ "2+3=5", "two plus three equals five"."""
+    token = p.token(i)
+    if token is not None and token.kind == "equation" and isinstance(token.value, str):
+        yield token.value, p.reach(i + 1)
+    text, at, equals, signs = "", i, 0, 0
+    while True:
+        number = p.number(at)
+        if number is None:
+            break
+        text, at = text + str(number), at + 1
+        if equals and signs:
+            yield text, at
+        sign = next(((s, j) for w, s in _WORD_SIGNS.items() if (j := p.seq(at, w))), None)
+        token = p.token(at)
+        if sign is None and token is not None and token.kind == "sign" and token.word in "+-*/":
+            sign = (token.word, p.reach(at + 1))
+        if sign is not None:
+            text, at, signs = text + sign[0], sign[1], signs + 1
+            continue
+        j = p.one(at, "=") or p.any_of(at, _WORD_EQUALS)
+        if not j or equals:
+            break
+        text, at, equals = text + "=", j, 1

@@ -1,0 +1,69 @@
+"""Clauses whose subject has something: "the red block should have the blue one on it"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.meaning import At, Clause, Loc, Meaning, PartOf, Pronoun, Structure, TableTop
+
+_HAS = (
+    "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have",
+    "ends up with", "gets",
+    "get", "should get", "needs", "should end up with", "must end up with", "should be left with",
+)  # fmt: skip
+_CARRIES = (
+    "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
+    "must support", "bears", "should bear", "must contain", "should contain", "contains",
+)  # fmt: skip
+_HAVING = frozenset(phrase.split()[-1] for phrase in (*_HAS, *_CARRIES)) | {"gets", "get", "with"}
+
+
+@rule
+def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "the red block should have the blue one on it", "the patch must contain two blocks", "A has B to its left"."""
+    if _HAVING.isdisjoint(p.words[i:]):
+        return
+    for owner, j in noun_phrase(p, i):
+        if isinstance(owner, Pronoun | TableTop):
+            continue
+        if k := p.any_of(j, _HAS):
+            for theme, start in noun_phrase(p, k):
+                for found, end in adjuncts(p, start):
+                    places = _owned(found, owner)
+                    if places is not None:
+                        yield _stated(p, i, end, theme, places, mode), end
+        if k := p.any_of(j, _CARRIES):
+            for theme, start in noun_phrase(p, k):
+                for found, end in adjuncts(p, start):
+                    if not found or _owned(found, owner) is not None:
+                        place = Loc(rel="on", landmark=owner, span=p.span(i, j))
+                        yield _stated(p, i, end, theme, (place,), mode), end
+
+
+def _owned(found: tuple[Meaning, ...], owner: Meaning) -> tuple[Meaning, ...] | None:
+    """The places with the owner where they say "it" or leave it unsaid; None where they speak of something else."""
+    if not found:
+        return None
+    places: list[Meaning] = []
+    for part in found:
+        if isinstance(part, Loc) and _is_owner(part.landmark):
+            places.append(replace(part, landmark=owner))
+        elif isinstance(part, At) and part.side in ("top", "left", "right") and part.index is None:
+            places.append(Loc(rel={"top": "on"}.get(part.side, part.side), landmark=owner, span=part.span))
+        else:
+            return None
+    return tuple(places)
+
+
+def _is_owner(landmark: Meaning | None) -> bool:
+    if isinstance(landmark, PartOf) and landmark.part == "top":
+        return _is_owner(landmark.whole)
+    return landmark is None or (isinstance(landmark, Pronoun) and landmark.word in ("it", "them", "itself"))
+
+
+def _stated(p: Parser, i: int, end: int, theme: Meaning, places: tuple[Meaning, ...], mode: str) -> Clause:
+    verb = "build" if isinstance(theme, Structure) else "be"
+    return Clause(verb=verb, theme=theme, adjuncts=places, mode=mode, span=p.span(i, end), cost=1)

@@ -1,0 +1,94 @@
+"""Symbols and lists of them: A; 5; "A, B and C"; "A to E"; 1 through 9; words such as CAT."""
+
+from __future__ import annotations
+
+import string
+
+from rpg.language.grammar.core import Parser, Results, rule
+
+_AND = frozenset({"and", "&", "plus"})
+_SIGN_WORDS = {"plus": "+", "minus": "-", "times": "*", "equals": "=", "equal": "=", "divide": "/", "divided": "/"}
+_TO = frozenset({"to", "through", "thru", "until", "till"})
+
+
+def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
+    """The symbol at i. `spoken`: after "letter" or "number", where "a" is a letter and "two" a digit."""
+    token = p.token(i)
+    if token is None:
+        return None
+    found: str | None = None
+    if token.kind in ("quote", "literal") and isinstance(token.value, str) and len(token.value) == 1:
+        found = token.value.upper()
+    elif token.kind == "word" and len(token.raw) == 1 and token.raw.isalpha():
+        if token.raw.isupper() or spoken or token.word not in ("a", "i", "x"):
+            found = token.raw.upper()
+    elif (token.kind == "number" and token.word in string.digits) or token.kind == "sign":
+        found = token.word
+    elif token.word in _SIGN_WORDS:
+        found = _SIGN_WORDS[token.word]
+    elif spoken:
+        number = p.number(i)
+        found = str(number) if number is not None and number < 10 else None
+    if found is not None and (found in string.ascii_uppercase + string.digits + "+-*/="):
+        p.reach(i + 1)
+        return found
+    return None
+
+
+def _between(first: str, last: str) -> tuple[str, ...]:
+    for row in (string.ascii_uppercase, string.digits):
+        if first in row and last in row and row.index(first) <= row.index(last):
+            return tuple(row[row.index(first) : row.index(last) + 1])
+    return ()
+
+
+@rule
+def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[str, ...], bool]]:
+    """Labels in the order said, longest list first, and whether it goes on ("A, B, C...")."""
+    first = symbol(p, i, spoken)
+    if first is None or (
+        first in "+-*/="
+        and p.words[i] in ("plus", "times", "minus", "equals", "equal", "divided", "divide")
+        and not spoken
+    ):
+        return
+    if (j := p.one(i + 1, _TO)) and (last := symbol(p, j, spoken)) and (run := _between(first, last)):
+        yield (run, False), j + 1
+    readings: list[tuple[tuple[tuple[str, ...], bool], int]] = [(((first,), False), i + 1)]
+    labels, at = [first], i + 1
+    while True:
+        j = p.opt(at, ",")
+        j = p.opt(j, *_AND)
+        if p.one(j, "…") and j > at - 1:
+            readings.append(((tuple(labels), True), j + 1))
+            break
+        after = symbol(p, j, spoken)
+        if after is None or (j == at and not _bare_row(p, at)):
+            break
+        labels.append(after)
+        at = j + 1
+        if (k := p.one(at, _TO)) and (last := symbol(p, k, spoken)) and (run := _between(after, last)):
+            labels += run[1:]
+            at = k + 1
+        readings.append(((tuple(labels), False), at))
+    yield from reversed(readings)
+
+
+def _bare_row(p: Parser, at: int) -> bool:
+    """ "A B C", "7 8 9": symbols side by side without commas."""
+    token = p.token(at)
+    return token is not None and (token.kind in ("sign", "number") or (len(token.raw) == 1 and token.raw.isupper()))
+
+
+def literal(p: Parser, i: int) -> str | None:
+    """A word to be spelt: quoted, after "the word" or "spell", or in capitals."""
+    token = p.token(i)
+    if token is None:
+        return None
+    if token.kind in ("quote", "literal") and isinstance(token.value, str):
+        p.reach(i + 1)
+        return token.value.upper()
+    if token.kind == "word" and len(token.raw) > 1 and token.raw.isupper() and token.raw.isalpha():
+        p.reach(i + 1)
+        return token.raw
+    return None

@@ -1,0 +1,52 @@
+"""Explicit lists: "red, yellow, green", "red to yellow to green", "A B C", "first the red one, then ..."."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.adjectives import color
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import label_list
+from rpg.language.meaning import Meaning, Noun, Traits
+
+
+@rule
+def listed(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """An explicit list, at least two long: "red, yellow, green", "red to yellow to green", "A B C", noun phrases."""
+    from rpg.language.grammar.nouns import simple
+
+    yield from _colors(p, i)
+    for (labels, more), j in label_list(p, i):
+        if len(labels) > 1 and not more:
+            span = p.span(i, j)
+            yield tuple(Noun(head="any", traits=Traits(labels=(a,)), span=span) for a in labels), j
+    for first, j in simple(p, i):
+        if isinstance(first, Noun):
+            yield from _more(p, (first,), j)
+
+
+def _colors(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    items: list[Meaning] = []
+    at, readings = i, []
+    while True:
+        found = next(iter(color(p, at)), None)
+        if found is None:
+            break
+        items.append(Noun(head="any", traits=Traits(colors=(found[0],)), span=p.span(at, found[1])))
+        at = found[1]
+        if len(items) > 1:
+            readings.append((tuple(items), at))
+        at = p.opt(at, ",", "-")
+        at = p.any_of(at, ("and then", "and", "then", "to", "followed by")) or at
+    yield from reversed(readings)
+
+
+def _more(p: Parser, items: tuple[Meaning, ...], at: int) -> Results[tuple[Meaning, ...]]:
+    from rpg.language.grammar.nouns import simple
+
+    j = p.opt(at, ",")
+    j = p.any_of(j, ("and then", "and finally", "and", "then", "followed by", "finally")) or j
+    if j == at or len(items) > 30:
+        return
+    for item, k in simple(p, j):
+        if isinstance(item, Noun):
+            yield (*items, item), k
+            yield from _more(p, (*items, item), k)

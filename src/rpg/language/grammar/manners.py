@@ -1,0 +1,181 @@
+"""How something is turned, spelt, timed or counted: closed lists of small phrases."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.meaning import Manner, Meaning
+
+_FACE_WORDS = {"up": "up", "upward": "up", "upwards": "up", "down": "down", "downward": "down", "downwards": "down",
+    "left": "left",
+               "right": "right", "front": "front", "forward": "back", "back": "back", "backward": "front",
+               "camera": "viewer", "viewer": "viewer", "me": "viewer",
+               "robot": "front", "us": "viewer"}  # fmt: skip
+
+
+@rule
+def direction(p: Parser, i: int) -> Results[str]:
+    """ "up", "to the left", "towards the camera"."""
+    j = p.any_of(i, ("to the", "toward the", "towards the", "to", "towards", "toward", "the")) or i
+    if j < p.end and p.words[j] in _FACE_WORDS:
+        yield _FACE_WORDS[p.words[j]], p.reach(j + 1)
+
+
+@rule
+def manner(p: Parser, i: int) -> Results[Meaning]:
+    """How something is turned, spelt, spaced or counted."""
+    for phrases, degrees in ((_DOWN, 180.0), (_UPRIGHT, 0.0), (("sideways", "on its side"), 90.0)):
+        if j := p.any_of(i, phrases):
+            yield Manner(kind="turn", value=degrees, span=p.span(i, j)), j
+    comma = p.opt(i, ",")
+    if k := p.any_of(comma, _FACING):
+        for side, end in direction(p, k):
+            yield Manner(kind="facing", value=side, span=p.span(i, end)), end
+    yield from _pointed(p, i, comma)
+    if j := p.any_of(i, _RISING):
+        yield from _rising(p, i, j)
+    if j := p.any_of(i, tuple(f"{way} from right to left" for way in ("going up", "rising", "ascending", "climbing"))):
+        yield Manner(kind="rising", value="left", span=p.span(i, j)), j
+    for n, j in _degrees(p, i):
+        yield from _spun(p, i, j, n)
+    for phrase, kind, value in _LITTLE:
+        if j := p.seq(i, phrase):
+            yield Manner(kind=kind, value=value, span=p.span(i, j)), j
+
+
+_DOWN = (
+    "upside down", "flipped upside down", "inverted", "in an inverted orientation", "turned upside down",
+    "rotated upside down",
+)  # fmt: skip
+_UPRIGHT = (
+    "upright", "right side up", "right way up", "the right way up", "the right way round", "right side upward",
+)  # fmt: skip
+_FACING = (
+    "facing", "faces", "face", "to face", "pointing", "points", "pointed", "showing", "turned", "so that it faces",
+    "visible from",
+)  # fmt: skip
+_POINTERS = (
+    "corner", "foot", "opening", "open side", "open end", "tip", "apex", "point", "top", "stem", "base", "tail", "ends",
+)  # fmt: skip
+_POINTING = (
+    "pointing", "facing", "points", "faces", "to", "towards", "toward", "on", "at", "directed", "going", "is",
+    "extending",
+)  # fmt: skip
+_RISING = (
+    "rising to the", "going up to the", "ascending to the", "climbing to the", "rising towards the",
+    "going up towards the", "that goes up to the", "rising toward the", "leading up to the", "climbing towards the",
+    "going upward to the", "going upwards to the", "that rises to the", "that rise to the", "up to the",
+    "ascending towards the", "going up from left to", "rising from left to", "ascending from left to",
+    "climbing from left to",
+)  # fmt: skip
+_COUNTER = ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise", "to the left")
+
+
+def _pointed(p: Parser, i: int, comma: int) -> Results[Meaning]:
+    """ "with its foot to the right", "tip pointing left"."""
+    j = p.any_of(comma, ("with its", "with the", "its", "with", "the"))
+    end = p.any_of(j, _POINTERS) if j else 0
+    if end:
+        for side, e in direction(p, p.any_of(end, _POINTING) or end):
+            yield Manner(kind="pointing:" + p.words[end - 1], value=side, span=p.span(i, e)), e
+
+
+def _spun(p: Parser, i: int, j: int, degrees: float) -> Results[Meaning]:
+    """A turn by so many degrees, one way or either way."""
+    clockwise = p.any_of(j, ("clockwise",))
+    counter = p.any_of(j, _COUNTER)
+    end = clockwise or counter or j
+    kind = "by" if clockwise or counter else "by?"
+    yield Manner(kind=kind, value=-degrees if clockwise else degrees, span=p.span(i, end)), end
+
+
+def _rising(p: Parser, i: int, j: int) -> Results[Meaning]:
+    if p.words[j : j + 1] and p.words[j] in ("left", "right", "front", "back"):
+        yield Manner(kind="rising", value=p.words[j], span=p.span(i, j + 1)), p.reach(j + 1)
+
+
+_LITTLE = (
+    ("before that", "time", 0.0), ("beforehand", "time", 0.0), ("before this", "time", 0.0),
+    ("right where it is", "stay", None), ("exactly where it is", "stay", None), ("where it stands", "stay", None),
+    ("please", "idle", None), (", please ,", "idle", None), ("if possible", "idle", None),
+    ("from where i stand", "idle", None), ("as i see it", "idle", None), ("from my side", "idle", None),
+    ("with exactly one outlier in each pile", "outliers", 1.0),
+    ("with exactly one outlier in each group", "outliers", 1.0),
+    ("so that each group has exactly one stranger", "outliers", 1.0),
+    ("so that each pile has exactly one outlier", "outliers", 1.0),
+    ("so that each group has exactly one outlier", "outliers", 1.0),
+    ("with one outlier in each pile", "outliers", 1.0), ("with one outlier in each group", "outliers", 1.0),
+    ("with one outlier each", "outliers", 1.0), ("with exactly one outlier each", "outliers", 1.0),
+    ("so that each pile has one outlier", "outliers", 1.0), ("with exactly one stranger in each group", "outliers",
+    1.0),
+    ("with exactly one stranger in each pile", "outliers", 1.0), ("so each has one outlier", "outliers", 1.0),
+    (", with exactly one outlier in each pile", "outliers", 1.0),
+    (", with exactly one outlier in each group", "outliers", 1.0),
+    ("with exactly two outliers in each group", "outliers", 2.0), ("with two outliers in each group", "outliers", 2.0),
+    ("but not both", "xor", None), (", but not both", "xor", None), (", not both", "xor", None),
+    ("but not on both", "xor", None),
+    ("first", "time", 1.0), ("second", "time", 2.0), ("third", "time", 3.0), ("last", "time", 99.0),
+    ("finally", "time", 99.0), ("afterwards", "time", 50.0), ("initially", "start", None),
+    ("at the start", "start", None), ("at the beginning", "start", None), ("at first", "start", None),
+    ("in the beginning", "start", None), ("to begin with", "start", None), ("originally", "start", None),
+    ("currently", "start", None), ("at the start of the episode", "start", None), ("as distractors", "extra", None),
+    ("as a distractor", "extra", None), ("lying around", "extra", None),
+    ("there as distractors", "extra", None), ("lying around as distractors", "extra", None),
+    ("distractors", "extra", None), ("a distractor", "extra", None), ("just distractors", "extra", None),
+    ("only distractors", "extra", None), ("as decoration", "extra", None), (", which do not matter", "extra", None),
+    ("that do not matter", "extra", None), ("irrelevant", "extra", None),
+    ("by the robot", "idle", None), ("by the arm", "idle", None), ("with the gripper", "idle", None),
+    ("there", "idle", None), ("from above", "idle", None), ("as seen from above", "idle", None),
+    ("in the final scene", "finally", None), ("when you are done", "finally", None),
+    ("in the target orientation", "turn", 0.0), ("in the right orientation", "turn", 0.0), ("readable", "turn", 0.0),
+    ("in the correct orientation", "turn", 0.0), ("the right way around", "turn", 0.0),
+    ("readable upright", "turn", 0.0), ("readable from above", "idle", None), (", letters on top", "idle", None),
+    ("with the letters facing up", "idle", None), ("with letters facing up", "idle", None),
+    (", letters facing up", "idle", None), (", letters readable from above", "idle", None),
+    ("partially stacked", "partial", None),
+    ("partly stacked", "partial", None), ("of equal height", "equal", None), ("of the same height", "equal", None),
+    ("equally tall", "equal", None), ("equally high", "equal", None), ("of equal heights", "equal", None),
+    ("the same height", "equal", None), ("with the same height", "equal", None), ("reversed", "backwards", None),
+    ("the whole time", "always", None), ("all the time", "always", None), ("from start to finish", "always", None),
+    ("during the whole task", "always", None), ("during the task", "always", None), ("at any time", "always", None),
+    ("at any point", "always", None), ("ever", "always", None),
+    ("respectively", "respectively", None), ("backwards", "backwards", None), ("in reverse", "backwards", None),
+    ("backward", "backwards", None),
+    ("at the end", "finally", None), ("in the end", "finally", None), ("at once", "idle", None),
+    ("one by one", "idle", None),
+    ("one at a time", "idle", None), ("carefully", "idle", None), ("gently", "idle", None), ("neatly", "idle", None),
+    ("exactly", "idle", None),
+    ("again", "idle", None), ("precisely", "idle", None), ("instead", "idle", None),
+     ("for me", "idle", None), ("slowly", "idle", None), ("quickly", "idle", None),
+    ("in any way", "idle", None), ("in any arrangement", "idle", None), ("in any direction", "idle", None),
+    ("in the picture", "idle", None), ("at all times", "always", None),
+    ("the whole time", "always", None), ("throughout", "always", None), ("always", "always", None),
+    ("in the scene", "idle", None), ("side up", "idle", None),
+    ("where it is", "stay", None), ("where they are", "stay", None), ("in place", "stay", None),
+    ("as it is", "stay", None), ("as they are", "stay", None),
+    ("untouched", "stay", None), ("alone", "stay", None), ("still", "stay", None), ("where they were", "stay", None),
+    ("unmoved", "stay", None),
+    ("in its place", "stay", None), ("in their places", "stay", None), ("at its place", "stay", None),
+    ("where it was", "stay", None), ("undisturbed", "stay", None),
+    ("in its current position", "stay", None), ("in its original position", "stay", None),
+    ("where it started", "stay", None), ("as is", "stay", None),
+    ("in the same place", "stay", None), ("where it currently is", "stay", None),
+    ("in their current positions", "stay", None), ("in the same position", "stay", None),
+    ("in its initial position", "stay", None), ("in its starting position", "stay", None),
+    ("where they started", "stay", None), ("at its current position", "stay", None),
+    ("left to right", "idle2", None), ("in a single file", "idle", None), ("apart", "idle2", None),
+    ("in a loop", "idle2", None), ("by hand", "idle2", None),
+)  # fmt: skip
+
+
+def _degrees(p: Parser, i: int) -> Results[float]:
+    from rpg.language import lexicon
+
+    j = p.one(i, "by") or i
+    j = p.opt(j, "about")
+    if (n := p.figure(j)) is not None and j + 1 < p.end and p.words[j + 1] in lexicon.DEGREES.split():
+        yield n, p.reach(j + 2)
+    for phrase, n in (("a quarter turn", 90.0), ("a half turn", 180.0), ("half a turn", 180.0),
+        ("a quarter of a turn", 90.0), ("halfway around", 180.0),
+                      ("quarter turn", 90.0), ("half turn", 180.0), ("around", 180.0)):  # fmt: skip
+        if phrase != "around" and (k := p.seq(j, phrase)):
+            yield n, k

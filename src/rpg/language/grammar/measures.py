@@ -1,0 +1,149 @@
+"""Distances: "5 cm from", "at least 10 cm to the left of", "with 5 cm between them"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.amounts import length
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.prepositions import relation
+from rpg.language.meaning import Loc, Meaning, Pronoun
+
+_AMONG = ("between them", "between each other", "in between them", "in between", "between the two",
+    "between the blocks", "between each", "between neighbors",
+          "between neighboring blocks", "between each block", "between blocks", "between each pair",
+          "between each of them", "between every two blocks", "between adjacent blocks",
+          "between each of the blocks")  # fmt: skip
+
+
+_AROUND = (
+    ("about", 0.25),
+    ("around", 0.25),
+    ("roughly", 0.25),
+    ("approximately", 0.25),
+    ("nearly", 0.25),
+    ("exactly", 0.0),
+)
+
+
+@rule
+def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
+    """A length as a range: "5 cm" is ±1 cm, "about 5 cm" ±25 %, "at least 5 cm", "no more than 5 cm"."""
+    for phrase, kind in (("at least", "low"), ("more than", "low"), ("no less than", "low"), ("a minimum of", "low"),
+                         ("at most", "high"), ("less than", "high"), ("no more than", "high"), ("within", "high"),
+                         ("up to", "high"),
+                         ("not more than", "high"), ("a maximum of", "high"), ("closer than", "high"),
+                         ("over", "low"), ("under", "high")):  # fmt: skip
+        if j := p.seq(i, phrase):
+            for metres, k in length(p, j):
+                yield ((metres, None) if kind == "low" else (None, metres)), k
+    for word, share in _AROUND:
+        if j := p.one(i, word):
+            for metres, k in length(p, j):
+                slack = metres * share if share else 0.01
+                yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), k
+    if j := p.one(i, "between"):
+        low = p.figure(j)
+        after = p.one(j + 1, "and") if low is not None else 0
+        for metres, k in length(p, after) if after else ():
+            factor = metres / (p.figure(after) or 1.0)
+            yield (round(float(low or 0) * factor, 6), metres), k
+    for metres, k in length(p, i):
+        if end := p.any_of(k, ("or more", "or farther", "or further", "and more")):
+            yield (metres, None), end
+        if end := p.any_of(k, ("or less", "or closer", "or nearer")):
+            yield (None, metres), end
+        yield (round(max(0.0, metres - 0.01), 6), round(metres + 0.01, 6)), k
+
+
+def measured(p: Parser, i: int) -> Results[Meaning]:
+    """ "5 cm from the red block", "at least 10 cm to the left of it", "within 3 cm of ..."."""
+    start = p.any_of(i, ("at a distance of", "with a distance of", "a distance of")) or (
+        i + 1 if p.words[i] == "at" and p.words[i + 1] not in ("least", "most") else i
+    )
+    for (low, high), j in bounds(p, start):
+        if k := p.any_of(j, ("away from", "from", "of", "apart from", "far from", "distance from")):
+            for landmark, end in noun_phrase(p, k):
+                yield Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end)), end
+        for (name, mods), k in relation(p, j):
+            if name not in ("left", "right", "front", "behind"):
+                continue
+            for landmark, end in noun_phrase(p, k):
+                yield Loc(rel=name, landmark=landmark, mods=mods, low=low, high=high, span=p.span(i, end)), end
+    if j := p.any_of(i, ("with a gap of", "leaving a gap of", "a gap of")):
+        for (low, high), k in bounds(p, j):
+            if k := p.any_of(k, ("from", "to")):
+                for landmark, end in noun_phrase(p, k):
+                    yield (
+                        Loc(
+                            rel="distance", landmark=landmark, low=low, high=high, measure="faces", span=p.span(i, end)
+                        ),
+                        end,
+                    )
+
+
+def measured_bare(p: Parser, i: int) -> Results[Meaning]:
+    """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
+    start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
+    for (low, high), j in bounds(p, start):
+        end = p.any_of(j, ("apart from each other", "from each other", "away from each other", "apart",
+            "from one another",
+                           "of each other", "of one another", "center to center", "from center to center",
+                           "between centers", "apart from one another"))  # fmt: skip
+        measure = "centres"
+        if not end:
+            end = p.any_of(j, ("between them", "between each other", "in between them", "in between", "between the two",
+                               "between the blocks", "between each", "between neighbors", "between each block",
+                               "between neighboring blocks",
+                               "of space between them", "of empty space between them",
+                               "of space between the blocks"))  # fmt: skip
+            measure = "faces"
+        if not end and p.words[start - 1 : start] == ["by"]:
+            end, measure = j, "faces"
+        if end:
+            each = Pronoun(word="each other", span=p.span(i, end))
+            yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
+    yield from _moved(p, i)
+    if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")):
+        for (low, high), k in bounds(p, j):
+            gap = p.any_of(
+                k,
+                ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance"),
+            )
+            end = p.any_of(gap, _AMONG) if gap else 0
+            if gap:
+                measure = "centres" if p.words[gap - 1] in ("spacing", "distance") else "faces"
+                each = Pronoun(word="each other", span=p.span(i, end or gap))
+                yield (
+                    Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end or gap)),
+                    end or gap,
+                )
+            if end := p.any_of(
+                k,
+                (
+                    "between their centers",
+                    "between centers",
+                    "between the centers",
+                    "from center to center",
+                    "center to center",
+                ),
+            ):
+                each = Pronoun(word="each other", span=p.span(i, end))
+                yield Loc(rel="distance", landmark=each, low=low, high=high, span=p.span(i, end)), end
+    if j := p.any_of(i, ("with a gap of", "with gaps of", "leaving a gap of", "with a spacing of", "leaving gaps of",
+                         "at intervals of", "with a distance of", "with spacing of")):  # fmt: skip
+        for (low, high), k in bounds(p, j):
+            end = p.any_of(k, ("between them", "between the blocks", "between each other", "between the two",
+                "between blocks",
+                               "between each block", "between each", "between neighbors",
+                               "between neighbours")) or k  # fmt: skip
+            measure = "faces" if "gap" in p.words[i:j] or "gaps" in p.words[i:j] else "centres"
+            each = Pronoun(word="each other", span=p.span(i, end))
+            yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
+
+
+def _moved(p: Parser, i: int) -> Results[Meaning]:
+    """ "by at least 10 cm": how far something moves."""
+    far = p.one(i, "by") or i
+    for (low, high), j in bounds(p, far):
+        if high is None or far > i:
+            yield Loc(rel="moved", low=low, high=high, span=p.span(i, j), cost=1), j

@@ -1,0 +1,400 @@
+"""Noun phrases: any description of blocks, patches or structures, alone, in lists, in parts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from rpg.language import lexicon
+from rpg.language.grammar import amounts
+from rpg.language.grammar.adjectives import Marks, adjectives, clash, merge, of_quality
+from rpg.language.grammar.amounts import Quantity
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import label_list
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
+
+_JOIN = frozenset({"and", "or", "plus", "&", "nor"})
+_PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
+_SINGLE = Quantity("bare")
+
+
+@rule
+def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
+    """One noun phrase or a list of them."""
+    start = p.one(i, frozenset({"both", "either"})) or i
+    if k := p.one(i, "neither"):
+        for item, j in simple(p, k):
+            yield from ((replace(found, op="nor"), e) for found, e in _list(p, i, (item,), j, None) if found.op == "or")
+    for item, j in simple(p, start) if start > i else ():
+        yield from (
+            (replace(found, cost=0), k) for found, k in _list(p, i, (item,), j, None) if isinstance(found, Coord)
+        )
+    for item, j in simple(p, i):
+        yield item, j
+        yield from _apposed(p, i, item, j)
+        yield from _list(p, i, (item,), j, None)
+
+
+def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
+    """ "four blocks, red, blue, red, blue": a list of just as many."""
+    start = p.opt(j, "namely")
+    for first, k in simple(p, start):
+        for found, end in _list(p, i, (first,), k, None):
+            plain = all(isinstance(x, Noun) and x.head == "any" and x.traits != Traits() for x in found.items)
+            if plain and found.op == "and" and len(found.items) == count:
+                yield replace(found, cost=0), end
+
+
+def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
+    """ "three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
+    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, ","):
+        return
+    for found, k in amounts.quantity(p, j + 1):
+        if found.partitive and (end := p.any_of(k, ("them", "these", "those", "which"))):
+            yield (
+                Noun(
+                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
+                ),
+                end,
+            )
+    if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and whole.traits == Traits():
+        for named, k in _list_of(p, i, j + 1, whole.amount.low):
+            yield named, k
+    if isinstance(whole, Noun) and whole.amount is None:
+        for some, k in amounts.amount(p, j + 1):
+            k = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those")) or k
+            yield (
+                replace(
+                    whole,
+                    amount=some,
+                    plural=some.high != 1,
+                    det="bare" if whole.det == "some" else whole.det,
+                    span=p.span(i, k),
+                ),
+                k,
+            )
+    if k := p.any_of(j + 1, ("none", "all", "each", "both")):
+        det = {"none": "no"}.get(p.words[k - 1], p.words[k - 1])
+        yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
+
+
+def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord]:
+    """Lists that go on from `items`; with commas only ("red, blue, green") they cost a little."""
+    comma = p.opt(at, ",", ";")
+    joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
+    word = p.words[comma] if joined else ""
+    if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
+        for item, j in simple(p, k):
+            yield Coord(op="except", items=(*items, item), span=p.span(i, j)), j
+    if not joined and (k := p.any_of(comma, ("followed by", "then"))):
+        joined, word = k, "then"
+    now = {"or": "or", "nor": "or"}.get(word, "and") if joined else op
+    if comma == at and not joined:
+        return
+    if (joined and p.words[joined - 1] == "then") or word == "then":
+        now = "then"
+    if op is not None and now != op and op != "comma":
+        return
+    nxt = joined or comma
+    for item, j in simple(p, nxt):
+        if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
+            continue
+        whole = (*items, item)
+        if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
+            yield Coord(op="xor", items=whole, span=p.span(i, k)), k
+        if joined:
+            cost = 2 if now == "then" or _shares_head(items[-1], item) else 0
+            yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
+            yield from _list(p, i, whole, j, now)
+        else:
+            yield Coord(op="and", items=whole, span=p.span(i, j), cost=1), j
+            yield from _list(p, i, whole, j, op or "comma")
+
+
+def _shares_head(before: Meaning, item: Meaning) -> bool:
+    """ "the red and blue blocks": the plural noun stands for both, it is not "the red one and several blue blocks"."""
+    if not (isinstance(before, Noun) and isinstance(item, Noun)):
+        return False
+    bare = item.det == "bare" and item.plural and item.amount is None and item.head != "any" and item.traits.colors
+    return bool(bare and before.head == "any" and before.traits.colors)
+
+
+@rule
+def simple(p: Parser, i: int) -> Results[Meaning]:
+    """A noun phrase that is no list."""
+    if i >= p.end:
+        return
+    yield from _pronoun(p, i)
+    yield from _table(p, i)
+    from rpg.language.grammar.structures import structure
+
+    yield from structure(p, i)
+    yield from _part(p, i)
+    if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
+        yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
+    for found, j in amounts.quantity(p, i):
+        if found.partitive:
+            yield from _partitive(p, i, j, found)
+        else:
+            yield from _noun(p, i, j, found)
+    yield from _noun(p, i, i, _SINGLE)
+    if of := p.one(i, "of"):
+        yield from _of_these(p, i, of)
+
+
+def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
+    """ "of the four red blocks, two ..."."""
+    for whole, j in simple(p, of):
+        if isinstance(whole, Noun) and (whole.plural or whole.amount):
+            for found, k in amounts.amount(p, p.opt(j, ",")):
+                yield Noun(head=whole.head, det="some", amount=found, plural=True, part_of=whole, span=p.span(i, k)), k
+
+
+def _pronoun(p: Parser, i: int) -> Results[Meaning]:
+    if j := p.one(i, _PRONOUNS):
+        yield Pronoun(word=p.words[i], span=p.span(i, j)), j
+    for phrase in (
+        "their up faces",
+        "their top faces",
+        "their upper faces",
+        "their faces",
+        "their letters",
+        "the up faces",
+        "the top faces",
+        "their symbols",
+        "the letters on top",
+        "their numbers",
+        "the up facing faces",
+    ):
+        if j := p.seq(i, phrase):
+            yield Pronoun(word="them", span=p.span(i, j)), j
+    for phrase in ("each other", "one another", "the other ones", "the other one", "the others", "the rest", "others",
+                   "the other two", "the latter", "the former", "everything else", "both of them", "all of them",
+                   "everything", "both",
+                   "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
+                   "the other", "one", "nothing else", "nothing", "either of them", "neither of them", "each of them",
+                   "none of them", "that", "this", "those", "these", "each one", "any other one", "any other",
+                   "any of the others", "each", "all others", "all the others", "all the rest",
+                   "all"):  # fmt: skip
+        if j := p.seq(i, phrase):
+            yield Pronoun(word=phrase, span=p.span(i, j)), j
+
+
+def _table(p: Parser, i: int) -> Results[Meaning]:
+    j = p.opt(i, "the", "a", "this", "your", "my")
+    j = p.opt(j, "work", "wooden")
+    if p.lex(j, lexicon.TABLE) is False:
+        end = j + 1
+        end = p.opt(end, "top", "surface")
+        yield TableTop(span=p.span(i, end)), end
+
+
+_PARTS = {
+    "top": "top", "bottom": "bottom", "middle": "middle", "base": "bottom", "foot": "bottom", "center": "middle",
+    "centre": "middle", "left end": "left", "right end": "right", "end": "end", "front": "front", "back": "back",
+}  # fmt: skip
+
+
+def _part(p: Parser, i: int) -> Results[Meaning]:
+    """ "the top of the tower", "its top"."""
+    if j := p.one(i, "its"):
+        for phrase, part in _PARTS.items():
+            if k := p.seq(j, phrase):
+                yield PartOf(part=part, whole=Pronoun(word="it", span=p.span(i, j)), span=p.span(i, k)), k
+    j = p.one(i, "the")
+    if not j:
+        return
+    for phrase, part in _PARTS.items():
+        if (k := p.seq(j, phrase)) and (k := p.one(k, "of")):
+            for whole, end in simple(p, k):
+                if isinstance(whole, TableTop):
+                    continue
+                yield PartOf(part=part, whole=whole, span=p.span(i, end)), end
+
+
+def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
+    """ "two of the four red blocks", "none of them"."""
+    for whole, end in simple(p, j):
+        if (
+            isinstance(whole, Noun)
+            and whole.det in ("the", "bare", "its", "other", "all")
+            and (whole.plural or whole.amount)
+        ):
+            plain = whole.det == "bare" and whole.amount is None
+            if plain and found.det != "some":
+                continue
+            yield (
+                Noun(
+                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
+                ),
+                end,
+            )
+        elif isinstance(whole, Pronoun) and whole.word in (
+            "them",
+            "these",
+            "those",
+            "the others",
+            "the rest",
+            "others",
+        ):
+            yield (
+                Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)),
+                end,
+            )
+
+
+def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
+    """The noun itself: (head, plural, traits it brings)."""
+    for table, head in ((lexicon.BLOCK, "block"), (lexicon.LOOSE_BLOCK, "block")):
+        plural = p.lex(i, table)
+        if plural is not None:
+            yield (head, plural, {}), i + 1
+    j = i
+    while p.lex(j, lexicon.PATCH) is not None:
+        j += 1
+    if j > i:
+        yield ("patch", bool(p.lex(j - 1, lexicon.PATCH)), {}), j
+    for table, kind in ((lexicon.LETTER, "letter"), (lexicon.DIGIT, "digit"), (lexicon.SYMBOL, "symbol")):
+        plural = p.lex(i, table)
+        if plural is not None:
+            yield ("block", plural, {"kind": kind}), i + 1
+    for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
+        if j := p.one(i, frozenset({words, words + "s"})):
+            yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
+    if j := p.one(i, frozenset({"one", "ones"})):
+        yield ("any", p.words[i] == "ones", {}), j
+    if i < p.end and p.words[i] in lexicon.COLOR_PLURAL:
+        yield ("block", True, {"colors": (lexicon.COLOR_PLURAL[p.words[i]],)}), p.reach(i + 1)
+
+
+def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]:
+    for marks, j in adjectives(p, start):
+        for (head, plural, brings), k in _head(p, j):
+            both = merge(marks, brings)
+            if both is not None:
+                yield from _finish(p, i, k, quantity, head, plural, both)
+        yield from _headless(p, i, start, j, quantity, marks)
+
+
+def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: Marks) -> Results[Meaning]:
+    """ "red on blue", "the other two", "A", "a red and a blue block"."""
+    ranked = quantity.det == "the" and marks.get("rank") not in (None, "top", "bottom", "middle")
+    named = j > start and p.words[j - 1] not in ("target", "goal")
+    if named and "edge" not in marks and (marks.get("colors") or marks.get("size") or ranked):
+        plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
+        several = len(marks.get("colors", ())) > 1 and not marks.get("either")
+        if several and _list_goes_on(p, j):
+            return
+        yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1 if several else 0)
+    counted = quantity.amount is not None and quantity.det in ("the", "bare", "other", "another", "both", "some")
+    if counted and quantity.det == "bare" and start > i and p.tokens[start - 1].kind == "number":
+        counted = False
+    if j == start and (counted or quantity.det in ("other", "another")):
+        yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=2)
+    if (quantity.det in ("bare", "the", "all", "both") and quantity.amount is None) or quantity.det == "a":
+        for (labels, more), k in label_list(p, j):
+            held = merge(marks, {"labels": labels, "open_ended": more})
+            digit = len(labels) == 1 and labels[0].isdigit()
+            if digit and (_goes_on(p, k) or quantity.det == "all"):
+                continue
+            if held is not None and (len(labels) == 1 or quantity.det != "a"):
+                yield from _finish(
+                    p,
+                    i,
+                    k,
+                    quantity,
+                    "block",
+                    len(labels) > 1,
+                    held,
+                    cost=2 if digit or (len(labels) > 1 and "and" not in p.words[j:k] and "," in p.words[j:k]) else 1,
+                )
+
+
+def _list_goes_on(p: Parser, j: int) -> bool:
+    """Whether a list of colours continues behind j."""
+    k = p.opt(p.opt(j, ","), "and", "or", "&")
+    return k > j and k < p.end and p.words[k] in lexicon.COLOR
+
+
+def _goes_on(p: Parser, k: int) -> bool:
+    """Whether what follows a digit makes it a number: "3 blocks", "2 red ..."."""
+    word = p.words[k] if k < p.end else ""
+    tables = (
+        lexicon.BLOCK,
+        lexicon.LOOSE_BLOCK,
+        lexicon.COLOR,
+        lexicon.STRUCTURE,
+        lexicon.UNIT,
+        lexicon.LETTER,
+        lexicon.DIGIT,
+        lexicon.SIZE,
+        lexicon.PATCH,
+    )
+    return any(word in table for table in tables) or word in (
+        "of",
+        "by",
+        "x",
+        "more",
+        "steps",
+        "rows",
+        "layers",
+        "high",
+        "wide",
+        "each",
+        "other",
+        "letters",
+    )
+
+
+def _finish(
+    p: Parser, i: int, j: int, quantity: Quantity, head: str, plural: bool, marks: Marks, cost: int = 0
+) -> Results[Meaning]:
+    """The noun with what may follow it: labels, "of ...", "that ..."."""
+    low = quantity.amount
+    many = plural or bool(low and low.high != 1)
+    if (quantity.det == "each" and plural) or (quantity.det == "a" and plural and not low):
+        return
+    if low is not None and low == Amount(1, 1) and plural and quantity.det in ("a", "bare"):
+        return
+    if low is not None and low.low > 1 and not plural and head not in ("any",) and quantity.det != "each":
+        cost += 1
+    if len(marks.get("colors", ())) > 1 and not many and not marks.get("either"):
+        cost += 1
+        many = True
+    if head == "block" and quantity.det == "bare" and low is None and not many and not marks:
+        cost += 1
+    noun = Noun(
+        head=head, det=quantity.det, amount=low, plural=many, traits=Traits(**marks), span=p.span(i, j), cost=cost
+    )  # fmt: skip
+    yield from _after(p, i, j, noun)
+
+
+@rule
+def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
+    from rpg.language.grammar.relatives import relative
+
+    yield noun, j
+    tried = [(noun, j)]
+    for update, k in of_quality(p, j, noun.head):
+        changed = _with(noun, update, p.span(i, k))
+        if changed is not None:
+            yield changed, k
+            tried.append((changed, k))
+    for base, at in tried:
+        for condition, k in relative(p, at, base.head):
+            if isinstance(condition, Traits):
+                more = {n: getattr(condition, n) for n in Traits.__dataclass_fields__}
+                changed = _with(base, {n: v for n, v in more.items() if v != getattr(Traits(), n)}, p.span(i, k))
+                if changed is not None:
+                    yield changed, k
+            else:
+                yield replace(base, conditions=(*base.conditions, *condition), span=p.span(i, k)), k
+
+
+def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun | None:
+    """`noun` with more traits, unless they contradict those it has."""
+    if clash(noun.traits, update):
+        return None
+    plural = noun.plural or len(update.get("labels", ())) > 1
+    return replace(noun, traits=replace(noun.traits, **update), span=span, plural=plural)

@@ -1,0 +1,212 @@
+"""Orders, directions, patterns, spacing: how the members of a structure are laid out."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.lists import listed
+from rpg.language.grammar.order_phrases import NAMED
+from rpg.language.grammar.patterns import pattern, spacing
+from rpg.language.grammar.sides import toward
+from rpg.language.meaning import Meaning, OrderBy, Toward
+
+_LEADS = frozenset(
+    {"reading", "sorted", "ordered", "arranged", "lined", "organized", "organised", "going", "running", "placed"}
+)
+
+
+@rule
+def order(p: Parser, i: int) -> Results[Meaning]:
+    """An order, a direction, a pattern, a spacing."""
+    j = p.one(i, _LEADS) or i
+    for start in {i: None, j: None}:
+        for phrase, by, extra in NAMED:
+            into = phrase.startswith("in ") and p.words[start : start + 1] == ["into"]
+            if k := p.seq(start + 1, phrase[3:]) if into else p.seq(start, phrase):
+                yield OrderBy(by=by, span=p.span(i, k), descending=bool(extra.get("descending"))), k
+        yield from toward(p, start)
+        yield from _explicit(p, start)
+        yield from _by_attribute(p, start, j > i)
+        yield from temporal(p, start)
+    yield from pattern(p, i)
+    yield from spacing(p, i)
+    yield from _alternating(p, i)
+    yield from _toward_list(p, i)
+
+
+def _alternating(p: Parser, i: int) -> Results[Meaning]:
+    """ "alternating red and white", "alternating between red and blue blocks"."""
+    j = p.any_of(
+        i,
+        (
+            "alternating between",
+            "whose colors alternate between",
+            "with colors alternating between",
+            "with alternating colors",
+            "in alternating colors ,",
+            "so that the colors alternate between",
+            "alternating",
+            "with alternating",
+            "of alternating",
+            "that alternate between",
+            "which alternate between",
+            "switching between",
+        ),
+    )
+    for items, k in listed(p, j) if j else ():
+        k = p.opt(k, "blocks", "cubes", "ones")
+        yield OrderBy(by="alternating", items=items, span=p.span(i, k)), k
+    for items, k in listed(p, i):
+        if end := p.any_of(k, ("alternating", "in alternation", "alternately")):
+            yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
+
+
+@rule
+def temporal(p: Parser, i: int) -> Results[Meaning]:
+    """ "in exact temporal order (blue first, then red)"."""
+    j = p.any_of(
+        i,
+        (
+            "in exact temporal order",
+            "in temporal order",
+            "in the temporal order",
+            "in strict temporal order",
+            "in the order",
+            "one after the other",
+            "in time order",
+            "in this order",
+        ),
+    )
+    if not j:
+        return
+    opened = p.one(p.opt(j, ",", ":"), frozenset({"(", "["}))
+    k = opened or p.opt(j, ",", ":")
+    k = p.opt(k, "first")
+    for items, end in firsts(p, k):
+        close = p.one(end, frozenset({")", "]"})) if opened else end
+        if close:
+            yield OrderBy(by="temporal", items=items, span=p.span(i, close)), close
+
+
+@rule
+def firsts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """ "blue first, then red": an explicit order in time."""
+    from rpg.language.grammar.nouns import simple
+
+    for first, j in simple(p, i):
+        j = p.opt(j, "first")
+        for rest, k in _after_first(p, j):
+            yield (first, *rest), k
+
+
+def _after_first(p: Parser, at: int) -> Results[tuple[Meaning, ...]]:
+    from rpg.language.grammar.nouns import simple
+
+    j = p.opt(at, ",")
+    j = p.any_of(j, ("and then", "then", "and finally", "finally", "and", "followed by"))
+    if not j:
+        return
+    for item, k in simple(p, j):
+        k = p.opt(k, "second", "last", "third", "afterwards", "after that")
+        yield (item,), k
+        for rest, end in _after_first(p, k):
+            yield (item, *rest), end
+
+
+def _explicit(p: Parser, i: int) -> Results[Meaning]:
+    """ "in the order red, yellow, green", "in this order: A, B, C", "red first, then blue"."""
+    j = p.any_of(i, ("in the following order", "in the order of", "in the order", "in order", "in this order",
+        "in the sequence", "in color order",
+                     "following the order", "with the order", "with order", "with the color order",
+                     "in the color order", "order",
+                     "in that order", "ordered as", "ordered", "in the pattern", "as", "like this", "as follows",
+                     "that goes", "that go", "which goes", "in order from", "going", "that reads", "which reads",
+                     "so they are", "so that they are", "so it goes", "in a sequence of",
+                     "in the sequence of"))  # fmt: skip
+    if not j:
+        return
+    j = p.opt(j, ":", ",", "of")
+    j = p.opt(j, "first") if p.words[j : j + 1] == ["first"] else j
+    j = p.opt(j, "from") if p.words[j : j + 1] == ["from"] and j + 1 < p.end and p.words[j + 1] in lexicon.COLOR else j
+    yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in listed(p, j))
+
+
+_INTO_ATTRIBUTES = tuple(
+    (f"into {one} and {two}", attribute)
+    for firsts_, seconds, attribute in (
+        (("vowels", "vowel"), ("consonants", "consonant"), "vowel"), (("consonants",), ("vowels",), "vowel"),
+        (("odd", "odds", "odd numbers", "odd ones"), ("even", "evens", "even numbers", "even ones"), "parity"),
+        (("even", "evens", "even numbers", "even ones"), ("odd", "odds", "odd numbers", "odd ones"), "parity"),
+        (("letters",), ("numbers", "digits"), "kind"), (("numbers", "digits"), ("letters",), "kind"),
+        (("an odd group",), ("an even group",), "parity"), (("an even group",), ("an odd group",), "parity"),
+        (("a vowel group", "a group of vowels"), ("a consonant group", "a group of consonants"), "vowel"),
+        (("a group of letters",), ("a group of numbers", "a group of digits"), "kind"),
+        (("an odd pile",), ("an even pile",), "parity"),
+    )
+    for one in firsts_
+    for two in seconds
+)  # fmt: skip
+
+
+_ATTRIBUTES = {
+    "color": "color", "colour": "color", "colors": "color", "letter": "label", "label": "label", "number": "label",
+    "kind": "kind",
+    "type": "kind", "size": "size", "symbol": "label", "letters": "label", "parity": "parity", "value": "label",
+    "shade": "color", "category": "kind",
+}  # fmt: skip
+
+
+@rule
+def _toward_list(p: Parser, i: int) -> Results[Meaning]:
+    """ "whose colors from top to bottom are red, white and black", "so that from left to right they are ..."."""
+    j = (
+        p.any_of(
+            i,
+            (
+                "whose colors",
+                "so that the colors",
+                "with the colors",
+                "with colors",
+                "so that",
+                "where the colors",
+                "such that",
+                "in which the colors",
+                "where",
+                "so",
+            ),
+        )
+        or i
+    )
+    sides = list(toward(p, j)) if j < p.end else []
+    for found, k in sides:
+        if not isinstance(found, Toward) or not found.first:
+            continue
+        end = p.any_of(
+            p.opt(k, "order"),
+            ("they are", "are", "it is", "they read", "is", "read", "it reads", "the blocks are", "the colors are"),
+        ) or (p.one(k, ":") if j == i else 0)
+        for items, last in listed(p, p.opt(end, ":")) if end else ():
+            yield OrderBy(by="given", items=items, first=found.first, span=p.span(i, last)), last
+
+
+def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
+    """ "by colour", "according to size", "by even and odd", "into vowels and consonants"."""
+    for phrase, attribute in _INTO_ATTRIBUTES:
+        if k := p.seq(i, phrase):
+            yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, k)), k
+    j = p.any_of(i, ("by", "according to", "based on", "by their", "according to their", "by the", "depending on",
+        "by whether they are", "according to whether they are", "on the basis of", "based on their",
+                     "by same", "by different", "by block"))  # fmt: skip
+    if j:
+        word = p.words[j] if j < p.end else ""
+        if word in _ATTRIBUTES:
+            k = p.reach(j + 1)
+            k = p.opt(k, "of")
+            yield OrderBy(by="attribute", attribute=_ATTRIBUTES[word], span=p.span(i, k)), k
+        for phrase, attribute in (("even and odd", "parity"), ("odd and even", "parity"),
+            ("whether they are even or odd", "parity"), ("even or odd", "parity"),
+                                  ("vowel and consonant", "vowel"), ("vowels and consonants", "vowel"),
+                                  ("whether they are vowels or consonants", "vowel"),
+                                  ("vowel or consonant", "vowel"), ("odd or even", "parity")):  # fmt: skip
+            if k := p.seq(j, phrase):
+                yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, k)), k

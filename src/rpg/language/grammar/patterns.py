@@ -1,0 +1,112 @@
+"""Patterns and spacing: "each row a different colour", "evenly spaced"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.meaning import Meaning, Pattern, Spacing
+
+_UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer", "stack": "stack", "tower": "stack",
+    "pile": "pile", "group": "pile",
+          "floor": "layer", "line": "row", "bunch": "pile", "tier": "layer", "rows": "row", "columns": "column",
+          "layers": "layer", "stacks": "stack",
+          "towers": "stack", "piles": "pile", "groups": "pile"}  # fmt: skip
+
+
+_SAME = ("the same color", "of the same color", "one color", "a single color", "of one color", "a color",
+    "of a single color", "single colored", "same colored",
+         "of the same colour", "the same colour", "one colour", "a single colour", "in one color",
+         "in a single color", "uniform in color", "all one color",
+         "the same color throughout", "all the same color", "one solid color", "blocks of the same color",
+         "blocks of one color", "only one color",
+         "blocks of a single color", "same color", "blocks of only one color")  # fmt: skip
+
+
+_DIFFERENT = ("a different color", "of a different color", "its own color", "a unique color", "a distinct color",
+    "different colors", "in a different color",
+              "different in color", "of different colors", "a different colour", "of a different colour",
+              "its own colour", "in its own color",
+              "a unique colour", "differently colored", "of its own color", "a separate color",
+              "different color")  # fmt: skip
+
+
+@rule
+def pattern(p: Parser, i: int) -> Results[Meaning]:
+    """ "where each row is a different colour", "one colour per layer", "in a checkerboard pattern"."""
+    j = p.any_of(i, ("where", "with", "such that", "so that", "in which", ", where", ", with", "so")) or i
+    j2 = p.any_of(j, ("each", "every", "all", "each of the", "all the")) or 0
+    if j2 and j2 < p.end and p.words[j2] in _UNITS:
+        k = p.reach(j2 + 1)
+        unit = _UNITS[p.words[j2]]
+        k = p.any_of(k, ("of blocks", "of cubes")) or k
+        k = p.any_of(k, ("is made of", "should be", "must be", "consists of", "contains", "should have", "is",
+            "being", "has", "having", "in", "are", "be", "made of",
+                         "containing", "made up of", "uses", "using", "with", "have", "of")) or k  # fmt: skip
+        yield from _agree(p, i, k, unit)
+    for phrase, unit in (("one color per row", "row"), ("one color per column", "column"),
+        ("one color per layer", "layer"), ("a different color per row", "row"),
+                         ("one color for each row", "row"), ("one color for each layer", "layer"),
+                         ("one color for each column", "column"),
+                         ("a different color for each row", "row"), ("a different color for each column", "column"),
+                         ("a different color per layer", "layer"),
+                         ("a different color for each layer", "layer"), ("a different color for every row", "row"),
+                         ("a different color in each row", "row"),
+                         ("a different color in each layer", "layer"), ("a different color per column", "column"),
+                         ("one color per level", "layer"),
+                         ("a different color for every layer", "layer"),
+                         ("a different color for every column", "column"), ("one color per stack", "stack"),
+                         ("one color per tower", "stack"), ("one color per pile", "pile"),
+                         ("one color each", "stack"), ("a single color per row", "row")):  # fmt: skip
+        if k := p.seq(j, phrase):
+            yield Pattern(unit=unit, span=p.span(i, k)), k
+    for phrase in ("in a checkerboard pattern", "in a chessboard pattern", "like a checkerboard", "like a chessboard",
+        "checkerboard style",
+                   "in a checkered pattern", "checkered", "in checkerboard style", "as a checkerboard",
+                   "in checkerboard fashion"):  # fmt: skip
+        if k := p.seq(i, phrase):
+            yield Pattern(unit="checkerboard", span=p.span(i, k)), k
+    if k := p.any_of(i, ("one per color", "one for each color", "one tower per color", "one stack per color",
+        "one tower for each color", "one stack for each color",
+                         "one of each color", "one pile per color", "one per colour", "one row per color",
+                         "each of a different color", "each in a different color",
+                         "each a different color", "each of one color", "each of a single color", "each one color",
+                         "each the same color", "each a single color",
+                         "each with its own color", "each in its own color", "each in one color",
+                         "each of its own color")):  # fmt: skip
+        yield Pattern(unit="stack", span=p.span(i, k)), k
+
+
+def _agree(p: Parser, i: int, k: int, unit: str) -> Results[Meaning]:
+    for phrase in _SAME:
+        if e := p.seq(k, phrase):
+            yield (
+                Pattern(
+                    unit=unit,
+                    different=phrase in ("one color", "a single color", "a color") and False,
+                    span=p.span(i, e),
+                ),
+                e,
+            )
+    for phrase in _DIFFERENT:
+        if e := p.seq(k, phrase):
+            yield Pattern(unit=unit, different=True, span=p.span(i, e)), e
+
+
+@rule
+def spacing(p: Parser, i: int) -> Results[Meaning]:
+    """ "evenly spaced", "with equal gaps"."""
+    if j := p.any_of(i, ("evenly spaced", "equally spaced", "evenly spaced out", "with equal spacing",
+        "with even spacing", "spaced evenly", "evenly", "with equal gaps",
+                         "spaced equally", "with equal space between them", "at equal distances",
+                         "with equal distances between them", "uniformly spaced",
+                         "with equal gaps between them", "at even intervals", "at equal intervals",
+                         "evenly distributed", "with even gaps", "evenly apart",
+                         "with equal distance between them", "equally far apart", "with uniform spacing")):  # fmt: skip
+        yield Spacing(kind="even", span=p.span(i, j)), j
+    if j := p.any_of(i, ("without gaps", "with no gaps", "without any gaps", "with no gaps between them",
+        "with no space between them", "without gaps between them",
+                         "with no gap between them", "tightly", "touching each other", "packed together",
+                         "without space between them",
+                         "with each block touching the next", "each touching the next", "flush together",
+                         "without any gaps between them",
+                         "with no gap", "with no space in between", "side by side and touching")):  # fmt: skip
+        yield Spacing(kind="touching", span=p.span(i, j)), j

@@ -1,0 +1,27 @@
+""" "red on blue on green": each thing lies on the one named next, not all on the first."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, That
+
+
+def piled(found: Meaning) -> Meaning:
+    """`found` with what its landmark lies on said of the landmark."""
+    if not isinstance(found, Clause):
+        return found
+    for index, (first, second) in enumerate(zip(found.adjuncts, found.adjuncts[1:], strict=False)):
+        if _lies_on(first) and _lies_on(second):
+            assert isinstance(first, Loc) and isinstance(first.landmark, Noun)
+            theme = replace(first.landmark, det="the", amount=None, cost=0)
+            span = (first.landmark.span[0], found.span[1])
+            below = Clause(verb="be", theme=theme, adjuncts=found.adjuncts[index + 1 :], mode=found.mode, span=span)
+            chain = Chain(clauses=(piled(below),), links=("and",), span=span)
+            said = That(kind="so", clauses=chain, span=span)
+            return replace(found, adjuncts=(*found.adjuncts[: index + 1], said))
+    return found
+
+
+def _lies_on(part: Meaning) -> bool:
+    return isinstance(part, Loc) and part.rel == "on" and not part.negated and isinstance(part.landmark, Noun)

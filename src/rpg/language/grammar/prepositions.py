@@ -1,0 +1,97 @@
+"""Prepositions: "on top of", "to the left of", "right next to", and how close they mean."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+
+_SIMPLE = {
+    "on top of": "on", "on the top of": "on", "atop of": "on", "atop": "on", "on top": "on", "onto": "on",
+    "on to": "on", "upon": "on",
+    "on": "on", "onto the top of": "on", "to the top of": "on", "over": "above", "above": "above",
+    "over the top of": "above",
+    "on to the top of": "on", "at the top of": "on", "on the surface of": "on", "supported by": "on",
+    "carried by": "on", "to rest on": "on",
+    "in": "in", "inside": "in", "inside of": "in", "into": "in", "within": "in", "at": "in", "to": "in",
+    "under": "under", "underneath": "under", "beneath": "under", "below": "under",
+    "in front of": "front", "ahead of": "front", "to the front of": "front", "on the front side of": "front",
+    "at the front of": "front", "on the near side of": "front", "on the front of": "front", "nearer than": "front",
+    "behind": "behind", "in back of": "behind", "to the back of": "behind", "at the back of": "behind",
+    "to the rear of": "behind",
+    "on the back side of": "behind", "beyond": "behind", "on the far side of": "behind", "at the rear of": "behind",
+    "next to": "beside", "beside": "beside", "alongside": "beside", "by the side of": "beside",
+    "at the side of": "beside",
+    "side by side with": "beside", "by": "beside", "to the side of": "beside", "besides": "beside",
+    "adjacent to": "adjacent", "adjoining": "adjacent", "adjacent with": "adjacent", "right next to": "adjacent",
+    "touching": "touching", "in contact with": "touching", "against": "touching", "up against": "touching",
+    "flush against": "touching", "flush with": "touching", "making contact with": "touching", "to touch": "touching",
+    "near": "near", "close to": "near", "near to": "near", "nearby": "near", "in the vicinity of": "near",
+    "far from": "apart", "away from": "apart", "far away from": "apart", "well away from": "apart",
+    "apart from": "apart", "off": "off", "off of": "off", "away off": "off",
+    "along with": "together", "together with": "together",
+}  # fmt: skip
+"""Prepositions with a landmark. "in" and "to" only fit patches and structures; resolution says so where they do not."""
+
+
+_CHOICE = ("left", "right")
+
+
+_DIRECT = ("directly", "exactly", "straight", "precisely", "squarely")
+
+
+_CLOSE = ("immediately", "right", "just")
+
+
+_LOOSE = ("somewhere", "anywhere", "generally")
+
+
+@rule
+def side_relation(p: Parser, i: int) -> Results[tuple[str, str]]:
+    """ "to the left of", "on the right-hand side of", "left of": (relation, how close)."""
+    j = (
+        p.any_of(
+            i,
+            (
+                "to the",
+                "on the",
+                "at the",
+                "onto the",
+                "to",
+                "on",
+                "in the",
+                "off to the",
+                "towards the",
+                "toward the",
+                "over to the",
+            ),
+        )
+        or i
+    )
+    near = p.one(j, frozenset({"immediate", "near", "direct"}))
+    far = p.one(j, "far")
+    k = near or far or j
+    if p.words[k : k + 1] and p.words[k] in _CHOICE:
+        side = p.words[k]
+        k = p.reach(k + 1)
+        k = p.opt(k, "hand")
+        k = p.any_of(k, ("side",)) or k
+        if of := p.one(k, frozenset({"of", "from"})):
+            yield (side, p.words[j] if near else ""), of
+        elif k > i and p.words[k - 1] != "hand":
+            yield (side + "?", ""), k
+
+
+@rule
+def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
+    """A relation that wants a landmark: (name, modifiers)."""
+    starts: list[tuple[tuple[str, ...], int]] = [((), i)]
+    for words, mod in ((_DIRECT, "directly"), (_CLOSE, "immediate"), (_LOOSE, "somewhere")):
+        if i < p.end and p.words[i] in words:
+            starts.append(((mod,), p.opt(p.reach(i + 1), "and")))
+    for mods, j in starts:
+        for phrase, name in _SIMPLE.items():
+            if k := p.seq(j, phrase):
+                yield (name, mods), k
+        for (side, how), k in side_relation(p, j):
+            if not side.endswith("?"):
+                extra = {"immediate": ("immediate",), "direct": ("directly",)}.get(how, ())
+                yield (side, (*mods, *extra)), k

@@ -1,0 +1,138 @@
+"""Regions of the table: halves, corners, edges, the middle."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.meaning import In
+
+_NEAR = frozenset({"near", "front", "nearer", "bottom", "lower", "closest", "nearest"})
+_FAR = frozenset({"far", "back", "rear", "farther", "top", "upper", "farthest", "furthest"})
+
+
+def _half(word: str) -> str | None:
+    if word in ("left", "right"):
+        return word
+    return "near" if word in _NEAR else "far" if word in _FAR else None
+
+
+def _of_table(p: Parser, i: int) -> int:
+    j = p.any_of(i, ("of", "on", "in"))
+    if not j:
+        return 0
+    j = p.opt(j, "the")
+    j = p.opt(j, "work")
+    if p.lex(j, lexicon.TABLE) is False:
+        return p.opt(j + 1, "top", "surface", "area")
+    return 0
+
+
+def _lead(p: Parser, i: int) -> int:
+    """ "in the", "to the", "at a", "near the", ... or nothing."""
+    j = (
+        p.any_of(
+            i,
+            (
+                "on",
+                "in",
+                "at",
+                "to",
+                "into",
+                "onto",
+                "near",
+                "within",
+                "inside",
+                "along",
+                "toward",
+                "towards",
+                "over to",
+                "by",
+                "against",
+            ),
+        )
+        or i
+    )
+    return p.opt(j, "the", "a", "any", "one") if j > i else i
+
+
+@rule
+def region(p: Parser, i: int) -> Results[In]:
+    """A region, with or without "of the table" where its name alone is plain."""
+    exact = p.opt(i, "exactly", "right", "precisely", "just", "directly", "somewhere", "anywhere")
+    j = _lead(p, exact)
+    if j == exact:
+        return
+    for name, k, plain in _names(p, j):
+        end = _of_table(p, k)
+        if end:
+            yield In(region=name, span=p.span(i, end)), end
+        elif plain:
+            yield In(region=name, span=p.span(i, k)), k
+    if j := p.any_of(i, ("on the table's", "to the table's", "in the table's", "at the table's")):
+        pass
+    if (k := p.any_of(i, ("on the table", "in the table"))) and p.one(k, "'s"):
+        for name, end, _ in _names(p, k + 1):
+            yield In(region=name, span=p.span(i, end)), end
+
+
+def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
+    """(region, next position, whether it stands for itself)."""
+    found: list[tuple[str, int, bool]] = []
+    word = p.words[j] if j < p.end else ""
+    side = _half(word)
+    if side:
+        k = p.opt(p.reach(j + 1), "hand", "most")
+        if e := p.one(k, "half"):
+            found.append((f"{side}_half", e, True))
+        if e := p.one(k, "side"):
+            found.append((f"{side}_half", e, False))
+        if e := p.one(k, "edge"):
+            found.append((f"{side}_edge", e, True))
+        if side in ("left", "right") or word in ("front", "back", "rear"):
+            found.append((f"{side}_half", k, False))
+        found += _corner(p, k, side)
+    if k := p.any_of(j, ("middle", "center", "centre", "central area", "central part")):
+        found.append(("middle", p.opt(k, "part", "area"), False))
+    if k := p.one(j, "edge"):
+        found.append(("edge", k, False))
+    if k := p.any_of(
+        j,
+        (
+            "of the corners",
+            "of the four corners",
+            "one of the corners",
+            "one of the four corners",
+            "any one of the four corners",
+            "any of the corners",
+            "any of the four corners",
+        ),
+    ):
+        found.append(("corner", k, True))
+    if k := p.any_of(j, ("of the edges", "one of the edges", "any of the edges", "one of the four edges")):
+        found.append(("edge", k, True))
+    if k := p.one(j, "corner"):
+        found.append(("corner", k, True))
+    if k := p.any_of(j, ("half", "side")):
+        for phrase, name in (("closest to the robot", "near_half"), ("nearest to the robot", "near_half"),
+            ("nearest the robot", "near_half"),
+                             ("near the robot", "near_half"), ("farthest from the robot", "far_half"),
+                             ("furthest from the robot", "far_half"), ("far from the robot", "far_half")):  # fmt: skip
+            of = _of_table(p, k) or k
+            if e := p.seq(of, phrase):
+                found.append((name, e, True))
+    return found
+
+
+def _corner(p: Parser, k: int, side: str) -> list[tuple[str, int, bool]]:
+    """ "left corner" needs a second word; "far left corner" and "left front corner" have it."""
+    second = _half(p.words[k]) if k < p.end else None
+    if second is None:
+        return []
+    e = p.opt(p.reach(k + 1), "hand")
+    e = p.one(e, "corner")
+    if not e:
+        return []
+    across, along = (side, second) if side in ("left", "right") else (second, side)
+    if across not in ("left", "right") or along not in ("near", "far"):
+        return []
+    return [(f"{along}_{across}_corner", e, True)]

@@ -1,0 +1,64 @@
+"""Relative clauses and participles after a noun: "that shows letters", "which is on the patch", "stacked on ..."."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from rpg.language import lexicon
+from rpg.language.grammar.adjectives import adjectives, of_quality
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import label_list
+from rpg.language.meaning import Loc, Meaning, Traits
+
+_THAT = frozenset({"that", "which", "who"})
+_SHOW = frozenset(
+    {"show", "shows", "showing", "display", "displays", "bear", "bears", "carry", "carries", "have", "has", "read"}
+)
+_THINGS = {"letters": "letter", "numbers": "digit", "digits": "digit", "symbols": "symbol", "letter": "letter",
+           "number": "digit"}  # fmt: skip
+
+
+@rule
+def relative(p: Parser, i: int, head: str) -> Results[Any]:
+    """Traits, or a tuple of conditions (places)."""
+    from rpg.language.grammar.relations import loc
+
+    comma = p.opt(i, ",")
+    that = p.one(comma, _THAT)
+    if that:
+        if j := p.one(that, _SHOW):
+            yield from _shown(p, j)
+        if j := p.one(that, frozenset({"is", "are"})):
+            for marks, k in adjectives(p, j):
+                if marks and head in ("block", "any", "patch"):
+                    yield Traits(**marks), k
+            for marks, k in of_quality(p, j, head):
+                yield Traits(**marks), k
+            j = p.opt(j, "currently", "already", "initially")
+        start = that
+        while start < p.end and p.words[start] in lexicon.POSTURE | {"currently", "already", "initially"}:
+            start = p.reach(start + 1)
+        if start > that or p.words[that : that + 1] == ["touches"]:
+            yield from _conditions(p, start, loc, comma > i)
+
+
+def _conditions(p: Parser, i: int, loc: Any, asserted: bool) -> Results[tuple[Meaning, ...]]:
+    """Places; after a comma ("..., which is on the patch") they are said of the goal as well."""
+    for first, j in loc(p, i):
+        yield (
+            ((replace(first, mods=(*first.mods, "asserted")),) if asserted and isinstance(first, Loc) else (first,)),
+            j,
+        )
+
+
+def _shown(p: Parser, i: int) -> Results[Traits]:
+    j = p.opt(i, "the", "a", "an")
+    if j < p.end and p.words[j] in _THINGS:
+        kind = _THINGS[p.words[j]]
+        end = p.reach(j + 1)
+        yield Traits(kind=kind), p.any_of(end, ("on them", "on it")) or end
+        for (labels, more), k in label_list(p, end, True):
+            yield Traits(labels=labels, open_ended=more), k
+    for (labels, more), k in label_list(p, j, True):
+        yield Traits(labels=labels, open_ended=more), k

@@ -1,0 +1,93 @@
+"""The nouns of structures: "tower", "ring", "L shape", "shape of a T"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser
+
+_LETTER_SHAPES = frozenset("LTVUX")
+
+
+def noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
+    """The structure's noun: (kind, plural, next)."""
+    found = p.lex(i, lexicon.STRUCTURE)
+    if found is not None and p.tokens[i].kind == "word":
+        kind, plural = found
+        j = (
+            i + 1
+            if kind in ("stack", "pile", "word")
+            else p.opt(i + 1, "shape", "formation", "outline", "pattern", "arrangement", "figure", "sign")
+        )
+        j = p.opt(j, "tower") if kind == "pyramid" else j
+        yield kind, plural, j
+    shape = p.lex(i, lexicon.SHAPE_ADJECTIVE)
+    if shape and (j := p.one(i + 1, _FORMS)):
+        yield shape, False, j
+    if p.words[i : i + 1] in (["cube"], ["cubes"]):
+        yield "cube", p.words[i] == "cubes", p.reach(i + 1)
+    for lead in ("color gradient", "gradient", "rainbow"):
+        if j := p.seq(i, lead):
+            yield "gradient", False, j
+    yield from _letter_shapes(p, i)
+
+
+_FORMS = frozenset(
+    {"shape", "arrangement", "formation", "pattern", "layout", "outline", "figure", "form", "line", "ring"}
+)
+
+
+_TAILS = ("shape", "shapes", "formation", "shaped figure", "shaped structure", "shaped pattern", "shaped arrangement",
+    "figure", "shaped formation",
+          "shaped line", "shaped form", "shaped outline")  # fmt: skip
+
+
+_LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "form of a", "figure of an",
+    "figure of a", "shape of the", "outline of a", "outline of an",
+          "form of the letter", "capital", "figure of the letter", "letter", "shape of capital", "shape of a capital",
+          "shape")  # fmt: skip
+
+
+_FORMING = frozenset({"like", "form", "forms", "make", "draw", "build", "create", "into", "as", "forming", "of"})
+
+
+def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
+    """ "L shape", "shape of a T", "an L"."""
+    letter = _letter_at(p, i)
+    if letter:
+        for tail in _TAILS:
+            if j := p.seq(i + 1, tail):
+                yield letter, tail == "shapes", j
+        if (
+            p.words[i - 1 : i] in (["a"], ["an"])
+            and i > 0
+            and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK)
+            and p.tokens[i].raw.isupper()
+        ):
+            yield letter, False, p.reach(i + 1)
+    for lead in _LEADS:
+        if j := p.seq(i, lead):
+            letter = _letter_at(p, j)
+            if letter and (
+                lead not in ("letter", "the letter")
+                or p.one(j + 1, frozenset({"shape", "formation"}))
+                or p.words[i - 1] == "like"
+                or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
+            ):
+                yield letter, False, p.opt(p.reach(j + 1), "shape", "formation")
+            elif not letter and lead not in ("capital", "letter"):
+                inner = p.lex(j, lexicon.STRUCTURE)
+                if inner:
+                    yield inner[0], False, p.opt(j + 1, "sign", "shape")
+
+
+def _letter_at(p: Parser, i: int) -> str | None:
+    token = p.token(i)
+    if token is None or token.kind not in ("word", "quote", "literal"):
+        return None
+    raw = token.raw.strip("'\"`")
+    letter = raw.upper()
+    if len(raw) != 1 or letter not in _LETTER_SHAPES | {"O"}:
+        return None
+    return "circle" if letter == "O" else letter

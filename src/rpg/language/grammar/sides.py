@@ -1,0 +1,116 @@
+"""Sides and directions: "from left to right", "at the bottom", "third from the left"."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.meaning import At, Meaning, Toward
+
+SIDES = {
+    "left": "left", "right": "right", "top": "top", "bottom": "bottom", "front": "front", "back": "back",
+    "near": "front",
+    "far": "back", "base": "bottom", "ground": "bottom", "rear": "back", "leftmost": "left", "rightmost": "right",
+}  # fmt: skip
+
+
+_OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
+
+
+AXIS = {"left": "y", "right": "y", "front": "x", "back": "x", "top": "z", "bottom": "z"}
+
+
+@rule
+def toward(p: Parser, i: int) -> Results[Meaning]:
+    """ "from left to right", "bottom to top", "from the bottom up", "vertically", "starting from the left"."""
+    j = p.one(i, "from") or i
+    j2 = p.opt(j, "the")
+    first = SIDES.get(p.words[j2]) if j2 < p.end else None
+    if first:
+        k = p.reach(j2 + 1)
+        k = p.opt(k, "side", "end")
+        if e := p.one(k, frozenset({"to", "towards"})):
+            e = p.opt(e, "the")
+            last = SIDES.get(p.words[e]) if e < p.end else None
+            if last == _OPPOSITE[first]:
+                yield Toward(first=first, axis=AXIS[first], span=p.span(i, e + 1)), p.opt(p.reach(e + 1), "side", "end")
+        if j2 > j > i and first in ("left", "right") and p.words[k] not in ("to", "towards"):
+            yield Toward(first=first, axis="y", span=p.span(i, k)), k
+        if p.words[k : k + 1] in (["up"], ["upwards"], ["upward"]) and first == "bottom" and j > i:
+            yield Toward(first="bottom", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
+        if p.words[k : k + 1] in (["down"], ["downwards"], ["downward"]) and first == "top" and j > i:
+            yield Toward(first="top", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
+    for phrase, side, axis in (
+        ("starting from the left", "left", "y"), ("starting at the left", "left", "y"),
+        ("starting from the right", "right", "y"),
+        ("starting from the bottom", "bottom", "z"), ("starting at the bottom", "bottom", "z"),
+        ("starting from the top", "top", "z"),
+        ("starting on the left", "left", "y"), ("starting on the right", "right", "y"),
+        ("starting at the right", "right", "y"),
+        ("starting from the front", "front", "x"), ("starting from the back", "back", "x"),  ("upwards", "bottom", "z"),
+        ("going right", "left", "y"), ("going left", "right", "y"), ("downwards", "top", "z"),
+        ("going down", "top", "z"), ("bottom up", "bottom", "z"), ("top down", "top", "z"),
+        ("upward", "bottom", "z"), ("starting at the top", "top", "z"), ("starting at the front", "front", "x"),
+        ("starting with the bottom", "bottom", "z"),
+        ("from near to far", "front", "x"), ("from far to near", "back", "x"), ("away from the robot", "front", "x"),
+        ("towards the robot", "back", "x"),
+    ):  # fmt: skip
+        if k := p.seq(i, phrase):
+            yield Toward(first=side, axis=axis, span=p.span(i, k)), k
+    for phrase, axis in (("horizontally", "y"), ("vertically", "z"), ("upright", "z"), ("along the y axis", "y"),
+        ("along the x axis", "x"),
+                         ("across the table", "y"), ("lengthwise", "x")):  # fmt: skip
+        if k := p.seq(i, phrase):
+            yield Toward(axis=axis, span=p.span(i, k)), k
+
+
+_WHOLES = (
+    ("row", "row"),
+    ("line", "row"),
+    ("column", "row"),
+    ("stack", "stack"),
+    ("tower", "stack"),
+    ("pile", "stack"),
+    ("pyramid", "pyramid"),
+)
+
+
+_EXTREMES = {
+    "leftmost": "left", "rightmost": "right", "topmost": "top", "bottommost": "bottom", "nearest": "front",
+    "frontmost": "front", "farthest": "back",
+}  # fmt: skip
+_LEADS = (
+    "at the very", "on the very", "at the", "on the", "in the", "to the", "at", "on", "as the", "as", "being the", "in",
+    "forming the",
+)  # fmt: skip
+_TAILS = ("end", "side", "most", "layer", "layers", "position", "level", "hand", "block", "spot", "place")
+_FLAT = (("row", "row"), ("line", "row"), ("column", "row"))
+_MIDDLES = {"middle": "middle", "center": "middle"}
+
+
+@rule
+def at(p: Parser, i: int) -> Results[Meaning]:
+    """A place within the structure: "at the bottom", "in the middle", "on the left", "third from the left"."""
+    if j := p.any_of(i, _LEADS):
+        yield from _inside(p, i, j)
+    for word, side in _EXTREMES.items():
+        if k := p.one(p.opt(i, "the"), word):
+            yield At(side=side, span=p.span(i, k)), k
+    ordinal = p.lex(i, lexicon.ORDINAL)
+    for side in ("left", "right", "bottom", "top") if ordinal else ():
+        if k := p.any_of(i + 1, (f"from the {side}", f"from {side}")):
+            yield At(side=side, index=ordinal, span=p.span(i, k)), k
+
+
+def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
+    word = p.words[j] if j < p.end else ""
+    side = {**SIDES, **_MIDDLES}.get(word)
+    if side and word not in ("ground", "near", "far"):
+        k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")
+        for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
+            if end := p.any_of(k, (f"of the {noun}", f"of this {noun}", f"of that {noun}")):
+                yield At(side=side, whole=whole, span=p.span(i, end)), end
+        of_it = p.seq(k, "of it") if side in ("top", "bottom", "middle") else 0
+        yield At(side=side, span=p.span(i, k)), of_it or k
+    counted = word in ("first", "last", *lexicon.ORDINAL)
+    if counted and (k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))):
+        yield At(side="first", index=lexicon.ORDINAL.get(word, -1), span=p.span(i, k)), k

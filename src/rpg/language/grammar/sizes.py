@@ -1,0 +1,135 @@
+"""Sizes of structures: "3x3", "three blocks high", "with 3 rows and 4 columns", "whose base is 3 by 3"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar import amounts
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.meaning import Size
+
+_BY = frozenset({"by", "x", "times"})
+_BLOCKS = ("block", "blocks", "cube", "cubes", "level", "levels", "layer", "layers")
+_UNITS = {
+    "high": "high", "tall": "high", "in height": "high", "long": "long", "in length": "long", "wide": "wide",
+    "in width": "wide", "across": "wide",
+    "deep": "deep", "in a row": "long",
+}  # fmt: skip
+_PARTS = {
+    "steps": "steps", "step": "steps", "stairs": "steps", "levels": "layers", "layers": "layers", "tiers": "layers",
+    "stories": "layers", "floors": "layers",
+    "rows": "rows", "columns": "columns", "layer": "layers", "row": "rows", "column": "columns",
+}  # fmt: skip
+_BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom row", "ground floor")
+
+
+@rule
+def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
+    """ "3x3", "3 by 3 by 3", "two by four"."""
+    token = p.token(i)
+    if token is not None and token.kind == "dims" and isinstance(token.value, tuple):
+        yield token.value, p.reach(i + 1)
+    first = p.number(i)
+    if first is None or not p.one(i + 1, _BY):
+        return
+    second = p.number(i + 2)
+    if second is None:
+        return
+    third = p.number(i + 4) if p.one(i + 3, _BY) else None
+    if third is not None:
+        yield (first, second, third), i + 5
+    yield (first, second), i + 3
+
+
+@rule
+def size_phrase(p: Parser, i: int) -> Results[Size]:
+    """One statement of size after the noun."""
+    j = p.opt(i, ",", "and", "but")
+    j = (
+        p.any_of(
+            j,
+            (
+                "that is",
+                "which is",
+                "that are",
+                "each",
+                "all",
+                "of which each is",
+                "each of them",
+                "with a size of",
+                "of size",
+                "measuring",
+                "it is",
+            ),
+        )
+        or j
+    )
+    for found, k in amounts.amount(p, j):
+        k = p.opt(k, *_BLOCKS)
+        for unit, what in _UNITS.items():
+            if end := p.seq(k, unit):
+                yield Size(what=what, amount=found, span=p.span(i, end)), end
+    for dims, k in dimensions(p, j):
+        yield (
+            Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),
+            p.any_of(k, ("in size", "blocks", "cubes")) or k,
+        )
+    yield from _led(p, i, j)
+
+
+_MEASURES = (
+    ("of height", "high"), ("with height", "high"), ("with a height of", "high"), ("of length", "long"),
+    ("with a length of", "long"), ("of size", "size"), ("with a width of", "wide"), ("of width", "wide"),
+    ("in height", "high"),
+)  # fmt: skip
+_WITH = (
+    "with", "of", "having", "that has", "which has", "that have", "containing", "in", "whose", "has", "on",
+    "with each side", "the",
+)  # fmt: skip
+_COUNTED = (
+    (("block base", "blocks base", "cube base", "wide base", "block wide base", "base", "blocks wide base",
+      "blocks wide bottom"), "base", 0),
+    (("blocks each", "cubes each", "blocks per row", "blocks in each row", "cubes per row", "per row",
+      "blocks in every row", "each"), "columns", 0),
+    (("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side",
+      "per side", "cubes on each side"), "side", 0),
+    (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",
+      "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
+      "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
+)  # fmt: skip
+
+
+def _led(p: Parser, i: int, j: int) -> Results[Size]:
+    """After "with", "of", "having"."""
+    for lead, what in _MEASURES:
+        for found, k in amounts.amount(p, p.seq(i, lead)) if p.seq(i, lead) else ():
+            yield Size(what=what, amount=found, span=p.span(i, k)), p.opt(k, *_BLOCKS)
+    k = p.any_of(j, _WITH) or (j if j > i else 0)
+    if not k:
+        return
+    k = p.opt(k, "a", "an", "the", "its")
+    for found, e in amounts.amount(p, k):
+        for part, what in _PARTS.items():
+            if end := p.one(e, part):
+                yield Size(what=what, amount=found, span=p.span(i, end)), end
+        for phrases, what, cost in _COUNTED:
+            if end := p.any_of(e, phrases):
+                yield Size(what=what, amount=found, span=p.span(i, end), cost=cost), end
+    for dims, e in dimensions(p, k):
+        if end := p.any_of(p.opt(e, "block", "blocks"), _BASES):
+            yield Size(what="base", dims=dims, span=p.span(i, end)), end
+    if e := p.any_of(k, ("side of", "sides of", "side length of", "sides")):
+        for found, m in amounts.amount(p, e):
+            yield Size(what="side", amount=found, span=p.span(i, m)), p.opt(m, *_BLOCKS)
+    yield from _based(p, i, k)
+
+
+def _based(p: Parser, i: int, k: int) -> Results[Size]:
+    """ "base of 3 blocks", "base is 3 x 3"."""
+    e = p.any_of(k, _BASES)
+    e = p.any_of(e, ("of", "is", "that is", "which is", "being", "should be")) if e else 0
+    if not e:
+        return
+    for dims, m in dimensions(p, e):
+        yield Size(what="base", dims=dims, span=p.span(i, m)), p.opt(m, *_BLOCKS)
+    for found, m in amounts.amount(p, e):
+        m = p.opt(p.opt(m, "horizontal"), *_BLOCKS)
+        yield Size(what="base", amount=found, span=p.span(i, m)), p.opt(m, "wide")

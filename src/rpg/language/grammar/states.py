@@ -1,0 +1,306 @@
+"""States: "the red block is on ...", "both blocks are blue", "the blocks form a circle"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.adjectives import adjectives, of_quality
+from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import label_list, literal
+from rpg.language.grammar.manners import direction, manner
+from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.verbs import PARTICLES, ever, spell, with_theme
+from rpg.language.meaning import (
+    At,
+    Clause,
+    Coord,
+    In,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+    Using,
+)
+
+_MODALS = frozenset(
+    {
+        "should",
+        "must",
+        "shall",
+        "will",
+        "would",
+        "can",
+        "could",
+        "may",
+        "might",
+        "need",
+        "needs",
+        "has",
+        "have",
+        "ought",
+        "does",
+        "do",
+    }
+)
+
+
+_NOT = frozenset({"not", "never"})
+
+
+_BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
+
+
+@rule
+def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
+    inverted = p.one(i, _BE)
+    asked = p.one(i, _ASKING)
+    for theme, j in noun_phrase(p, inverted or asked or i):
+        j = p.opt(j, "all", "each", "both", "then")
+        k, words = _auxiliaries(p, j)
+        negated = bool(words & _NOT)
+        if inverted:
+            yield from _predicate(p, i, j, theme, mode, False)
+            continue
+        readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
+        for phrase in _STARTS:
+            if s := p.seq(k, phrase):
+                readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
+        for found, end in readings:
+            lasting = bool(words & {"never", "always"})
+            yield (ever(found, lasting) if isinstance(found, Clause) else found), end
+
+
+_ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
+
+
+_STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
+    "start out", "initially is", "initially sits",
+           "starts the episode")  # fmt: skip
+
+
+_FILLERS = frozenset(
+    {
+        "to",
+        "also",
+        "only",
+        "all",
+        "always",
+        "both",
+        "each",
+        "ever",
+        "end",
+        "ends",
+        "gets",
+        "get",
+        "up",
+        "then",
+        "still",
+        "just",
+        "simply",
+    }
+)
+
+
+_ADVERBS = frozenset(
+    {
+        "all",
+        "both",
+        "each",
+        "also",
+        "still",
+        "now",
+        "currently",
+        "already",
+        "initially",
+        "being",
+        "originally",
+        "be",
+        "always",
+        "then",
+        "only",
+        "going",
+    }
+)
+
+
+def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
+    words: set[str] = set()
+    while j < p.end and p.words[j] in _MODALS | _FILLERS | _NOT:
+        if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
+            break
+        if p.words[j] == "to" and p.words[j + 1] == "the":
+            break
+        words.add(p.words[j])
+        j = p.reach(j + 1)
+    return j, words
+
+
+def _predicate_after_be(
+    p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool
+) -> list[tuple[Meaning, int]]:
+    if j := p.one(k, _BE):
+        if p.words[k] in ("was", "were"):
+            mode = "start"
+        lasting = False
+        while n := p.one(j, _NOT | _ADVERBS) or p.seq(j, "to be"):
+            negated = negated or p.words[j] in _NOT
+            lasting = lasting or p.words[j] in ("always", "never")
+            if p.words[j] in ("currently", "already", "initially", "originally"):
+                mode = "start"
+            j = n
+        readings = list(_predicate(p, i, j, theme, mode, negated))
+        return [(ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
+    if k < p.end and p.words[k] in lexicon.POSTURE:
+        if p.words[k] in ("stay", "stays", "remain", "remains") and (
+            still := p.any_of(k + 1, ("put", "untouched", "in place", "unmoved"))
+        ):
+            manner_ = Manner(kind="stay", span=p.span(k, still))
+            return [(Clause(verb="be", theme=theme, adjuncts=(manner_,), mode=mode, span=p.span(i, still)), still)]
+        lasting = p.words[k] in ("stays", "stay", "remains", "remain", "staying", "remaining")
+        readings = list(_predicate(p, i, p.reach(k + 1), theme, mode, negated))
+        return [(_stays(c) if lasting and isinstance(c, Clause) else c, e) for c, e in readings]
+    if p.words[k - 1 : k] == ["up"] or any(True for _ in manner(p, k)) or p.words[k - 1 : k] in (["always"], ["never"]):
+        return list(_predicate(p, i, k, theme, mode, negated))
+    return []
+
+
+def _stays(found: Clause) -> Clause:
+    """ "stays on the patch": there from the start on; "stays empty" is about the end."""
+    placed = any(isinstance(a, Loc | In) for a in found.adjuncts)
+    return ever(found, placed)
+
+
+def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+    senses = p.lex(j, lexicon.VERB)
+    for sense, lemma, form in senses or ():
+        if form == "past" or (form == "base" and lemma in ("put", "set", "spread", "split")):
+            end_particle = p.opt(j + 1, *PARTICLES) if p.words[j] not in ("put", "placed") else j + 1
+            for at_ in dict.fromkeys((j + 1, end_particle)):
+                for found, k in adjuncts(p, at_):
+                    if (
+                        found
+                        or sense in ("swap", "stack", "keep")
+                        or (negated and lemma in ("move", "touch", "disturb", "shift"))
+                    ):
+                        yield (
+                            Clause(
+                                verb=sense,
+                                lemma=lemma,
+                                theme=theme,
+                                adjuncts=found,
+                                negated=negated,
+                                mode=mode,
+                                span=p.span(i, k),
+                                word=p.span(j, j + 1),
+                            ),
+                            k,
+                        )
+    start = j
+    if j < p.end and p.words[j] in lexicon.POSTURE:
+        start = p.reach(j + 1)
+    for found, k in adjuncts(p, start):
+        if found:
+            yield (
+                Clause(
+                    verb="be",
+                    theme=theme,
+                    adjuncts=found,
+                    negated=negated,
+                    mode=mode,
+                    span=p.span(i, k),
+                    word=p.span(j, j + 1),
+                ),
+                k,
+            )
+    head = theme.head if isinstance(theme, Noun) else "block"
+    for marks, k in adjectives(p, j):
+        if set(marks) == {"rank"} and marks["rank"] in ("top", "bottom", "left", "right", "front", "back", "middle"):
+            side = At(side=marks["rank"], span=p.span(j, k))
+            yield Clause(verb="be", theme=theme, adjuncts=(side,), negated=negated, mode=mode, span=p.span(i, k)), k
+        elif marks and "rank" not in marks:
+            quality = Quality(traits=Traits(**marks), span=p.span(j, k))
+            yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+    for marks, k in of_quality(p, j, head):
+        quality = Quality(traits=Traits(**marks), span=p.span(j, k))
+        yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+
+
+def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+    """ "the blocks form a ring", "the cubes spell CAT", "the red block touches the blue one", "it faces left"."""
+    using = Using(members=theme, span=theme.span)
+    for sense, lemma, form in p.lex(k, lexicon.VERB) or ():
+        if form in ("base", "s") and lemma in ("form", "make", "spell", "build", "create", "compose"):
+            if sense == "spell":
+                readings = list(spell(p, i, k + 1, lemma))
+            else:
+                readings = [
+                    r for r in with_theme(p, i, k + 1, sense, lemma) if isinstance(r[0].theme, Structure | Coord)
+                ]
+            for found, end in readings:
+                yield replace(found, adjuncts=(using, *found.adjuncts), negated=negated, mode=mode), end
+    if (
+        j := p.any_of(
+            k,
+            (
+                "swap places",
+                "swap positions",
+                "trade places",
+                "change places",
+                "exchange places",
+                "switch places",
+                "be swapped",
+                "exchange positions",
+                "swap",
+                "switch positions",
+            ),
+        )
+    ) and not negated:
+        yield Clause(verb="swap", lemma="swap", theme=theme, mode=mode, span=p.span(i, j)), j
+    if j := p.one(k, frozenset({"touch", "touches"})):
+        for other, end in noun_phrase(p, j):
+            touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
+            yield (
+                Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end)),
+                end,
+            )
+        touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
+        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
+    if j := p.one(k, frozenset({"face", "faces", "point", "points"})):
+        for side, end in direction(p, j):
+            faced = Manner(kind="facing", value=side, span=p.span(k, end))
+            yield (
+                Clause(verb="be", theme=theme, adjuncts=(faced,), negated=negated, mode=mode, span=p.span(i, end)),
+                end,
+            )
+    if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says", "spell", "spells"})):
+        yield from _reads(p, i, j, theme, mode)
+    if j := p.one(k, frozenset({"have", "has"})):
+        for traits, end in ((m, e) for m, e in of_quality(p, j - 1, "block")):
+            quality = Quality(traits=Traits(**traits), span=p.span(k, end))
+            yield Clause(verb="be", theme=theme, adjuncts=(quality,), mode=mode, span=p.span(i, end)), end
+
+
+def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
+    using = Using(members=theme, span=theme.span)
+    text = literal(p, j)
+    if text is not None and len(text) > 1:
+        word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
+        for found, end in adjuncts(p, j + 1):
+            yield Clause(verb="spell", theme=word, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+    for (labels, more), k in label_list(p, j, True):
+        named = Noun(
+            head="block", plural=len(labels) > 1, traits=Traits(labels=labels, open_ended=more), span=p.span(j, k)
+        )
+        for found, end in adjuncts(p, k):
+            yield Clause(verb="read", theme=named, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+    for other, k in noun_phrase(p, j):
+        if isinstance(other, Structure) and other.kind in ("word", "equation"):
+            for found, end in adjuncts(p, k):
+                yield Clause(verb="spell", theme=other, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end

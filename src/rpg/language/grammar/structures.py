@@ -1,0 +1,343 @@
+"""Structures as noun phrases: towers, rows, grids, figures, words, equations, with their sizes and members."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from rpg.core.diagnostics import Span
+from rpg.language import lexicon
+from rpg.language.grammar import amounts
+from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, merge
+from rpg.language.grammar.amounts import Quantity
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.equations import equation
+from rpg.language.grammar.labels import literal
+from rpg.language.grammar.lists import listed
+from rpg.language.grammar.shapes import noun
+from rpg.language.grammar.sizes import dimensions, size_phrase
+from rpg.language.meaning import (
+    Amount,
+    Coord,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pattern,
+    Pronoun,
+    Size,
+    Spacing,
+    Structure,
+    Traits,
+)
+
+_MODIFIERS = {
+    "straight": {}, "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
+    "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
+    "simple": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {}, "upright": {"upright": True},
+    "single file": {}, "standing": {"upright": True}, "tall": {}, "long": {}, "closed": {}, "proper": {},
+    "full": {"filled": True},
+    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
+    "big": {}, "huge": {}, "large": {}, "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
+    "addition": {}, "small": {},
+    "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
+}  # fmt: skip
+
+
+_OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
+
+
+_NOWHERE = (0, 0)
+
+
+_DETAILS: dict[str, OrderBy | Spacing | Manner] = {
+    "equally tall": Manner(kind="equal", span=_NOWHERE), "equal": Manner(kind="equal", span=_NOWHERE),
+    "equally high": Manner(kind="equal", span=_NOWHERE),
+    "alternating": OrderBy(by="alternating", span=_NOWHERE), "symmetric": OrderBy(by="mirrored", span=_NOWHERE),
+    "symmetrical": OrderBy(by="mirrored", span=_NOWHERE), "mirrored": OrderBy(by="mirrored", span=_NOWHERE),
+    "alphabetical": OrderBy(by="label", span=_NOWHERE), "alphabetically sorted": OrderBy(by="label", span=_NOWHERE),
+    "palindromic": OrderBy(by="mirrored", span=_NOWHERE),
+    "rainbow": OrderBy(by="rainbow", span=_NOWHERE), "touching": Spacing(kind="touching", span=_NOWHERE),
+    "tight": Spacing(kind="touching", span=_NOWHERE),
+    "evenly spaced": Spacing(kind="even", span=_NOWHERE), "equally spaced": Spacing(kind="even", span=_NOWHERE),
+    "gapless": Spacing(kind="touching", span=_NOWHERE),
+    "sorted": OrderBy(by="in_order", span=_NOWHERE), "ordered": OrderBy(by="in_order", span=_NOWHERE),
+    "numerical": OrderBy(by="number", span=_NOWHERE),
+}  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Before:
+    """What stood in front of the structure's noun."""
+
+    marks: Marks = EMPTY
+    sizes: tuple[Size, ...] = ()
+    dims: tuple[int, ...] = ()
+    upright: bool | None = None
+    filled: bool | None = None
+    operator: str | None = None
+    details: tuple[Meaning, ...] = ()
+
+
+@rule
+def structure(p: Parser, i: int) -> Results[Meaning]:
+    """A structure with its determiner, sizes, members."""
+    for quantity, j in _quantities(p, i):
+        for before, k in _before(p, j):
+            yield from _kinds(p, i, k, quantity, before)
+
+
+def _quantities(p: Parser, i: int) -> Iterator[tuple[Quantity, int]]:
+    yield from ((q, j) for q, j in amounts.quantity(p, i) if not q.partitive)
+    yield Quantity("bare"), i
+
+
+@rule
+def _before(p: Parser, i: int) -> Results[_Before]:
+    """Adjectives, sizes and member nouns before the structure's noun."""
+    yield _Before(), i
+    for first, j in _piece(p, i):
+        j = p.opt(j, ",") if p.words[j : j + 1] == [","] and any(True for _ in _piece(p, j + 1)) else j
+        for rest, k in _before(p, j):
+            both = _join(first, rest)
+            if both is not None:
+                yield both, k
+
+
+def _join(a: _Before, b: _Before) -> _Before | None:
+    marks = merge(a.marks, b.marks)
+    if marks is None or (a.sizes and b.sizes) or (a.dims and b.dims):
+        return None
+    return _Before(
+        marks, a.sizes or b.sizes, a.dims or b.dims,
+        a.upright if a.upright is not None else b.upright,
+        a.filled if a.filled is not None else b.filled, a.operator or b.operator, (*a.details, *b.details),
+    )  # fmt: skip
+
+
+_BEFORE_UNITS = {
+    "block high": "high", "blocks high": "high", "block tall": "high", "blocks tall": "high", "block long": "long",
+    "high": "high", "tall": "high",
+    "block": "size", "blocks": "size", "cube": "size", "cubes": "size", "level": "layers", "layer": "layers",
+    "step": "steps", "story": "layers",
+    "tier": "layers", "letter": "size", "stepped": "steps", "tiered": "layers", "layered": "layers", "digit": "size",
+    "block wide": "wide",
+    "blocks wide": "wide", "brick": "size", "item": "size", "wide": "wide",
+}  # fmt: skip
+
+
+def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
+    for phrase, update in _MODIFIERS.items():
+        if j := p.seq(i, phrase):
+            yield (
+                _Before(upright=update.get("upright"), filled=update.get("filled"), operator=_OPERATORS.get(phrase)),
+                j,
+            )
+    for word, detail in _DETAILS.items():
+        if j := p.seq(i, word):
+            yield _Before(details=(replace(detail, span=p.span(i, j)),)), j
+    for found, j in dimensions(p, i):
+        for end in dict.fromkeys((j, p.opt(j, "block", "cube", "based"))):
+            yield _Before(dims=found), end
+    for n, j in amounts.count(p, i):
+        for unit, what in _BEFORE_UNITS.items():
+            if k := p.seq(j, unit):
+                yield _Before(sizes=(Size(what=what, amount=Amount(n, n), span=p.span(i, k)),)), k
+    for marks, j in adjective(p, i):
+        if "labels" not in marks and ("rank" not in marks or marks["rank"] in ("left", "right")):
+            yield _Before(marks=Marks({k: v for k, v in marks.items() if k not in ("target", "long")})), j
+    if p.lex(i, lexicon.BLOCK) is not None:
+        yield _Before(), i + 1
+
+
+def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Results[Meaning]:
+    for kind, plural, k in noun(p, j):
+        if (
+            kind == "cube"
+            and len(before.dims) != 3
+            and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "with", ","))
+        ):
+            continue
+        if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
+            continue
+        operator = before.operator or (_OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
+        base = Structure(
+            kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
+            traits=Traits(**before.marks), filled=before.filled, upright=before.upright, letter=operator,
+            details=before.details,
+            span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
+        )  # fmt: skip
+        yield from _tail(p, i, k, base)
+    for text, k in equation(p, j):
+        yield Structure(kind="equation", det="the", letter=text, span=p.span(j, k)), k
+
+
+def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
+    """What follows the noun: "of three green blocks", "three blocks high", "with a 3x3 base", a word in quotes."""
+    if base.kind == "word":
+        text = literal(p, p.opt(p.any_of(j, (", namely", "namely", ", for example", "such as")) or j, ":"))
+        if text is not None:
+            end = p.opt(p.any_of(j, (", namely", "namely", ", for example", "such as")) or j, ":") + 1
+            yield replace(base, letter=text, span=p.span(i, end)), end
+        elif base.det != "the":
+            yield base, j
+        return
+    if base.kind == "equation":
+        for text, k in equation(p, p.opt(j, ":")):
+            yield replace(base, letter=text, span=p.span(i, k)), k
+    for pattern, k in per_color(p, j):
+        base = replace(base, plural=True, details=(*base.details, pattern))
+        yield from _sized_members(p, i, k, base)
+        return
+    yield from _sized_members(p, i, j, base)
+
+
+def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
+    for sized, k in _sized(p, i, j, base):
+        yield sized, k
+        for whole, end in _members(p, i, k, sized):
+            yield whole, end
+            yield from _one_each(p, i, end, whole)
+            yield from _sided(p, i, end, whole)
+            yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
+        if base.kind in ("stack", "row", "line", "column", "grid", "square", "cube", "wall", "word"):
+            yield from _sided(p, i, k, sized)
+        if base.kind in ("stack", "row", "line", "column"):
+            for items, end in listed(p, p.opt(k, ":", ",")):
+                given = OrderBy(by="named", items=items, span=p.span(k, end))
+                yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
+
+
+def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
+    from rpg.language.grammar.absolutes import sided
+
+    if p.words[k : k + 1] and p.words[k] in ("with", ",", "having", "where", ":", "whose"):
+        for detail, end in sided(p, k):
+            yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
+
+
+def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "two towers ..., one red and one blue"."""
+    if not base.plural or not p.one(k, ","):
+        return
+    found: list[str] = []
+    at = p.one(k + 1, "one")
+    while at and at < p.end and p.words[at] in lexicon.COLOR:
+        found.append(lexicon.COLOR[p.words[at]])
+        after = p.reach(at + 1)
+        if len(found) > 1:
+            pattern = Pattern(unit="stack", span=p.span(k, after))
+            yield _painted(base, tuple(found), pattern, p.span(i, after)), after
+        nxt = p.opt(p.opt(after, ","), "and")
+        at = p.any_of(nxt, ("one", "the other", "another", "the third")) if nxt > after else 0
+
+
+def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: Span) -> Structure:
+    members = base.members
+    if isinstance(members, Noun) and not members.traits.colors:
+        members = replace(members, traits=replace(members.traits, colors=colors))
+    return replace(base, members=members, details=(*base.details, pattern), span=span)
+
+
+@rule
+def per_color(p: Parser, i: int) -> Results[Pattern]:
+    """ "per colour", "for each colour"."""
+    if j := p.any_of(i, ("per color", "for each color", "for every color", "of each color")):
+        yield Pattern(unit="stack", span=p.span(i, j)), j
+
+
+@rule
+def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
+    yield base, j
+    if len(base.sizes) > 3:
+        return
+    if k := p.any_of(
+        j,
+        (
+            "with nothing in the middle",
+            "with nothing inside",
+            "with an empty center",
+            "with an empty middle",
+            "with a hole in the middle",
+            ", hollow",
+            ", empty inside",
+            "that is hollow",
+            ", just the outline",
+            ", outline only",
+        ),
+    ):
+        yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
+    if k := p.any_of(
+        j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
+    ):
+        yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
+    for size, k in size_phrase(p, j):
+        changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
+        yield from _sized(p, i, k, changed)
+
+
+_OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
+    "built of", "formed by", "formed of", "comprising",
+       "containing", "using", "constructed from", "out of", "built with", "made with", "with only", "from",
+       "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
+
+
+def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
+    from rpg.language.grammar.nouns import noun_phrase
+
+    k = p.any_of(j, _OF)
+    if not k:
+        return
+    for start in dict.fromkeys((k, p.one(k, "each"))):
+        if not start:
+            continue
+        for members, end in noun_phrase(p, start):
+            if isinstance(members, Structure) or (
+                isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)
+            ):
+                continue
+            counted = (
+                members_amount(members) is not None
+                and base.plural
+                and (
+                    (p.words[k - 1] == "of" and p.words[j] != "out")
+                    or p.words[k - 1] in ("with", "containing")
+                    or p.one(end, frozenset({"each", "apiece"})) > 0
+                )
+            )
+            listed_ = replace(base, members=members, span=p.span(i, end), each_size=counted)
+            yield (
+                listed_,
+                (
+                    (
+                        p.any_of(
+                            end,
+                            (
+                                "each",
+                                "apiece",
+                                "in each one",
+                                "in each",
+                                "in each of them",
+                                "in every one",
+                                "per tower",
+                                "in each tower",
+                                "per stack",
+                                "in each stack",
+                            ),
+                        )
+                        or end
+                    )
+                    if base.plural
+                    else end
+                ),
+            )
+    if not base.sizes and not base.plural:
+        for found, end in amounts.amount(p, k):
+            size = Size(what="size", amount=found, span=p.span(k, end))
+            yield replace(base, sizes=(size,), span=p.span(i, end), cost=base.cost + 1), end
+
+
+def members_amount(members: Meaning) -> Amount | None:
+    """The number that a members phrase gives."""
+    return getattr(members, "amount", None)

@@ -1,0 +1,155 @@
+"""Verbs with their themes and adjuncts, in commands and after "without"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.adjectives import adjectives
+from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import literal
+from rpg.language.grammar.manners import direction
+from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    Loc,
+    Manner,
+    Meaning,
+    Pronoun,
+    Quality,
+    Structure,
+    That,
+    Traits,
+    Using,
+)
+
+PARTICLES = ("up", "out", "down", "together", "over", "around", "apart", "back", "off", "away", "aside")
+
+
+def ever(found: Clause, never: bool) -> Clause:
+    """ "never": at no time, not only at the end."""
+    if not never:
+        return found
+    return replace(found, adjuncts=(*found.adjuncts, Manner(kind="always", span=found.span)))
+
+
+@rule
+def gerund_single(p: Parser, i: int) -> Results[Clause]:
+    """ "putting the red block on ..." after "before"."""
+    yield from verb_phrase(p, i, ("ing",))
+
+
+@rule
+def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Results[Clause]:
+    """A verb in one of `forms`, its particle, theme and adjuncts."""
+    senses = p.lex(i, lexicon.VERB)
+    if senses is None or p.tokens[i].kind != "word":
+        return
+    for sense, lemma, form in senses:
+        if form in forms:
+            for particle in dict.fromkeys((p.opt(i + 1, *PARTICLES), i + 1)):
+                yield from with_theme(p, i, particle, sense, lemma)
+
+
+def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+    word = p.span(i, i + 1)
+    if sense == "spell":
+        yield from spell(p, i, j, lemma)
+        return
+    if sense == "turn":
+        yield from _turn(p, i, j, lemma)
+    if sense == "swap":
+        j = p.any_of(j, ("the positions of", "the places of", "the locations of", "positions of", "places of")) or j
+    for theme, k in noun_phrase(p, j):
+        k = p.opt(k, "places", "positions") if sense == "swap" else k
+        k = p.opt(
+            k, *(("up", "out", "down", "back") if sense in ("pick", "stack", "arrange", "place", "unstack") else ())
+        )
+        if sense == "use":
+            yield from _use(p, i, k, theme)
+        if sense in ("keep", "build") and lemma in ("keep", "leave", "make"):
+            for marks, end in adjectives(p, k):
+                if marks:
+                    quality = Quality(traits=Traits(**marks), span=p.span(k, end))
+                    yield Clause(verb="be", theme=theme, adjuncts=(quality,), span=p.span(i, end), word=word), end
+        after = [(f, e) for f, e in adjuncts(p, k + 1) if f] if p.words[k : k + 1] == [","] else []
+        for found, end in [*adjuncts(p, k), *after]:
+            yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=word), end
+    if sense in ("stack", "build", "arrange", "sort", "place"):
+        for found, end in adjuncts(p, j):
+            if found:
+                yield Clause(verb=sense, lemma=lemma, adjuncts=found, span=p.span(i, end), word=word, cost=1), end
+
+
+def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+    """ "use eight blocks to form a circle"."""
+    j = p.any_of(k, ("to", "and", "in order to", "for"))
+    if not j:
+        return
+    for inner, end in verb_phrase(p, j, ("base", "ing")):
+        using = Using(members=theme, span=theme.span)
+        yield replace(inner, adjuncts=(using, *inner.adjuncts), span=p.span(i, end)), end
+
+
+def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "spell CAT with letter blocks", "spell the word 'ROBOT'", "spell a word"."""
+    j = p.opt(j, "out")
+    text = literal(p, j)
+    themes: list[tuple[Meaning, int]] = []
+    if text is not None:
+        themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
+    themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
+    for theme, k in themes:
+        for found, end in adjuncts(p, k):
+            clause_ = Clause(
+                verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=p.span(i, i + 1)
+            )
+            yield clause_, end
+
+
+def _turn(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "turn the A block to face left"."""
+    for theme, k in noun_phrase(p, j):
+        for side, end in direction(p, k):
+            faced = Manner(kind="facing", value=side, span=p.span(k, end))
+            for found, last in adjuncts(p, end):
+                yield (
+                    Clause(
+                        verb="turn",
+                        lemma=lemma,
+                        theme=theme,
+                        adjuncts=(faced, *found),
+                        span=p.span(i, last),
+                        word=p.span(i, i + 1),
+                    ),
+                    last,
+                )
+
+
+@rule
+def gerund_clause(p: Parser, i: int) -> Results[Chain]:
+    """ "moving the red block", "touching anything else" after "without" and "while"."""
+    for found, j in verb_phrase(p, i, ("ing", "base")):
+        yield Chain(clauses=(found,), links=("and",), span=p.span(i, j)), j
+        for joint in ("or", "and"):
+            if k := p.one(j, joint):
+                for more, end in verb_phrase(p, k, ("ing", "base")):
+                    yield Chain(clauses=(found, more), links=("and", "and"), span=p.span(i, end)), end
+
+
+@rule
+def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
+    """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
+    for theme, j in noun_phrase(p, i) if before.adjuncts else ():
+        for found, k in adjuncts(p, j):
+            if found and not isinstance(found[0], That):
+                cost = 2 if before.verb in ("build", "spell", "sort") and not isinstance(theme, Structure) else 0
+                yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
+    if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
+        for found, k in adjuncts(p, i):
+            if found and isinstance(found[0], Loc):
+                it = Pronoun(word="same", span=before.theme.span)
+                verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
+                yield replace(before, verb=verb, theme=it, adjuncts=found, span=p.span(i, k), cost=1), k

@@ -1,0 +1,144 @@
+"""Tokens -> sentences -> their readings, cheapest first; where the reading stops, a diagnostic says so."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.language.grammar.chains import chain
+from rpg.language.grammar.clauses import tail
+from rpg.language.grammar.core import Parser, TooMuchWork
+from rpg.language.meaning import Chain, cost_of
+from rpg.language.tokens import Token
+
+MAX_KEPT = 24
+_ENDS = frozenset({".", "!", "?"})
+_THEN = (
+    "and then",
+    "then",
+    "after that",
+    "afterwards",
+    "finally",
+    "next",
+    "lastly",
+    "subsequently",
+    "thereafter",
+    "second",
+    "third",
+    "secondly",
+    "thirdly",
+    "after this",
+)
+
+_EARLIER = (
+    "before that",
+    "but before that",
+    "beforehand",
+    "but first",
+    "before this",
+    "before doing so",
+    "before you do that",
+)
+
+
+@dataclass(frozen=True)
+class Sentence:
+    """A sentence with its readings. `link` "then": it follows the one before in time."""
+
+    link: str
+    readings: tuple[Chain, ...]
+
+
+def split(tokens: list[Token]) -> list[list[Token]]:
+    """Sentences; semicolons end one too, and so do brackets, whose inside is a sentence of its own."""
+    out: list[list[Token]] = [[]]
+    for index, token in enumerate(tokens):
+        ends = token.word in _ENDS or token.word == ";"
+        if ends and token.kind == "punct":
+            if (
+                token.word == "."
+                and out[-1]
+                and len(out[-1]) == 1
+                and out[-1][0].kind == "number"
+                and index + 1 < len(tokens)
+            ):
+                out[-1] = []
+                continue
+            out.append([])
+        else:
+            out[-1].append(token)
+    return [s for s in out if s]
+
+
+def read_sentences(tokens: list[Token]) -> list[Sentence]:
+    """Every sentence of an instruction with its readings."""
+    sentences = [read_sentence(part) for part in split(tokens)]
+    if not sentences:
+        raise Refusal(
+            [
+                Diagnostic(
+                    code="no-words",
+                    message="there are no words in this",
+                    hint="say what should be done with which blocks",
+                    origin="schema",
+                )
+            ]
+        )
+    return sentences
+
+
+def read_sentence(tokens: list[Token]) -> Sentence:
+    """The readings of one sentence, cheapest first."""
+    p = Parser(tokens)
+    start = p.opt(0, ",", ":")
+    link = "and"
+    if p.words[start : start + 1] == ["step"] and (step := p.number(start + 1)) is not None:
+        start = p.opt(start + 2, ":", ",", "-")
+        link = "then" if step > 1 else "and"
+    for phrase in _EARLIER:
+        if j := p.seq(start, phrase):
+            link, start = "before", p.opt(j, ",", ":")
+            break
+    for phrase in _THEN:
+        if (j := p.seq(start, phrase)) and not (phrase == "next" and p.words[j] == "to"):
+            link, start = "then", p.opt(j, ",", ":")
+            break
+    try:
+        found = [(cost_of(c), n, c) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]
+    except TooMuchWork:
+        raise Refusal([_tangled(p)]) from None
+    if not found:
+        raise Refusal([stuck(p)])
+    found.sort(key=lambda item: item[:2])
+    return Sentence(link, tuple(c for _, _, c in found[:MAX_KEPT]))
+
+
+def _ends(p: Parser, j: int) -> bool:
+    j = tail(p, j)
+    return p.opt(j, ",", ":") == p.end
+
+
+def _tangled(p: Parser) -> Diagnostic:
+    return Diagnostic(
+        code="too-complex",
+        message="this sentence is too tangled to be read",
+        span=p.span(0, p.end),
+        hint="use several short sentences",
+        origin="schema",
+    )
+
+
+def stuck(p: Parser) -> Diagnostic:
+    """Where the reading came to a halt."""
+    at = min(p.far, p.end)
+    if at >= p.end:
+        return Diagnostic(
+            code="incomplete", message="the sentence stops before it says what should be done", span=p.span(0, p.end),
+            hint="say what should be done with which blocks, and where they should be", origin="schema",
+        )  # fmt: skip
+    token = p.tokens[at]
+    return Diagnostic(
+        code="misplaced-word", message=f"{token.raw!r} does not fit here", span=token.span,
+        hint="say it in a sentence of its own, or in other words",
+        facts={"word": token.raw, "understood": " ".join(t.raw for t in p.tokens[:at])}, origin="schema",
+    )  # fmt: skip

@@ -1,0 +1,198 @@
+"""Words that are not in the lexicon: the one near match, or a diagnostic with the nearest known ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import cache
+from importlib import import_module
+from pkgutil import iter_modules
+from types import CodeType
+
+from rpg.core.diagnostics import Diagnostic
+from rpg.language import grammar, lexicon
+from rpg.language.grammar.frames import Phrases
+from rpg.language.tokens import Token
+
+LONG_WORD = 7
+"""From this length on, two slips are still taken for a misspelling."""
+_SPELLERS = frozenset({"spell", "spells", "spelling", "spelled", "spelt"})
+_WRITERS = frozenset({"write", "writes", "read", "reads", "say", "says", "writing", "reading", "saying"})
+_SPELT = frozenset({"spelled", "spelt", "written"})
+_WORD_LEADS = frozenset({"word", "name"})
+_NOT_LITERAL = frozenset(
+    {
+        "a",
+        "an",
+        "the",
+        "out",
+        "word",
+        "words",
+        "some",
+        "any",
+        "it",
+        "with",
+        "using",
+        "from",
+        "by",
+        "something",
+        "my",
+        "your",
+    }
+)
+
+
+@cache
+def vocabulary() -> frozenset[str]:
+    """Every word of the language: those of the lexicon's tables and those that the grammar names."""
+    words: set[str] = set(lexicon.DEGREES.split())
+    for value in vars(lexicon).values():
+        if isinstance(value, dict | frozenset):
+            words.update(str(word) for word in value)
+    for found in iter_modules(grammar.__path__, f"{grammar.__name__}."):
+        module = import_module(found.name)
+        for value in vars(module).values():
+            code = getattr(getattr(value, "__wrapped__", value), "__code__", None)
+            if code is not None and code.co_filename == module.__file__:
+                words |= _words_in(code)
+            elif isinstance(value, Phrases):
+                words |= value.words
+            elif isinstance(value, dict | tuple | frozenset):
+                words |= _words_of(value)
+    return frozenset(w for w in words if w.isalpha())
+
+
+def _words_in(code: CodeType) -> set[str]:
+    """The words of the strings in a function, its documentation left out."""
+    found: set[str] = set()
+    for index, constant in enumerate(code.co_consts):
+        if isinstance(constant, CodeType):
+            found |= _words_in(constant)
+        elif not (index == 0 and isinstance(constant, str)):
+            found |= _words_of(constant)
+    return found
+
+
+def _words_of(value: object) -> set[str]:
+    if isinstance(value, str):
+        return set(value.split())
+    if isinstance(value, dict | tuple | frozenset):
+        return {word for item in value for word in _words_of(item)}
+    return set()
+
+
+def distance(a: str, b: str, limit: int) -> int:
+    """Damerau's distance (optimal string alignment), or limit + 1 when it is greater."""
+    if abs(len(a) - len(b)) > limit:
+        return limit + 1
+    before: list[int] = []
+    row = list(range(len(b) + 1))
+    for i, x in enumerate(a, 1):
+        older, before, row = before, row, [i]
+        for j, y in enumerate(b, 1):
+            best = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (x != y))
+            if i > 1 and j > 1 and x == b[j - 2] and a[i - 2] == y:
+                best = min(best, older[j - 2] + 1)
+            row.append(best)
+        if min(row) > limit:
+            return limit + 1
+    return row[-1]
+
+
+def nearest(word: str, limit: int) -> list[str]:
+    """Known words within `limit` slips, nearest first."""
+    scored = sorted(
+        (distance(word, known, limit), known) for known in vocabulary() if abs(len(known) - len(word)) <= limit
+    )
+    return [known for slips, known in scored if slips <= limit]
+
+
+def _one_match(word: str) -> str | None:
+    """The one word that `word` is a misspelling of."""
+    if len(word) < 3:
+        return None
+    for limit in (1, 2) if len(word) >= LONG_WORD else (1,):
+        close = _families(k for k in nearest(word, limit) if len(k) > 2)
+        if len(close) > 1:
+            close = _likeliest(word, close)
+        if close:
+            return close[0] if len(close) == 1 else None
+    return None
+
+
+def _likeliest(word: str, close: list[str]) -> list[str]:
+    """Of several near words those with the very letters of `word`, then those that begin like it."""
+    for same in (lambda k: sorted(set(k)) == sorted(set(word)), lambda k: k[0] == word[0]):
+        kept = [k for k in close if same(k)]
+        if kept:
+            close = kept
+    return close
+
+
+def _families(words: Iterable[str]) -> list[str]:
+    return list(words)
+
+
+def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagnostic]]:
+    """The tokens with misspellings mended and words to be spelt marked; assumptions; unknown words."""
+    known = vocabulary()
+    shouting = (
+        sum(t.raw.isupper() and len(t.raw) > 1 for t in tokens) * 2 > len([t for t in tokens if t.kind == "word"])
+        and len(tokens) > 3
+    )
+    out: list[Token] = []
+    notes: list[str] = []
+    wrong: list[Diagnostic] = []
+    for index, token in enumerate(tokens):
+        if token.kind != "word":
+            out.append(token)
+            continue
+        if _is_literal(tokens, index, known):
+            out.append(replace(token, kind="literal", value=token.raw))
+        elif token.word in known or len(token.word) == 1:
+            out.append(replace(token, raw=token.raw.lower()) if shouting and len(token.raw) > 1 else token)
+        elif token.raw.isupper() and not shouting:
+            out.append(replace(token, kind="literal", value=token.raw))
+        elif match := _one_match(token.word):
+            notes.append(f"read {token.raw!r} as {match!r}")
+            out.append(replace(token, word=match, raw=match))
+        else:
+            wrong.append(unknown(token))
+            out.append(token)
+    return out, notes, wrong
+
+
+def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
+    """Whether the word is one to be spelt: it follows "the word" or "spell"."""
+    word = tokens[index].word
+    before = tokens[index - 1].word if index else ""
+    two = tokens[index - 2].word if index > 1 else ""
+    if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
+        return word not in _NOT_LITERAL and not (
+            word in known and word in ("is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from")
+        )
+    if before in _SPELLERS or (before == "out" and two in _SPELLERS):
+        return word not in _NOT_LITERAL and (word not in known or not tokens[index].raw.islower() or True)
+    if word in known or len(word) < 2:
+        return False
+    after = tokens[index + 1].word if index + 1 < len(tokens) else ""
+    behind = tokens[index + 2].word if index + 2 < len(tokens) else ""
+    return before in _WRITERS or after in _SPELT or (after == "," and behind in _SPELT)
+
+
+def unknown(token: Token) -> Diagnostic:
+    """A diagnostic for a word that means nothing here."""
+    close = nearest(token.word, 2 if len(token.word) < LONG_WORD else 3)[:3]
+    hint = (
+        f"did you mean {' or '.join(repr(c) for c in close)}?"
+        if close
+        else "describe the task with blocks, patches and where they should be"
+    )
+    return Diagnostic(
+        code="unknown-word",
+        message=f"{token.raw!r} means nothing here",
+        span=token.span,
+        hint=hint,
+        facts={"word": token.raw, "nearest": close},
+        origin="schema",
+    )

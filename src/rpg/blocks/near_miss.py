@@ -11,18 +11,17 @@ from collections.abc import Iterator
 from itertools import combinations, islice
 from random import Random
 
-from rpg.blocks.arrange.builds import STRUCTURES
+from rpg.blocks.alike import Judge
 from rpg.blocks.arrange.explain import conditions
 from rpg.blocks.arrange.solve import Solver
-from rpg.blocks.evaluate import satisfied, settled
+from rpg.blocks.evaluate import satisfied
 from rpg.blocks.geometry import riders
 from rpg.blocks.predicate import NearMiss
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.predicates.common import put, set_aside, shift, swap, tilted
 from rpg.blocks.state import BlockState
-from rpg.blocks.symmetry import Canonical, interchangeable, namings
 from rpg.ir import goal as g
-from rpg.ir.walk import atoms, children, instances, names, rename
+from rpg.ir.walk import atoms, children, instances, names
 
 MOST_INNER = 12
 """Near-misses of what is inside of one condition."""
@@ -37,49 +36,10 @@ GONE = (1.3, 0.0)
 
 def near_misses(goal: g.Goal, state: BlockState, rng: Random) -> list[NearMiss]:
     """States close to `state` (in which `goal` holds) in which it must not hold."""
-    judge = Judge(goal, state)
+    judge = Judge(goal, state.world)
     found = [miss for miss in _of_conditions(goal, state, rng) if not judge.renamed(miss.state)]
     found += [miss for miss in _generic(goal, state, rng) if not judge.any_name(miss.state)]
     return found
-
-
-class Judge:
-    """The goal under every naming of look-alikes; what a condition says under several namings alike is judged once."""
-
-    def __init__(self, goal: g.Goal, state: BlockState) -> None:
-        self.parts = sorted(conditions(goal), key=lambda part: part.kind not in PREDICATES or part.kind in STRUCTURES)
-        canonical = Canonical(state.world)
-        known: dict[str, int] = {}
-        self.renamed_parts: list[g.Goal] = []
-        self.namings: list[tuple[int, ...]] = []
-        for naming in namings(interchangeable(goal, state.world)):
-            numbers = []
-            for part in self.parts:
-                key = repr(canonical(part, naming))
-                if key not in known:
-                    known[key] = len(self.renamed_parts)
-                    self.renamed_parts.append(rename(part, naming))
-                numbers.append(known[key])
-            self.namings.append(tuple(numbers))
-
-    def renamed(self, state: BlockState) -> bool:
-        """Does the goal hold once look-alikes change places? The names as they stand are left for others to judge."""
-        return self._holds(state, self.namings[1:])
-
-    def any_name(self, state: BlockState) -> bool:
-        """Does the goal hold under any naming?"""
-        return self._holds(state, self.namings)
-
-    def _holds(self, state: BlockState, tried: list[tuple[int, ...]]) -> bool:
-        if not tried or not settled(state):
-            return False
-        values: dict[int, bool] = {}
-        return any(all(self._part(k, state, values) for k in numbers) for numbers in tried)
-
-    def _part(self, number: int, state: BlockState, values: dict[int, bool]) -> bool:
-        if number not in values:
-            values[number] = satisfied(self.renamed_parts[number], state)
-        return values[number]
 
 
 def _of_conditions(goal: g.Goal, state: BlockState, rng: Random) -> Iterator[NearMiss]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from rpg.blocks.evaluate import evaluate, satisfied, settled
+from rpg.blocks import alike
+from rpg.blocks.evaluate import evaluate
 from rpg.blocks.state import BlockState
-from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.ir import goal as g
 from rpg.ir.walk import transform
 from rpg.steer.bank import Bank, Sample, Side
@@ -52,18 +52,14 @@ class Judge:
     def __init__(self, side: Side, other: Side) -> None:
         self.side = side
         self.goal = side.schema.goal
-        self.namings = namings(interchangeable(self.goal, side.world))
+        self.holds = alike.Judge(self.goal, side.world).any_name
         self.choices = side.choices(other)
 
     def __call__(self, sample: Sample) -> bool:
         known = sample.known.get(self.side.label)
         if known is not None and (known or len(self.choices) == 1):
             return known
-        return any(self._holds(self.side.state(sample, keys)) for keys in self.choices)
-
-    def _holds(self, state: BlockState) -> bool:
-        holds = any(satisfied(self.goal, rename_state(state, naming)) for naming in self.namings)
-        return holds and settled(state).value
+        return any(self.holds(self.side.state(sample, keys)) for keys in self.choices)
 
     def margin(self, sample: Sample) -> float:
         """By how much of its tolerances the goal holds, or fails, with its own blocks."""

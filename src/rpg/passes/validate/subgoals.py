@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from rpg.blocks.alike import Renamed
 from rpg.blocks.english import clause
-from rpg.blocks.evaluate import evaluate
+from rpg.blocks.evaluate import satisfied
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.schema import TaskSchema
@@ -48,15 +48,11 @@ class Subgoals:
 def subgoals(task: TaskSchema, state: BlockState) -> Subgoals:
     """Judge every conjunct of the schema's goal on `state`."""
     world = World(task.assets)
-    best: tuple[int, tuple[tuple[g.Goal, str, bool], ...]] | None = None
-    for naming in namings(interchangeable(task.goal, world)):
-        seen = rename_state(state, naming)
-        parts = tuple((part, clause(part, world), evaluate(part, seen).value) for part in conjuncts(task.goal))
-        score = sum(holds for _, _, holds in parts)
-        if best is None or score > best[0]:
-            best = (score, parts)
-    assert best is not None
-    return Subgoals(best[1])
+    parts = tuple(conjuncts(task.goal))
+    renamed = Renamed(task.goal, parts, world)
+    values = [satisfied(goal, state) for goal in renamed.goals]
+    best = max(renamed.namings, key=lambda numbers: sum(values[k] for k in numbers))
+    return Subgoals(tuple((part, clause(part, world), values[k]) for part, k in zip(parts, best, strict=True)))
 
 
 def conjuncts(goal: g.Goal) -> Iterator[g.Goal]:

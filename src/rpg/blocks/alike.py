@@ -1,0 +1,67 @@
+"""A goal under every naming of look-alikes, for judging many states: what namings say alike is judged once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.blocks.arrange.builds import STRUCTURES
+from rpg.blocks.arrange.explain import conditions
+from rpg.blocks.evaluate import satisfied, settled
+from rpg.blocks.predicates import PREDICATES
+from rpg.blocks.state import BlockState, World
+from rpg.blocks.symmetry import interchangeable, namings
+from rpg.ir import goal as g
+from rpg.ir.walk import rename, transform
+
+
+class Renamed:
+    """Parts of a goal under every naming. `goals`: the distinct ones; `namings`: per naming, the index of each part,
+    the names as they stand first."""
+
+    def __init__(self, goal: g.Goal, parts: Sequence[g.Goal], world: World) -> None:
+        numbers: dict[g.Goal, int] = {}
+        plain = [transform(part, _without_span) for part in parts]
+        self.namings = tuple(
+            tuple(numbers.setdefault(rename(part, naming), len(numbers)) for part in plain)
+            for naming in namings(interchangeable(goal, world))
+        )
+        self.goals = tuple(numbers)
+
+
+def _without_span(node: g.Goal) -> g.Goal:
+    return node if node.span is None else node.model_copy(update={"span": None})
+
+
+class Judge:
+    """Whether a goal holds under some naming of its look-alikes, every block being at rest and supported."""
+
+    def __init__(self, goal: g.Goal, world: World) -> None:
+        cheap_first = sorted(conditions(goal), key=lambda part: part.kind not in PREDICATES or part.kind in STRUCTURES)
+        renamed = Renamed(goal, cheap_first, world)
+        self._goals = renamed.goals
+        self._all = _unlike(renamed.namings)
+        self._changed = _unlike(renamed.namings[1:])
+
+    def renamed(self, state: BlockState) -> bool:
+        """Does the goal hold once look-alikes change places? The names as they stand are left for others to judge."""
+        return self._holds(state, self._changed)
+
+    def any_name(self, state: BlockState) -> bool:
+        """Does the goal hold under any naming?"""
+        return self._holds(state, self._all)
+
+    def _holds(self, state: BlockState, tried: Sequence[tuple[int, ...]]) -> bool:
+        if not tried or not settled(state):
+            return False
+        values: dict[int, bool] = {}
+        return any(all(self._part(k, state, values) for k in numbers) for numbers in tried)
+
+    def _part(self, number: int, state: BlockState, values: dict[int, bool]) -> bool:
+        if number not in values:
+            values[number] = satisfied(self._goals[number], state)
+        return values[number]
+
+
+def _unlike(found: Sequence[tuple[int, ...]]) -> tuple[tuple[int, ...], ...]:
+    """Of namings that ask for the same parts, the first."""
+    return tuple({frozenset(numbers): numbers for numbers in reversed(found)}.values())[::-1]

@@ -9,10 +9,8 @@ from typing import Any
 from rpg.core.diagnostics import Diagnostic, UsageError
 from rpg.env import BlockTask
 from rpg.ir.schema import TaskSchema
-from rpg.passes.validate.bench import Bench
-from rpg.passes.validate.gates.text import TextGate
 from rpg.passes.validate.load import load as load_classes
-from rpg.pipeline import is_lowered, load_program
+from rpg.pipeline import is_lowered, load_program, validate_program
 from rpg.store import Family, Version, Workspace, resolve, verify_family, verify_version
 
 
@@ -43,18 +41,18 @@ def load(task: str | Path, tasks: str | Path = "tasks") -> Task:
 
 def load_version(version: Version) -> Task:
     """The task of a version on disk. Its files must be those that were written, and its code what its task.yaml gives;
-    code that a model wrote must pass the check of the text."""
+    code that a model wrote must pass every gate first, confined."""
     problems = verify_version(version, lowered)
     if problems:
-        hint = f"rpg verify {version.family} says more"
+        hint = f"rpg verify {version.directory} says more"
         if problems[0].code == "does-not-lower":
             hint = f"rpg compile --from {version.directory}/task.yaml builds it again"
         raise UsageError(f"{version} is not run: {problems[0].message}; {hint}")
     program = load_program(version.directory, version.schema)
     if version.snapshot.backend != "lower":
-        report = TextGate().check(program, Bench(program))
-        if not report.passed:
-            raise UsageError(f"{version} is not run: {report.failures[0].message}")
+        failures = [failure for report in validate_program(program) for failure in report.failures]
+        if failures:
+            raise UsageError(f"{version} is not run: {failures[0].message}")
     classes = load_classes(program.code, program.goal_code)
     return Task(version, program.task, *classes)
 

@@ -76,6 +76,8 @@ def read_sessions(file: Path) -> tuple[Session, ...]:
         mark = getattr(error, "problem_mark", None)
         place = f" in line {mark.line + 1}" if mark else ""
         raise UsageError(f"{file} is not valid YAML{place}: {getattr(error, 'problem', error)}") from error
+    except RecursionError as error:
+        raise UsageError(f"{file} is nested too deeply for sessions") from error
     entries = data.get("sessions", data) if isinstance(data, dict) else data
     entries = [entries] if isinstance(entries, dict) else entries
     if not isinstance(entries, list) or not entries:
@@ -92,7 +94,10 @@ def _session(file: Path, number: int, entry: Any) -> Session:
     edits = entry.get("edits") or []
     if not isinstance(edits, list) or not all(isinstance(edit, str) for edit in edits):
         raise UsageError(f"{file}: the `edits` of session {number} are not a list of sentences")
-    return Session(str(entry["name"]) if entry.get("name") else None, entry["base"], tuple(edits))
+    name = entry.get("name")
+    if not isinstance(name, str | int | None):
+        raise UsageError(f"{file}: the `name` of session {number} is not a word or a few")
+    return Session(str(name) if name else None, entry["base"], tuple(edits))
 
 
 def run_session(

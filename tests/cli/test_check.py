@@ -101,3 +101,17 @@ def test_states_stream_from_stdin(compiled: Path) -> None:
     process.stdin.close()
     assert process.wait(timeout=30) == 1
     process.stdout.close()
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ('{"objects": {"red_block": {"position": [1' + "0" * 5000 + ", 0, 0]}}}", "not JSON"),
+        ('{"objects": {"red_block": {"position": [1' + "0" * 400 + ", 0, 0]}}}", "out of every range"),
+        ("", "no state in it"),
+        ("\n\n", "no state in it"),
+    ],
+)
+def test_nothing_that_can_be_judged(rpg: Rpg, compiled: Path, tmp_path: Path, line: str, said: str) -> None:
+    result = check(rpg, compiled, tmp_path, line)
+    assert (result.status, said in result.err) == (2, True)

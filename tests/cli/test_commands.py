@@ -154,6 +154,11 @@ def test_view_without_a_display(rpg: Rpg, compiled: Path, monkeypatch: pytest.Mo
     assert "rpg render red-on-blue" in result.err
 
 
+def test_doctor_says_what_pictures_will_be_drawn_with(rpg: Rpg, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("MUJOCO_GL", "disable")
+    assert "casting rays, as MUJOCO_GL=disable asks" in rpg("doctor", "--json").json["graphics"]["detail"]
+
+
 def test_doctor(rpg: Rpg) -> None:
     data = rpg("doctor", "--json").json
     assert set(data) == {"python", "mujoco", "graphics", "viewer", "sandbox", "models", "robot"}

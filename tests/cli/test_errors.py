@@ -133,3 +133,34 @@ def test_a_workspace_that_cannot_be_written(rpg: Rpg, compiled: Path, tmp_path: 
     tmp_path.chmod(0o500)
     result = rpg("compile", "--from", compiled.parent / "task.yaml", "--tasks", tmp_path / "tasks", "--no-pictures")
     assert (result.status, "choose another --tasks" in result.err) == (2, True)
+
+
+@pytest.mark.parametrize("arguments", [("bogus",), ("show",), ("show", "x", "--seed", "x"), ("compile", "a", "b"), ()])
+def test_a_script_gets_its_document_for_misuse_too(rpg: Rpg, arguments: tuple[str, ...]) -> None:
+    result = rpg(*arguments, "--json")
+    assert result.status == 2
+    assert result.json["status"] == "error" and result.json["message"] in " ".join(result.err.split())
+
+
+def test_the_version_is_told(rpg: Rpg) -> None:
+    result = rpg("--version")
+    assert (result.status, result.out.split()[0], result.err) == (0, "rpg", "")
+
+
+@pytest.mark.parametrize("command", ["compile", "session", "batch"])
+def test_files_that_would_eat_memory_or_the_stack(rpg: Rpg, tmp_path: Path, command: str) -> None:
+    deep, wide = tmp_path / "deep.yaml", tmp_path / "wide.yaml"
+    deep.write_text("[" * 100_000)
+    rows = [f"r{at}: &r{at} [{', '.join([f'*r{at - 1}' if at else 'x'] * 10)}]" for at in range(12)]
+    wide.write_text("\n".join([*rows, "sessions: [{name: *r11, base: Stack the red block on the blue block}]"]))
+    for path in (deep, wide):
+        result = rpg(command, *(("--from",) if command == "compile" else ()), path, "--tasks", tmp_path / "tasks")
+        assert result.status == 2
+        assert path.name in result.err and "Traceback" not in result.err
+
+
+def test_view_with_a_back_end_that_there_is_not(compiled: Path) -> None:
+    surroundings = {name: value for name, value in os.environ.items() if name not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    command = [*RPG, "view", "red-on-blue", "--tasks", str(compiled)]
+    done = subprocess.run(command, env=surroundings | {"MUJOCO_GL": "bogus"}, capture_output=True, text=True)
+    assert (done.returncode, "no display" in done.stderr) == (4, True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 from rpg.cli.main import EXIT_REFUSED, EXIT_UNAVAILABLE, EXIT_USAGE
 from rpg.core.diagnostics import Refusal, Unavailable, UsageError
@@ -21,12 +21,28 @@ def report(error: Exception, *, as_json: bool) -> int | None:
         if isinstance(error, Refusal):
             data |= {"diagnostics": [d.model_dump(mode="json") for d in error.diagnostics]}
         sys.stdout.write(json.dumps(data, ensure_ascii=False) + "\n")
+    if isinstance(error, _Misused):
+        error.show()
+        return status
     for line in message.splitlines() or [""]:
         sys.stderr.write(f"rpg: {line}\n")
     return status
 
 
+@runtime_checkable
+class _Misused(Protocol):
+    """What the parser of the command line raises; which library it comes with depends on the version of Typer."""
+
+    exit_code: int
+
+    def format_message(self) -> str: ...
+
+    def show(self) -> None: ...
+
+
 def _status(error: Exception) -> int | None:
+    if isinstance(error, _Misused):
+        return EXIT_USAGE
     if isinstance(error, UsageError | OSError):
         return EXIT_USAGE
     if isinstance(error, Refusal):
@@ -37,6 +53,8 @@ def _status(error: Exception) -> int | None:
 
 
 def _message(error: Exception) -> str:
+    if isinstance(error, _Misused):
+        return error.format_message()
     if isinstance(error, OSError) and error.filename:
         return f"{error.filename}: {error.strerror}"
     return str(error)

@@ -14,6 +14,8 @@ from pathlib import Path
 
 KEYS = ("ANTHROPIC_API_KEY", "OPENAI_API_KEY", "GEMINI_API_KEY", "MISTRAL_API_KEY", "OPENROUTER_API_KEY")
 BACKENDS = {"egl": "apt install libegl1 libgl1-mesa-dri", "osmesa": "apt install libosmesa6"}
+OFF = frozenset({"disable", "disabled", "off", "false", "0"})
+"""What MUJOCO_GL is set to where OpenGL is not wanted."""
 DRAWS = """
 import mujoco
 model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
@@ -62,7 +64,10 @@ def _mujoco() -> Finding:
 
 def _graphics() -> Finding:
     """Whether OpenGL draws off-screen. A backend whose library is missing breaks the import: another process tries."""
-    wanted = os.environ.get("MUJOCO_GL", "").lower()
+    wanted = os.environ.get("MUJOCO_GL", "").lower().strip()
+    if wanted in OFF:
+        detail = f"pictures are drawn by casting rays, as MUJOCO_GL={wanted} asks for"
+        return Finding("graphics", False, detail, "for OpenGL where there is one: unset MUJOCO_GL")
     for backend in (wanted,) if wanted in BACKENDS else tuple(BACKENDS):
         if _draws(backend):
             return Finding("graphics", True, f"pictures are drawn by OpenGL ({backend})")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import sys
 from importlib import import_module
-from typing import Any
+from typing import Annotated, Any
 
 import typer
 from typer.core import TyperGroup
@@ -71,8 +71,20 @@ app = typer.Typer(
 )
 
 
+def _version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        sys.stdout.write(f"rpg {version('roboplayground')}\n")
+        raise typer.Exit
+
+
 @app.callback()
-def _group() -> None:
+def _group(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
+    ] = False,
+) -> None:
     """Compile sentences into verified MuJoCo manipulation tasks."""
 
 
@@ -94,7 +106,8 @@ def run(arguments: list[str]) -> int:
 
 def _run(arguments: list[str]) -> int:
     try:
-        app(args=_command_first(arguments), prog_name="rpg", standalone_mode=True)
+        status = app(args=_command_first(arguments), prog_name="rpg", standalone_mode=False)
+        return status if isinstance(status, int) else 0
     except SystemExit as done:
         return done.code if isinstance(done.code, int) else int(done.code is not None)
     except KeyboardInterrupt:
@@ -104,11 +117,10 @@ def _run(arguments: list[str]) -> int:
     except Exception as error:
         from rpg.cli.errors import report
 
-        status = report(error, as_json="--json" in arguments)
-        if status is None:
+        known = report(error, as_json="--json" in arguments)
+        if known is None:
             raise
-        return status
-    return 0
+        return known
 
 
 def _command_first(arguments: list[str]) -> list[str]:

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from rpg.cli.options import WORKSPACE, Json, Quiet, Seed, Task, Tasks, find
+from rpg.cli.options import WORKSPACE, Json, Quiet, Seed, Task, Tasks, find, load_mujoco
 
 EXAMPLE = "rpg view red-on-blue --goal"
 
@@ -20,6 +20,7 @@ def run(
     quiet: Quiet = False,
 ) -> None:
     """Open TASK in MuJoCo's interactive viewer, at the reset of --seed or in its goal state."""
+    load_mujoco()
     from rpg.cli.health import has_display
     from rpg.cli.output import Output
     from rpg.core.diagnostics import Unavailable

@@ -17,6 +17,8 @@ UNIT = 1e-3
 """How far from 1 the length of a quaternion may be."""
 PLACE = 0.01
 """How far (m) a patch may be given from where it is."""
+FARTHEST = 1e6
+"""What no number of a pose exceeds; geometry would overflow far beyond."""
 
 
 class BadState(ValueError):
@@ -26,18 +28,22 @@ class BadState(ValueError):
 def judge_lines(task: BlockTask, lines: Iterable[bytes], origin: str, seed: int) -> Iterator[tuple[bool, str]]:
     """For each line of `lines` whether its state is a success, and the line of JSON that answers it."""
     start = task.reset(seed)
+    empty = True
     for number, line in enumerate(lines, start=1):
         if not line.strip():
             continue
+        empty = False
         try:
             judgement = _judged(task, start, json.loads(line.rstrip()))
         except BadState as problem:
             raise UsageError(f"{origin}:{number}: {problem}") from problem
         except json.JSONDecodeError as problem:
             raise UsageError(f"{origin}:{number}:{problem.colno}: not JSON: {problem.msg}") from problem
-        except (UnicodeDecodeError, RecursionError) as problem:
+        except (ValueError, RecursionError) as problem:
             raise UsageError(f"{origin}:{number}: not JSON: {problem}") from problem
         yield succeeded(judgement), answer(judgement)
+    if empty:
+        raise UsageError(f"{origin}: there is no state in it to judge")
 
 
 def succeeded(judgement: Judgement) -> bool:
@@ -118,6 +124,8 @@ def _numbers(value: Any, count: int, where: str) -> list[float]:
     if not isinstance(value, list) or len(value) != count:
         raise BadState(f"{where}: should be a list of {count} numbers")
     for number in value:
-        if type(number) not in (float, int) or not math.isfinite(number):
+        if type(number) not in (float, int) or number != number or abs(number) == math.inf:
             raise BadState(f"{where}: {json.dumps(number)[:40]} is not a number")
+        if abs(number) > FARTHEST:
+            raise BadState(f"{where}: {json.dumps(number)[:40]} is out of every range")
     return value

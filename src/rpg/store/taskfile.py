@@ -17,6 +17,8 @@ from rpg.store.problems import explain
 from rpg.store.yamltext import dump
 
 MAX_BYTES = 1_000_000
+DEEPEST = 100
+"""Levels that a task may be nested; libyaml falls over its own stack at some ten thousand."""
 _FIRST = ("format", "kind", "type")
 _LAST = ("span",)
 _RESOLVED = {
@@ -101,6 +103,7 @@ def parse_schema(text: str, origin: str = "task.yaml") -> TaskSchema:
 
 def _parse(text: str) -> tuple[yaml.Node | None, Any]:
     """The document's nodes, which know their lines, and its data."""
+    _measure(text)
     loader = _loader()(text)
     try:
         node = loader.get_single_node()
@@ -108,6 +111,15 @@ def _parse(text: str) -> tuple[yaml.Node | None, Any]:
         return node, loader.construct_document(node) if node is not None else None
     finally:
         loader.dispose()
+
+
+def _measure(text: str) -> None:
+    """Refuse what is nested too deeply to be read safely."""
+    depth = 0
+    for event in yaml.parse(text, _loader()):
+        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+        if depth > DEEPEST:
+            raise RecursionError
 
 
 def _check(node: yaml.Node | None, seen: set[int]) -> None:

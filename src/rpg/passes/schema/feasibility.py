@@ -174,25 +174,22 @@ def _range(atom: g.Goal, edge: dict[str, float]) -> tuple[float, float]:
             return 0.0, math.inf
 
 
-def suggest(diagnostics: tuple[Diagnostic, ...]) -> tuple[Repair, ...]:
-    """Structured repairs for what was found: as little as possible is changed."""
-    found: dict[RepairKind, Repair] = {}
-    for problem in diagnostics:
-        if problem.code == "too-many-labels":
-            limit = problem.facts.get("limit", MAX_LETTERS)
-            found["REDUCE_LABELS_PRESERVE_GEOMETRY"] = Repair(
-                "REDUCE_LABELS_PRESERVE_GEOMETRY", f"keep the shape, with at most {limit} labels"
-            )
-        elif problem.code in ("order-misfit", "order-conflict"):
-            found["SWITCH_ORDERING_PATTERN"] = Repair(
-                "SWITCH_ORDERING_PATTERN", "order by what the blocks show: letters, numbers or colours"
-            )
-        elif problem.code in ("missing-symbol", "hidden-labels"):
-            found["SWITCH_TO_SPATIAL_ONLY"] = Repair(
-                "SWITCH_TO_SPATIAL_ONLY", "keep where the blocks stand and ask nothing of their symbols"
-            )
-    return tuple(found.values())
+REPAIRS: dict[str, Repair] = {
+    "too-many-labels": Repair(
+        "REDUCE_LABELS_PRESERVE_GEOMETRY", f"keep the shape, with at most {MAX_LETTERS} letters and {MAX_DIGITS} digits"
+    ),
+    "order-misfit": Repair("SWITCH_ORDERING_PATTERN", "order by what the blocks show: letters, numbers or colours"),
+    "order-conflict": Repair("SWITCH_ORDERING_PATTERN", "keep one of the orders"),
+    "missing-symbol": Repair("SWITCH_TO_SPATIAL_ONLY", "keep where the blocks stand and ask nothing of their symbols"),
+}
+"""The structured repair for each kind of infeasibility that has one. It changes as little as possible."""
 
 
-LIMITS = {"blocks": MAX_BLOCKS, "letters": MAX_LETTERS, "digits": MAX_DIGITS}
-"""The most of each sort that a task may have."""
+def with_repairs(diagnostics: tuple[Diagnostic, ...]) -> tuple[Diagnostic, ...]:
+    """The diagnostics with the structured repair that would mend each, as facts `repair` and `keeps`."""
+    return tuple(
+        problem.model_copy(update={"facts": {**problem.facts, "repair": repair.kind, "keeps": repair.text}})
+        if (repair := REPAIRS.get(problem.code))
+        else problem
+        for problem in diagnostics
+    )

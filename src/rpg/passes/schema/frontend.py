@@ -10,6 +10,7 @@ from rpg.language.read import read_sentences
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 from rpg.passes.schema.build import build
+from rpg.passes.schema.feasibility import with_repairs
 from rpg.passes.schema.guard import guard
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
@@ -36,7 +37,7 @@ class BuiltinFrontEnd:
             texts = read_sentences(words)
             return build(texts, text, notes, name=name, seed=seed, author=author), ()
         except Refusal as refusal:
-            return None, refusal.diagnostics
+            return None, with_repairs(refusal.diagnostics)
         except RecursionError:
             message = "this is too tangled to be read"
             return None, (

@@ -1,5 +1,5 @@
 """`python -m rpg`, the same as `rpg`."""
 
-from rpg.cli.main import main
+from rpg.cli import start
 
-main()
+start()

@@ -164,3 +164,27 @@ def test_view_with_a_back_end_that_there_is_not(compiled: Path) -> None:
     command = [*RPG, "view", "red-on-blue", "--tasks", str(compiled)]
     done = subprocess.run(command, env=surroundings | {"MUJOCO_GL": "bogus"}, capture_output=True, text=True)
     assert (done.returncode, "no display" in done.stderr) == (4, True)
+
+
+@pytest.mark.parametrize(
+    "arguments", [("--help",), ("log", "red-on-blue", "--json"), ("log", "red-on-blue"), ("x", "--json")]
+)
+def test_an_output_that_takes_nothing(compiled: Path, arguments: tuple[str, ...]) -> None:
+    command = [*RPG, *arguments, *(("--tasks", str(compiled)) if arguments[0] == "log" else ())]
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
+    assert (done.returncode, "Traceback" in done.stderr) == (2, False)
+    assert "No space left" in done.stderr
+    closed = subprocess.run(["sh", "-c", '"$@" >&- 2>&-', "sh", *command])
+    assert closed.returncode == (2 if arguments[0] == "x" else 0)
+
+
+@pytest.mark.parametrize("seconds", [0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4])
+def test_an_interrupt_is_quiet_at_any_moment(compiled: Path, seconds: float) -> None:
+    command = [*RPG, "verify", "--json", "--tasks", str(compiled)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(seconds)
+    process.send_signal(signal.SIGINT)
+    said, complained = process.communicate(timeout=60)
+    assert process.returncode in ((0, 130) if said else (130, -signal.SIGINT))
+    assert "rpg/cli" not in complained

@@ -7,8 +7,10 @@ inside its function.
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from importlib import import_module
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -90,7 +92,23 @@ def _group(
 
 def main() -> None:
     """Run the command line and leave the process with its exit status."""
-    sys.exit(run(sys.argv[1:]))
+    interrupts: list[int] = []
+
+    def interrupt(number: int, _: object) -> None:
+        interrupts.append(number)
+        raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, interrupt)
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:  # whoever started this process closed it
+            setattr(sys, name, Path(os.devnull).open("w"))  # noqa: SIM115
+    try:
+        status = run(sys.argv[1:])
+    except Exception:
+        if not interrupts:  # an import that is interrupted may fail in a way of its own
+            raise
+        status = EXIT_INTERRUPTED
+    sys.exit(status)
 
 
 def run(arguments: list[str]) -> int:
@@ -100,8 +118,17 @@ def run(arguments: list[str]) -> int:
         sys.stdout.flush()
         return status
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _leave_stdout()
         return EXIT_NO
+    except OSError as error:
+        _leave_stdout()
+        sys.stderr.write(f"rpg: cannot write the output: {error.strerror}\n")
+        return EXIT_USAGE
+
+
+def _leave_stdout() -> None:
+    """Write what is left for stdout nowhere: it takes nothing more."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _run(arguments: list[str]) -> int:

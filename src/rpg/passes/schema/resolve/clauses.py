@@ -51,6 +51,10 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
 def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
     """ "without moving the blue block, place ... to its left": what stands in front is spoken of first."""
     for that in list(spec.thats):
+        if that.kind == "without" and any(
+            isinstance(p, Loc) and p.rel == "off" and p.span[0] >= that.span[1] for p in spec.places
+        ):
+            raise refuse("misplaced", "it is not clear what is off what", that.span, "say it in a sentence of its own")
         if that.kind == "without" and that.span[1] <= theme.span[0]:
             scene.goals.setdefault(scene.clause, []).extend(turning.without(that, scene))
             spec.thats.remove(that)

@@ -18,7 +18,11 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
-    if mark.each and theme.det in ("a", "bare", "some") and theme.quant is None and not theme.built:
+    if mark.each and theme.quant is not None and not _just_these(theme, scene):
+        raise refuse(
+            "ambiguous", "it is not clear which blocks are counted on each patch", span, "say it of one patch at a time"
+        )
+    if mark.each and _indefinite(theme) and not theme.built:
         return conj(
             [
                 r.OnPatch(a=names, patch=p, span=span)
@@ -37,6 +41,22 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     return conj([disj([r.OnPatch(a=(a,), patch=p, span=span) for p in patches], span) for a in theme.names], span)
 
 
+def _indefinite(theme: Ref) -> bool:
+    """Whether blocks are called for that were not known: "a red and a blue block", "two blocks"."""
+    if theme.op == "and" and theme.parts:
+        return all(_indefinite(part) for part in theme.parts)
+    return theme.op == "and" and theme.det in ("a", "bare", "some")
+
+
+def _just_these(theme: Ref, scene: Scene) -> bool:
+    """ "exactly two blocks", where those two were not known before: as many again for every patch."""
+    return (
+        theme.quant is not None
+        and theme.quant.low == len(theme.names)
+        and not any(scene.things[n].declared for n in theme.names)
+    )
+
+
 def _one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
     """ "two blocks on each patch": as many again for every further patch."""
     made = [theme.names]
@@ -44,11 +64,26 @@ def _one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
         more = []
         for name in theme.names:
             like = scene.things[name]
+            if like.declared:
+                more.append(_next_declared(name, scene))
+                continue
             new = scene.fresh(color=like.color, kind=like.kind, size=like.size, edge=like.edge, scheme=like.scheme)
             new.batch = like.batch
             more.append(new.name)
         made.append(tuple(more))
     return made
+
+
+def _next_declared(name: str, scene: Scene) -> str:
+    """A further block like one of those that there are said to be."""
+    like = scene.things[name]
+    look = (like.color, like.label, like.kind, like.size, like.edge)
+    for thing in scene.blocks():
+        here = (thing.color, thing.label, thing.kind, thing.size, thing.edge)
+        if thing.declared and not thing.extra and here == look and thing.name not in scene.used:
+            scene.used.add(thing.name)
+            return thing.name
+    raise refuse("too-many-asked", "there are not so many of these blocks", None, "name more blocks, or fewer patches")
 
 
 def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:

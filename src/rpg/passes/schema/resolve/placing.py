@@ -9,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
 from rpg.language.meaning import At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
-from rpg.passes.schema.resolve.operands import crown, foot
+from rpg.passes.schema.resolve.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place, related
@@ -207,6 +207,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 def _at_end(theme: Ref, ref: Ref, at_: At, scene: Scene, span: Span) -> Goals:
     """A further block on top of a structure, or under it."""
     if at_.side == "top":
+        if ref.built[0].kind not in UPRIGHT and len(ref.names) > 1:
+            raise refuse("ambiguous", "it is not clear on which of the blocks this goes", at_.span, "name the block")
         return [r.On(a=theme.names, b=crown(ref), span=span)]
     if ref.built[0].kind != "stack" or len(theme.names) != 1:
         raise refuse("misplaced", "nothing goes under this", at_.span, "count the block among its members")

@@ -35,7 +35,9 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
     if not found.reciprocal:
         scene.mention(found, scope.role)
     if found.names:
-        scene.last_landmark_patch = found.patch if scope.role == "landmark" else scene.last_landmark_patch
+        if scope.role == "landmark":
+            scene.last_landmark_patch = found.patch
+            scene.last_landmark_at = meaning.span[0]
     return found
 
 
@@ -171,6 +173,9 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
     if noun.head == "any":
         if scope.like_patch and noun.traits.colors:
             pool = [t for t in scene.things.values() if t.color in noun.traits.colors]
+            last = next((m.ref.names for m in reversed(scene.mentions) if m.ref.patch and m.ref.names), ())
+            if not pool and last and all(scene.things[n].color is None for n in last):
+                raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
             return all(t.patch for t in pool) if pool else True
         return scope.like_patch
     return noun.head == "patch"

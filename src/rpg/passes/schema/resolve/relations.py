@@ -60,7 +60,8 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         and len(theme.names) > 1
     ):
         return reciprocal(theme, loc, span)
-    like = scope.like_patch or (scene.last_landmark_patch and loc.rel in ("on", "in"))
+    before = scene.last_landmark_patch and scene.last_landmark_at < loc.span[0]
+    like = scope.like_patch or (before and loc.rel in ("on", "in"))
     if (found := _any_of_them(theme, loc, scene)) is not None:
         units = [Ref(names=(n,)) for n in theme.names]
         return [
@@ -191,14 +192,14 @@ def _vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Go
         return _tower_on(theme, mark, scene, span)
     if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
         return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
-    if len(mark.names) > 1 and not mark.built:
+    b = crown(mark)
+    if not isinstance(b, Lowest | Highest) and len(b) > 1:
         raise refuse(
             "ambiguous",
             "one block cannot lie on several blocks; it is not clear which is meant",
             loc.span,
             "name one of them",
         )
-    b = crown(mark)
     return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
 
 

@@ -83,6 +83,10 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
             )
         if open_ended or source.amount is not None or not _has_symbols(scene):
             traits = source.traits
+            if traits.quality or len(traits.colors) > 1:
+                raise refuse(
+                    "ambiguous", "it is not clear which letters look like this", source.span, "name each by its letter"
+                )
         else:
             theme = refer(source, scene, Scope(role="member"))
     elif theme is None and source is not None:

@@ -153,6 +153,8 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         spec.places = []
         return goals
     names = theme.names
+    if theme.built and clause.verb == "unstack":
+        scene.start_goals += scene.goals.pop(scene.clause, [])
     if not landmarks and clause.lemma in ("remove", "clear"):
         raise refuse(
             "no-goal",

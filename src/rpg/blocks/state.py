@@ -47,13 +47,17 @@ class BlockState:
     moving: frozenset[str] = frozenset()
     held: frozenset[str] = frozenset()
     start: BlockState | None = None
-    _axes: dict[str, Matrix] = field(default_factory=dict, compare=False, repr=False)
+    _axes: dict[str, tuple[Matrix, float]] = field(default_factory=dict, compare=False, repr=False)
 
     def axes(self, name: str) -> Matrix:
         """The block's rotation matrix, row by row: column k is its k-th axis in the world."""
-        found = self._axes.get(name)
-        if found is None:
-            found = self._axes[name] = matrix(self.orientation.get(name, IDENTITY))
+        return (self._axes.get(name) or self._turned(name))[0]
+
+    def _turned(self, name: str) -> tuple[Matrix, float]:
+        """The block's rotation matrix and half of its vertical extent."""
+        axes = matrix(self.orientation.get(name, IDENTITY))
+        x, y, z = axes[2]
+        found = self._axes[name] = axes, self.world.edge[name] / 2 * (abs(x) + abs(y) + abs(z))
         return found
 
     def tilt(self, name: str) -> float:
@@ -64,16 +68,15 @@ class BlockState:
 
     def half_height(self, name: str) -> float:
         """Half of the block's vertical extent as it is turned."""
-        x, y, z = self.axes(name)[2]
-        return self.world.edge[name] / 2 * (abs(x) + abs(y) + abs(z))
+        return (self._axes.get(name) or self._turned(name))[1]
 
     def bottom(self, name: str) -> float:
         """Height of the block's lowest point."""
-        return self.position[name][2] - self.half_height(name)
+        return self.position[name][2] - (self._axes.get(name) or self._turned(name))[1]
 
     def top(self, name: str) -> float:
         """Height of the block's highest point."""
-        return self.position[name][2] + self.half_height(name)
+        return self.position[name][2] + (self._axes.get(name) or self._turned(name))[1]
 
     def resolve(self, operand: Operand) -> tuple[str, ...]:
         """The objects that an operand stands for in this state."""

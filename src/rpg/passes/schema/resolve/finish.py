@@ -13,7 +13,7 @@ from rpg.passes.schema.resolve.things import EDGES
 from rpg.passes.schema.resolve.world import Scene, Thing, refuse
 
 BLOCK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink", "brown", "white", "black", "gray")
-PATCH_COLORS = ("green", "blue", "yellow", "red", "purple", "orange", "cyan", "pink")
+PATCH_COLORS = ("gray", "blue", "yellow", "red", "purple", "orange", "cyan", "pink", "green")
 _SIGNS = {"+": "plus", "-": "minus", "*": "times", "/": "divide", "=": "equals"}
 LONG = 2.5
 
@@ -190,7 +190,7 @@ def _asset(thing: Thing, name: str) -> Asset:
             width = (PATCH_SIDE, round(PATCH_SIDE * 1.5, 4))
         scale = {"big": 1.5, "small": 0.7}.get(thing.size or "", 1.0)
         size = (round(width[0] * scale, 4), round(width[1] * scale, 4))
-        return GoalPatch(name=name, color=thing.color or "green", shape=shape, size=size)  # type: ignore[arg-type]
+        return GoalPatch(name=name, color=thing.color or "gray", shape=shape, size=size)  # type: ignore[arg-type]
     edge = thing.edge or EDGES.get(thing.size or "", 0.04)
     if not 0.01 <= edge <= 0.12:
         raise refuse(

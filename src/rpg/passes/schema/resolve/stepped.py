@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import math
-
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Noun, Size, Structure
+from rpg.language.meaning import At, Noun, Pronoun, Size, Structure, Traits
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import amount_of, members_of
 from rpg.passes.schema.resolve.patterns import pattern_of
@@ -34,11 +32,10 @@ def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         return dims[0], dims[1]
     layers = _layers(spec)
     total = said_count(shape, theme, scene)
-    size = shape.extent("base", "layers", "high") or (max(layers) if layers else None)
+    size = shape.extent("base", "layers", "high")
     if layers:
-        total = sum(layers) if len(layers) > 1 else total
-        square = sorted(layers, reverse=True) == [(n + 1) ** 2 for n in range(math.isqrt(max(layers)))][::-1]
-        size = math.isqrt(max(layers)) if square and len(layers) > 1 else max(layers)
+        bottom = shape.extent("base")
+        return _layered([*([bottom] if bottom is not None else []), *layers], total, shape, scene)
     options = [(n, 1) for n in range(2, 8)] + [(n, n) for n in range(2, 5)]
     if total is not None:
         fits = [
@@ -70,16 +67,42 @@ def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
     return 3, 1
 
 
+def _layered(layers: list[int], total: int | None, shape: Structure, scene: Scene) -> tuple[int, int]:
+    """The base whose layers are the ones said: all of them, or some of one pyramid alone."""
+    said = sorted(layers, reverse=True)
+    options = {(n, 1): [*range(n, 0, -1)] for n in range(2, 8)}
+    options |= {(n, n): [k * k for k in range(n, 0, -1)] for n in range(2, 5)}
+    whole = [base for base, counts in options.items() if counts == said]
+    part = [base for base, counts in options.items() if counts[0] == said[0] and _within(said, counts)]
+    fits = [base for base in whole or part if total in (None, sum(options[base]))]
+    if len(fits) > 1:
+        scene.assume(f"the pyramid is flat: {fits[0][0]} blocks in its base, one deep")
+    if not fits:
+        counted = ", ".join(map(str, said))
+        message = f"layers of {counted} blocks do not make a pyramid"
+        raise refuse(
+            "count-mismatch", message, shape.span, "let each layer be one block smaller, down to one", blocks=sum(said)
+        )
+    return fits[0]
+
+
+def _within(few: list[int], many: list[int]) -> bool:
+    """Whether all of `few` are among `many`, none twice."""
+    return all(few.count(n) <= many.count(n) for n in few)
+
+
 def _layers(spec: Spec) -> list[int]:
     """ "four blocks at the bottom and one on top": how many blocks each layer has."""
     found: list[int] = []
     for item in list(spec.absolutes):
         at_ = item.adjuncts[0]
-        count = amount_of(item.theme)
-        plain = isinstance(item.theme, Noun) and not item.theme.traits.colors and not item.theme.traits.labels
-        if isinstance(at_, At) and at_.side in ("top", "bottom", "middle", "next") and count is not None and plain:
+        single = isinstance(item.theme, Pronoun) and item.theme.word == "one"
+        count = 1 if single else amount_of(item.theme)
+        plain = single or (isinstance(item.theme, Noun) and item.theme.traits in (Traits(), Traits(kind="letter")))
+        if isinstance(at_, At) and at_.side in ("top", "bottom", "middle", "next") and count is not None:
             found.append(count)
-            spec.absolutes.remove(item)
+            if plain:
+                spec.absolutes.remove(item)
     return found
 
 

@@ -36,7 +36,8 @@ def test_a_share_has_the_normal_interval() -> None:
 def test_the_table_sets_ours_beside_the_published_figures() -> None:
     turns = [turn("a", True)]
     assert rows(turns)[1][1:] == ("100.0 ± 0.0", ["100.0 ± 0.0", "80.0 ± 24.8", "80.0 ± 24.8"])
-    assert as_latex(turns).count(r"\pm") == 12
+    assert as_latex("sessions", turns).count(r"\pm") == 12
+    assert as_latex("policy", turns).count(r"\pm") == 3 and "{lc}" in as_latex("policy", turns)
     assert as_data("policy", turns)["published"] == {}
 
 

@@ -38,14 +38,14 @@ def as_data(suite: str, turns: list[Turn]) -> dict[str, Any]:
     }
 
 
-def as_latex(turns: list[Turn]) -> str:
-    """The table with booktabs rules."""
-    lines = [r"\begin{tabular}{lcccc}", r"\toprule"]
-    lines += [" & ".join(["Metric", "rpg", *PUBLISHED]) + r" \\", r"\midrule"]
+def as_latex(suite: str, turns: list[Turn]) -> str:
+    """The table with booktabs rules; published figures stand beside the suite that they were measured on."""
+    names = ["rpg", *(PUBLISHED if suite == "sessions" else ())]
+    lines = [rf"\begin{{tabular}}{{l{'c' * len(names)}}}", r"\toprule"]
+    lines += [" & ".join(["Metric", *names]) + r" \\", r"\midrule"]
     for title, ours, others in rows(turns):
-        lines.append(
-            " & ".join([title, *(f"${cell.replace('±', chr(92) + 'pm')}$" for cell in (ours, *others))]) + r" \\"
-        )
+        cells = [f"${cell.replace('±', chr(92) + 'pm')}$" for cell in (ours, *others)][: len(names)]
+        lines.append(" & ".join([title, *cells]) + r" \\")
     return "\n".join([*lines, r"\bottomrule", r"\end{tabular}"]) + "\n"
 
 

@@ -76,7 +76,7 @@ def _write(console: Output, suite: str, out: Path, turns: list[Turn]) -> None:
 
     data = as_data(suite, turns)
     replace_file(out / suite / "table.json", (json.dumps(data, indent=2, ensure_ascii=False) + "\n").encode())
-    replace_file(out / suite / "table.tex", as_latex(turns).encode())
+    replace_file(out / suite / "table.tex", as_latex(suite, turns).encode())
     replace_file(out / suite / "page.html", page(turns).encode())
     console.document(data)
     table = Table("", "rpg", *(PUBLISHED if suite == "sessions" else ()))

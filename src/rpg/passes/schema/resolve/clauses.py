@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
@@ -175,9 +175,25 @@ def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 
+def _told_apart(theme: Meaning | None) -> Meaning | None:
+    """ "four blocks, two red and two blue": the four, told apart."""
+    if not isinstance(theme, Coord) or theme.op != "and" or len(theme.items) < 3:
+        return theme
+    first, *rest = theme.items
+    if not isinstance(first, Noun) or first.head != "block" or first.amount is None or first.traits != Traits():
+        return theme
+    amounts = [item.amount for item in rest if isinstance(item, Noun) and item.head == "any"]
+    if len(amounts) != len(rest):
+        return theme
+    if sum(a.low if a else 1 for a in amounts) != first.amount.low:
+        raise refuse("ambiguous", "it is not clear how many blocks there are", theme.span, "say how many of each")
+    return replace(theme, items=tuple(rest))
+
+
 def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "there are three red blocks": objects; with a place in a goal: a condition."""
     if clause.mode == "given":
+        clause = replace(clause, theme=_told_apart(clause.theme))
         theme = refer(clause.theme, scene, replace(scope, given=True, start=True)) if clause.theme else Ref()
         scene.mentions[-1].role = "given"
         for name in theme.names:

@@ -174,7 +174,7 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
         if scope.like_patch and noun.traits.colors:
             pool = [t for t in scene.things.values() if t.color in noun.traits.colors]
             last = next((m.ref.names for m in reversed(scene.mentions) if m.ref.patch and m.ref.names), ())
-            if not pool and last and all(scene.things[n].color is None for n in last):
+            if not pool and len(last) == 1 and all(scene.things[n].color is None for n in last):
                 raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
             return all(t.patch for t in pool) if pool else True
         return scope.like_patch

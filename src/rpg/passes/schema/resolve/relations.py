@@ -15,7 +15,7 @@ from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import reciprocal
 from rpg.passes.schema.resolve.operands import DIRECTIONS, LEVEL, base_of, count, crown, foot, measure, spread
-from rpg.passes.schema.resolve.patches import matching_patches, on_patches
+from rpg.passes.schema.resolve.patches import indefinite, matching_patches, on_patches, one_lot_each
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -64,6 +64,10 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     like = scope.like_patch or (before and loc.rel in ("on", "in"))
     if (found := _any_of_them(theme, loc, scene)) is not None:
         units = [Ref(names=(n,)) for n in theme.names]
+        if isinstance(loc.landmark, Noun) and loc.landmark.traits.scheme == "different":
+            if len(found) != len(units):
+                raise refuse("count-mismatch", "there are not as many of both", loc.span, "name as many of both")
+            return [_relate(one, Ref(names=(m,)), loc, scene, span) for one, m in zip(units, found, strict=True)]
         return [
             conj([disj([_relate(one, Ref(names=(m,)), loc, scene, span) for m in found], span) for one in units], span)
         ]
@@ -192,6 +196,10 @@ def _vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Go
         return _tower_on(theme, mark, scene, span)
     if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
         return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
+    if mark.each and len(mark.names) > 1 and not mark.built and indefinite(theme) and not theme.built:
+        lots = one_lot_each(theme, len(mark.names), scene)
+        if len(lots[0]) == 1 and theme.quant is None:
+            return conj([_on(a, (b,), scene, span) for (a,), b in zip(lots, mark.names, strict=True)], span)
     b = crown(mark)
     if not isinstance(b, Lowest | Highest) and len(b) > 1:
         raise refuse(

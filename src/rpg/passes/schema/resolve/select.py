@@ -65,10 +65,35 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
 
 
 def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> list[Thing]:
-    """Members of the structure spoken of whose looks are open take on the description."""
-    if patch or not scope.pool:
+    """Members of the structure spoken of, or blocks there are said to be, whose looks are open take on a description."""
+    if patch or scope.given:
         return []
+    if not scope.pool:
+        return _claim_declared(noun, scene, count)
     open_ = [scene.things[n] for n in scope.pool if open_to(scene.things[n], noun.traits)]
+    if len(open_) < count:
+        return []
+    for thing in open_[:count]:
+        give(thing, noun.traits)
+    return open_[:count]
+
+
+def _claim_declared(noun: Noun, scene: Scene, count: int) -> list[Thing]:
+    """ "there are five blocks; put the red one ...": it is one of the five."""
+    if not noun.traits.colors and not noun.traits.labels:
+        return []
+    open_ = [
+        t
+        for t in scene.blocks()
+        if t.declared
+        and t.elastic is None
+        and t.kind is None
+        and not t.extra
+        and open_to(t, noun.traits)
+        and t.size is None
+        and t.scheme in (None, "different")
+        and t.name not in scene.used
+    ]
     if len(open_) < count:
         return []
     for thing in open_[:count]:

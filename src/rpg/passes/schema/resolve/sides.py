@@ -8,7 +8,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.order import Order
-from rpg.ir.walk import transform
+from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.positions import SIDES, alternatives, ranks_from
@@ -33,7 +33,25 @@ def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
         return _and(goal, _stack(loose, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
         return _and(goal, _across(loose))
+    for item in loose:
+        _of_what(item, goal, scene)
     return _and(goal, conj([_region(item) for item in loose]))
+
+
+def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
+    """Refuse a side or a middle that could be that of the table or of something spoken of before."""
+    ref, at_, _ = item
+    if not isinstance(at_, At):
+        return
+    figure = any(
+        b.kind not in SIDES and len(b.members) > 2 and not set(ref.names) & set(b.members) for b in scene.built
+    )
+    if at_.side == "middle" and figure:
+        raise refuse(
+            "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
+        )
+    if any(isinstance(a, r.InRegion) and ("edge" in a.region or "corner" in a.region) for a in atoms(goal)):
+        raise refuse("ambiguous", "this could be a half or an edge of the table", at_.span, "say which")
 
 
 def _and(goal: g.Goal, more: g.Goal) -> g.Goal:
@@ -41,8 +59,6 @@ def _and(goal: g.Goal, more: g.Goal) -> g.Goal:
 
 
 def _lines(goal: g.Goal) -> list[s.Stack | s.Row]:
-    from rpg.ir.walk import atoms
-
     return [a for a in atoms(goal) if isinstance(a, s.Stack | s.Row)][::-1]
 
 

@@ -6,10 +6,10 @@ READY := $(VENV)/.rpg-installed
 INSTRUCTION ?= Stack two green blocks on the blue patch and spell the word CAT in front of it
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test check format schemas docs library bench corpus clean
+.PHONY: help setup demo test check format schemas docs library bench bench-others corpus clean
 
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-9s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 setup: $(READY) ## make the virtual environment and install rpg with what its tests need
 
@@ -45,6 +45,15 @@ library: setup ## build the reference tasks of library/ anew
 
 bench: setup ## measure speed, each figure beside its floor
 	$(BIN)/python benchmarks/bench.py
+	$(BIN)/python benchmarks/batches.py
+
+bench-others: setup ## measure other simulators' stacking tasks; OTHERS names the Python that has them
+	@test -n "$(OTHERS)" || { printf '%s\n' \
+	  'robosuite, dm_control and gymnasium-robotics need an older MuJoCo, in an environment of their own:' \
+	  '  python3.11 -m venv .venv-others' \
+	  '  .venv-others/bin/pip install mujoco==3.3.7 robosuite==1.5.2 dm_control==1.0.34 gymnasium-robotics==1.4.2' \
+	  '  make bench-others OTHERS=.venv-others/bin/python'; exit 2; }
+	OURS=$(BIN)/python $(OTHERS) benchmarks/others.py
 
 corpus: setup ## report how the corpus of instructions fares: right, refused, wrong
 	$(BIN)/python -m tests.corpus.run

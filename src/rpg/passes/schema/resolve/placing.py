@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
@@ -17,6 +18,7 @@ from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
+CHAINED = ("left", "right", "front", "behind", "above", "under", "on")
 
 
 def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
@@ -70,6 +72,7 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     """Every place of the clause, for the theme or the structure it became."""
     goals: Goals = []
     _merge_sides(spec)
+    _no_chain(spec)
     vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
     level = [p for p in spec.places if p not in vertical]
     respectively = spec.manner("respectively") is not None
@@ -79,6 +82,15 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
         goals += _place_one(ref, item, scene, scope, span, respectively)
     spec.places = []
     return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
+
+
+def _no_chain(spec: Spec) -> None:
+    """ "A left of B left of C", with nothing between: of B, or of A?"""
+    for one, two in itertools.pairwise(p for p in spec.places if isinstance(p, Loc)):
+        if one.rel == two.rel and one.rel in CHAINED and 0 <= two.span[0] - one.span[1] <= 1:
+            raise refuse(
+                "ambiguous", "it is not clear what this is said of", two.span, "say 'and', or use two sentences"
+            )
 
 
 def _merge_sides(spec: Spec) -> None:
@@ -197,6 +209,9 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         for adjunct in inner.places:
             mark = getattr(adjunct, "landmark", None)
             if isinstance(mark, Pronoun) and mark.word in ("it", "them", "that") and isinstance(adjunct, Loc):
+                nothing = theme.everything and theme.quant is not None
+                if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
+                    raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
                 goals += related(theme, ref, adjunct, scene, item.span)
             else:
                 goals += place(theme, adjunct, scene, scope, item.span)

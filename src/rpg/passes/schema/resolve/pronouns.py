@@ -24,7 +24,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return _last_theme(scene, word)
     if word.word in _REST or word.word in _OTHER:
         noun = Noun(head="any", det="other", plural=word.word in _REST, span=word.span)
-        return others(noun, scene, scope, False)
+        return others(noun, scene, scope, scope.like_patch)
     if word.word in ("it", "that", "this", "the latter", "the former", "the first one"):
         return _it(word, scene, scope)
     if word.word in ("nothing", "nothing else", "none of them", "neither of them"):

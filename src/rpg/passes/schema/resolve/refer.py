@@ -34,10 +34,9 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
     found = replace(found, span=meaning.span)
     if not found.reciprocal:
         scene.mention(found, scope.role)
-    if found.names:
-        if scope.role == "landmark":
-            scene.last_landmark_patch = found.patch
-            scene.last_landmark_at = meaning.span[0]
+    if found.names and scope.role == "landmark":
+        scene.last_landmark_patch = found.patch
+        scene.last_landmark_at = meaning.span[0]
     return found
 
 
@@ -118,7 +117,20 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
     whole = refer(meaning.whole, scene, scope) if meaning.whole else None
     if whole is None:
         raise refuse("no-referent", "it is not clear of what this is a part", meaning.span)
-    return replace(whole, part=meaning.part)
+    built = whole.built[0] if len(whole.built) == 1 and whole.built[0].ordered else None
+    if meaning.part == "top" or (meaning.part == "middle" and whole.patch and len(whole.names) == 1):
+        return replace(whole, part=meaning.part)
+    if built is not None and meaning.part == "middle" and len(built.members) % 2:
+        return Ref(names=(built.members[len(built.members) // 2],))
+    if built is not None and built.kind == "stack" and meaning.part == "bottom":
+        return Ref(names=(built.members[0],))
+    if built is not None and built.side is not None and meaning.part == built.side:
+        return Ref(names=(built.members[0],))
+    if built is not None and (built.side, meaning.part) in (("left", "right"), ("front", "back")):
+        return Ref(names=(built.members[-1],))
+    raise refuse(
+        "ambiguous", f"it is not clear which block the {meaning.part} of it is", meaning.span, "name the block"
+    )
 
 
 def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:

@@ -20,6 +20,9 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
+PATCH_MIDDLE = 0.02
+"""How far from a patch's centre a block in its middle may be, in metres."""
+
 
 def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> Atoms:
     """The goals that "theme is <meaning>" states."""
@@ -317,6 +320,11 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
             )
         ]
     if loc.rel in ("on", "above", "in"):
+        if mark.part == "middle":
+            if len(theme.names) != 1:
+                raise refuse("ambiguous", "only one block fits in the middle of a patch", span, "name one block")
+            near = r.Distance(a=theme.names, b=patches, maximum=PATCH_MIDDLE, span=span)
+            return [on_patches(theme, mark, scene, span), near]
         return [on_patches(theme, mark, scene, span)]
     if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):
         return [_landmarks(theme, mark, loc, scene, span)]

@@ -65,7 +65,7 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
 
 
 def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> list[Thing]:
-    """Members of the structure spoken of, or blocks there are said to be, whose looks are open take on a description."""
+    """Members of the structure spoken of, or blocks there are said to be, take on looks that are open."""
     if patch or scope.given:
         return []
     if not scope.pool:
@@ -157,7 +157,8 @@ def _shown_on(noun: Noun, scene: Scene) -> str | None:
 def wanted(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> int:
     """How many objects a phrase brings in; a default where it does not say."""
     if noun.amount is not None:
-        return noun.amount.low if noun.amount.low else noun.amount.high or 1
+        low, high = noun.amount.low, noun.amount.high
+        return high if high is not None and high > low else low or 1
     if not noun.plural and noun.det in ("a", "the", "bare", "another", "its"):
         return 1
     return scope.need or (3 if noun.det in ("all", "each", "any", "no", "some") else 2)

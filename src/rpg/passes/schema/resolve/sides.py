@@ -43,6 +43,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     ref, at_, _ = item
     if not isinstance(at_, At):
         return
+    if at_.whole:
+        raise refuse("no-referent", f"it is not clear which {at_.whole} this is of", at_.span, "name the block there")
     figure = any(
         b.kind not in SIDES and len(b.members) > 2 and not set(ref.names) & set(b.members) for b in scene.built
     )

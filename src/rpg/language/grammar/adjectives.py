@@ -149,9 +149,9 @@ def colors(p: Parser, i: int) -> Results[tuple[tuple[str, ...], bool]]:
 @rule
 def adjective(p: Parser, i: int) -> Results[Marks]:
     """One adjective."""
-    for phrase, (key, value) in _PHRASES.items():
-        if j := p.seq(i, phrase):
-            yield Marks({key: value}), j
+    for phrase, j in p.standing(i, _PHRASES):
+        key, value = _PHRASES[phrase]
+        yield Marks({key: value}), j
     for (listed, either), j in colors(p, i):
         yield (
             Marks({"colors": listed, **({"either": True} if either else {})}),

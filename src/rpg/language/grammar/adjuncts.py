@@ -108,22 +108,20 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
                          "so the equation is true", "so that the math is right",
                          "so that the math is correct")):  # fmt: skip
         yield Into(structure=Structure(kind="equation", span=p.span(i, j)), span=p.span(i, j)), j
-    for lead in _INTO:
-        if j := p.seq(i, lead):
-            for target, k in simple(p, j):
-                if isinstance(target, Structure):
-                    yield Into(structure=target, span=p.span(i, k)), k
-            for target, k in noun_phrase(p, j):
-                if not isinstance(target, Structure) and isinstance(getattr(target, "items", (None,))[0], Structure):
-                    yield Into(structure=target, span=p.span(i, k)), k
+    for _, j in p.standing(i, _INTO):
+        for target, k in simple(p, j):
+            if isinstance(target, Structure):
+                yield Into(structure=target, span=p.span(i, k)), k
+        for target, k in noun_phrase(p, j):
+            if not isinstance(target, Structure) and isinstance(getattr(target, "items", (None,))[0], Structure):
+                yield Into(structure=target, span=p.span(i, k)), k
 
 
 def _using(p: Parser, i: int) -> Results[Meaning]:
-    for lead in _USING:
-        if j := p.seq(i, lead):
-            for members, k in noun_phrase(p, j):
-                if not any(isinstance(part, Structure) for part in parts_of(members)):
-                    yield Using(members=members, span=p.span(i, k), cost=1), k
+    for _, j in p.standing(i, _USING):
+        for members, k in noun_phrase(p, j):
+            if not any(isinstance(part, Structure) for part in parts_of(members)):
+                yield Using(members=members, span=p.span(i, k), cost=1), k
     if j := p.any_of(i, ("in", "written in", "written with", "spelled with", "spelled in")):
         for members, k in noun_phrase(p, j):
             if isinstance(members, Noun) and members.head == "block" and members.plural and members.traits.kind:

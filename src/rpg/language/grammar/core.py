@@ -6,7 +6,7 @@ position or 0 for "no".
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import cache, wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
@@ -77,15 +77,22 @@ class Parser:
 
     def seq(self, i: int, phrase: str) -> int:
         """The position after `phrase`, or 0."""
-        words = _split(phrase)
-        if i >= self.end or self.words[i] != words[0]:
+        if i >= self.end or not phrase.startswith(self.words[i]):
             return 0
-        for word in words:
+        for word in _split(phrase):
             if i >= self.end or self.words[i] != word:
                 return 0
             i += 1
             self.reach(i)
         return i
+
+    def standing(self, i: int, phrases: Collection[str]) -> Iterator[tuple[str, int]]:
+        """Those of `phrases` that stand here, in their order, each with the position after it."""
+        if i < self.end:
+            for words in by_first(tuple(phrases)).get(self.words[i], ()):
+                phrase = " ".join(words)
+                if j := self.seq(i, phrase):
+                    yield phrase, j
 
     def any_of(self, i: int, phrases: tuple[str, ...]) -> int:
         """The position after the longest of `phrases` that stands here, or 0."""

@@ -14,14 +14,20 @@ _LEADS = frozenset(
     {"reading", "sorted", "ordered", "arranged", "lined", "organized", "organised", "going", "running", "placed"}
 )
 
+_NAMED = {
+    first: [entry for entry in NAMED if entry[0].split()[0] == first] for first in {e[0].split()[0] for e in NAMED}
+}
+_NAMED["into"] = [entry for entry in NAMED if entry[0].split()[0] in ("in", "into")]
+"""The named orders by the first word; what is said with "in" is said with "into" as well."""
+
 
 @rule
 def order(p: Parser, i: int) -> Results[Meaning]:
     """An order, a direction, a pattern, a spacing."""
     j = p.one(i, _LEADS) or i
     for start in {i: None, j: None}:
-        for phrase, by, extra in NAMED:
-            into = phrase.startswith("in ") and p.words[start : start + 1] == ["into"]
+        for phrase, by, extra in _NAMED.get(p.words[start], ()):
+            into = phrase.startswith("in ") and p.words[start] == "into"
             if k := p.seq(start + 1, phrase[3:]) if into else p.seq(start, phrase):
                 yield OrderBy(by=by, span=p.span(i, k), descending=bool(extra.get("descending"))), k
         yield from toward(p, start)

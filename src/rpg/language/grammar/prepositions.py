@@ -88,9 +88,8 @@ def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
         if i < p.end and p.words[i] in words:
             starts.append(((mod,), p.opt(p.reach(i + 1), "and")))
     for mods, j in starts:
-        for phrase, name in _SIMPLE.items():
-            if k := p.seq(j, phrase):
-                yield (name, mods), k
+        for phrase, k in p.standing(j, _SIMPLE):
+            yield (_SIMPLE[phrase], mods), k
         for (side, how), k in side_relation(p, j):
             if not side.endswith("?"):
                 extra = {"immediate": ("immediate",), "direct": ("directly",)}.get(how, ())

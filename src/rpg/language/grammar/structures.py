@@ -127,22 +127,17 @@ _BEFORE_UNITS = {
 
 
 def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
-    for phrase, update in _MODIFIERS.items():
-        if j := p.seq(i, phrase):
-            yield (
-                _Before(upright=update.get("upright"), filled=update.get("filled"), operator=_OPERATORS.get(phrase)),
-                j,
-            )
-    for word, detail in _DETAILS.items():
-        if j := p.seq(i, word):
-            yield _Before(details=(replace(detail, span=p.span(i, j)),)), j
+    for phrase, j in p.standing(i, _MODIFIERS):
+        update = _MODIFIERS[phrase]
+        yield _Before(upright=update.get("upright"), filled=update.get("filled"), operator=_OPERATORS.get(phrase)), j
+    for word, j in p.standing(i, _DETAILS):
+        yield _Before(details=(replace(_DETAILS[word], span=p.span(i, j)),)), j
     for found, j in dimensions(p, i):
         for end in dict.fromkeys((j, p.opt(j, "block", "cube", "based"))):
             yield _Before(dims=found), end
     for n, j in amounts.count(p, i):
-        for unit, what in _BEFORE_UNITS.items():
-            if k := p.seq(j, unit):
-                yield _Before(sizes=(Size(what=what, amount=Amount(n, n), span=p.span(i, k)),)), k
+        for unit, k in p.standing(j, _BEFORE_UNITS):
+            yield _Before(sizes=(Size(what=_BEFORE_UNITS[unit], amount=Amount(n, n), span=p.span(i, k)),)), k
     for marks, j in adjective(p, i):
         if "labels" not in marks and ("rank" not in marks or marks["rank"] in ("left", "right")):
             yield _Before(marks=Marks({k: v for k, v in marks.items() if k not in ("target", "long")})), j

@@ -12,6 +12,7 @@ from rpg.language.grammar.adjectives import Marks, adjectives, clash, merge, of_
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
+from rpg.language.grammar.retold import retold, tally
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
 
 _JOIN = frozenset({"and", "or", "plus", "&", "nor"})
@@ -41,14 +42,13 @@ def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
     start = p.opt(j, "namely")
     for first, k in simple(p, start):
         for found, end in _list(p, i, (first,), k, None):
-            plain = all(isinstance(x, Noun) and x.head == "any" and x.traits != Traits() for x in found.items)
-            if plain and found.op == "and" and len(found.items) == count:
+            if found.op == "and" and tally(found.items) == count:
                 yield replace(found, cost=0), end
 
 
 def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     """ "three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
-    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, ","):
+    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, frozenset({",", ":"})):
         return
     for found, k in amounts.quantity(p, j + 1):
         if found.partitive and (end := p.any_of(k, ("them", "these", "those", "which"))):
@@ -104,11 +104,11 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
             yield Coord(op="xor", items=whole, span=p.span(i, k)), k
         if joined:
-            cost = 2 if now == "then" or _shares_head(items[-1], item) else 0
+            cost = 2 if now == "then" or _shares_head(items[-1], item) or retold(whole) else 0
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from _list(p, i, whole, j, now)
         else:
-            yield Coord(op="and", items=whole, span=p.span(i, j), cost=1), j
+            yield Coord(op="and", items=whole, span=p.span(i, j), cost=3 if retold(whole) else 1), j
             yield from _list(p, i, whole, j, op or "comma")
 
 

@@ -106,7 +106,10 @@ def spacing(p: Parser, i: int) -> Results[Meaning]:
         "with no space between them", "without gaps between them",
                          "with no gap between them", "tightly", "touching each other", "packed together",
                          "without space between them",
-                         "with each block touching the next", "each touching the next", "flush together",
+                         "with each block touching the next", "each touching the next", "so that each touches the next",
+                         "so that each block touches the next",
+                         "such that each touches the next", "so each touches the next", "each one touching the next",
+                         "flush together",
                          "without any gaps between them",
                          "with no gap", "with no space in between", "side by side and touching")):  # fmt: skip
         yield Spacing(kind="touching", span=p.span(i, j)), j

@@ -88,6 +88,8 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
             found.append((f"{side}_half", e, False))
         if e := p.one(k, "edge"):
             found.append((f"{side}_edge", e, True))
+        if e := p.one(k, "end"):
+            found.append((f"{side}_edge", e, False))
         if side in ("left", "right") or word in ("front", "back", "rear"):
             found.append((f"{side}_half", k, False))
         found += _corner(p, k, side)

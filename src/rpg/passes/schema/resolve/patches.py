@@ -22,11 +22,11 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse(
             "ambiguous", "it is not clear which blocks are counted on each patch", span, "say it of one patch at a time"
         )
-    if mark.each and _indefinite(theme) and not theme.built:
+    if mark.each and indefinite(theme) and not theme.built:
         return conj(
             [
                 r.OnPatch(a=names, patch=p, span=span)
-                for names, p in zip(_one_lot_each(theme, len(patches), scene), patches, strict=True)
+                for names, p in zip(one_lot_each(theme, len(patches), scene), patches, strict=True)
             ],
             span,
         )
@@ -41,10 +41,10 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     return conj([disj([r.OnPatch(a=(a,), patch=p, span=span) for p in patches], span) for a in theme.names], span)
 
 
-def _indefinite(theme: Ref) -> bool:
+def indefinite(theme: Ref) -> bool:
     """Whether blocks are called for that were not known: "a red and a blue block", "two blocks"."""
     if theme.op == "and" and theme.parts:
-        return all(_indefinite(part) for part in theme.parts)
+        return all(indefinite(part) for part in theme.parts)
     return theme.op == "and" and theme.det in ("a", "bare", "some")
 
 
@@ -57,7 +57,7 @@ def _just_these(theme: Ref, scene: Scene) -> bool:
     )
 
 
-def _one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
+def one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
     """ "two blocks on each patch": as many again for every further patch."""
     made = [theme.names]
     for _ in range(lots - 1):

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.core.diagnostics import Diagnostic, Refusal, UsageError
 from rpg.core.digest import sha256
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen import lower
@@ -18,7 +18,7 @@ from rpg.steer.compare import Witness
 from rpg.steer.history import History, Past
 from rpg.steer.interpret import Interpretation, interpret
 from rpg.steer.proof import Proof, prove
-from rpg.store import Family, SteeringMeta, Version, Written, set_head
+from rpg.store import Family, SteeringMeta, Version, Written, set_head, verify_version
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,7 @@ def steer(version: Version, request: str, options: CompileOptions | None = None)
     """Carry out `request` on `version`, as if that were the current one. A refused request changes nothing."""
     options = options or CompileOptions()
     family = Family(version.directory.parent)
+    _require_sound(version)
     options.listen("steer", "read")
     try:
         understood = interpret(request, history_of(family, version), reader(options))
@@ -60,6 +61,14 @@ def steer(version: Version, request: str, options: CompileOptions | None = None)
         set_head(found)
         return Steered(request, "admitted", place=Written(found, existed=True), interpretation=understood)
     return _built(family, version, understood, options)
+
+
+def _require_sound(version: Version) -> None:
+    """Nothing is built upon files that are not those which were written: their hash would vouch for others."""
+    problems = verify_version(version)
+    if problems:
+        hint = f"rpg compile --from {version.directory}/task.yaml makes a task of its own of what is there now"
+        raise UsageError(f"{version} is not steered: {problems[0].message}; {hint}")
 
 
 def reader(options: CompileOptions) -> Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]:
@@ -88,6 +97,7 @@ def _built(family: Family, current: Version, understood: Interpretation, options
     reference = current
     if understood.reference is not None:
         reference = next(v for v in family.versions() if v.number == understood.reference)
+        _require_sound(reference)
     outcome, twin = _compiled(family, understood.task, options)
     if outcome.status == "refused" or outcome.program is None:
         return Steered(

@@ -135,3 +135,31 @@ def test_a_session_can_be_piped(
     assert run(["session", "--no-pictures", *at(tmp_path / "tasks")]) == 0
     told = capsys.readouterr().out
     assert "EXTEND of version 0" in told and "back at" in told and "HEAD" in told
+
+
+def test_a_piped_session_is_one_document(
+    tasks: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO("Make the red block purple\nPaint the moon\nlog\nquit\n"))
+    assert run(["session", "--task", "tower", "--tasks", str(tasks), "--json", "--no-pictures"]) == 3
+    (session,) = json.loads(capsys.readouterr().out)["sessions"]
+    assert [turn["status"] for turn in session["turns"]] == ["admitted", "refused"]
+
+
+def test_what_was_changed_is_not_built_upon(tasks: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    source = next(tasks.glob("*/v0-*/task.yaml"))
+    source.write_text(source.read_text() + "\n")
+    family = source.parent.parent.name
+    assert run(["steer", family, "Make the red block purple", "--tasks", str(tasks), "--no-pictures"]) == 2
+    said = capsys.readouterr().err
+    assert "task.yaml differs" in said and f"rpg compile --from {source.parent}" in said
+    assert len(list((tasks / family).glob("v*"))) == 1
+
+
+def test_a_missing_head_is_told_how_to_be_mended(tasks: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (head,) = tasks.glob("*/HEAD")
+    head.unlink()
+    assert run(["log", head.parent.name, "--tasks", str(tasks)]) == 2
+    hint = capsys.readouterr().err.partition("; rpg ")[2].partition(" sets it")[0]
+    assert run(hint.split()) == 0
+    assert run(["log", head.parent.name, "--tasks", str(tasks)]) == 0

@@ -6,7 +6,7 @@ import os
 import sys
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rpg.cli.options import clean, find
 
@@ -31,6 +31,7 @@ class Conversation:
         self.options = options
         self.version: Version | None = None
         self.status = 0
+        self.turns: list[dict[str, Any]] = []
 
     def take(self, line: str) -> bool:
         """Answer one line; False to end."""
@@ -57,7 +58,7 @@ class Conversation:
 
         outcome = compile_instruction(instruction, self.options)
         place = publish(outcome, self.workspace)
-        self.out.document({"text": instruction, **summary(outcome, place)})
+        self.turns.append({"text": instruction, **summary(outcome, place)})
         print_outcome(self.out, outcome, place)
         self._note(outcome.status)
         if isinstance(place, Written):
@@ -69,7 +70,7 @@ class Conversation:
 
         assert self.version is not None
         done = steer(self.version, edit, self.options)
-        self.out.document({"text": edit, **steered_summary(done)})
+        self.turns.append({"text": edit, **steered_summary(done)})
         print_steered(self.out, done)
         self._note(done.status)
         self.version = done.version or self.version
@@ -122,6 +123,7 @@ def converse(out: Output, workspace: Workspace, task: str | None, options: Compi
     finally:
         if history is not None:
             _save(history)
+    out.document({"sessions": [{"name": None, "turns": talk.turns}]})
     return 0 if interactive else talk.status
 
 

@@ -125,7 +125,8 @@ class Family:
         named = self.head_name()
         if named not in versions:
             known = ", ".join(versions)
-            raise UsageError(f"{self.directory / HEAD} names no version of {self.name} (there are {known})")
+            hint = f"rpg checkout {self.directory} {max(version.number for version in versions.values())} sets it"
+            raise UsageError(f"{self.directory / HEAD} names no version of {self.name} (there are {known}); {hint}")
         return versions[named]
 
     def head_name(self) -> str:

@@ -2,7 +2,7 @@
 
 from importlib import import_module
 
-from rpg.blocks.headless import load_mujoco
+from rpg.headless import load_mujoco
 
 MODULES = (
     "rpg.pipeline",

@@ -43,6 +43,6 @@ def clean(argument: str) -> str:
 
 def load_mujoco() -> None:
     """Import MuJoCo without a window system behind it."""
-    from rpg.blocks.headless import load_mujoco
+    from rpg.headless import load_mujoco
 
     load_mujoco()

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from rpg.blocks.arrange.builds import STRUCTURES
 from rpg.blocks.arrange.explain import conditions
-from rpg.blocks.evaluate import satisfied, settled
+from rpg.blocks.evaluate import rests, satisfied
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable, namings
@@ -51,10 +51,8 @@ class Judge:
         return self._holds(state, self._all)
 
     def _holds(self, state: BlockState, tried: Sequence[tuple[int, ...]]) -> bool:
-        if not tried or not settled(state):
-            return False
         values: dict[int, bool] = {}
-        return any(all(self._part(k, state, values) for k in numbers) for numbers in tried)
+        return any(all(self._part(k, state, values) for k in numbers) for numbers in tried) and rests(state)
 
     def _part(self, number: int, state: BlockState, values: dict[int, bool]) -> bool:
         if number not in values:

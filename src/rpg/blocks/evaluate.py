@@ -60,6 +60,11 @@ def settled(state: BlockState) -> Verdict:
     return every([_supported(name, state) for name in state.position])
 
 
+def rests(state: BlockState) -> bool:
+    """The truth of `settled` alone: it stops at the first block that floats."""
+    return not state.moving and not state.held and all(_supported(name, state).value for name in state.position)
+
+
 def _supported(name: str, state: BlockState) -> Verdict:
     gap = abs(table_gap(state, name))
     if gap > SUPPORT_GAP:

@@ -55,7 +55,8 @@ class BlockState:
 
     def _turned(self, name: str) -> tuple[Matrix, float]:
         """The block's rotation matrix and half of its vertical extent."""
-        axes = matrix(self.orientation.get(name, IDENTITY))
+        orientation = self.orientation.get(name, IDENTITY)
+        axes = UPRIGHT if orientation is IDENTITY else matrix(orientation)
         x, y, z = axes[2]
         found = self._axes[name] = axes, self.world.edge[name] / 2 * (abs(x) + abs(y) + abs(z))
         return found
@@ -112,6 +113,9 @@ def matrix(quat: Quat) -> Matrix:
         (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
         (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
     )
+
+
+UPRIGHT = matrix(IDENTITY)
 
 
 def yaw_quat(yaw: float) -> Quat:

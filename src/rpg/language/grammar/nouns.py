@@ -154,31 +154,21 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
 def _pronoun(p: Parser, i: int) -> Results[Meaning]:
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
-    for phrase in (
-        "their up faces",
-        "their top faces",
-        "their upper faces",
-        "their faces",
-        "their letters",
-        "the up faces",
-        "the top faces",
-        "their symbols",
-        "the letters on top",
-        "their numbers",
-        "the up facing faces",
-    ):
-        if j := p.seq(i, phrase):
-            yield Pronoun(word="them", span=p.span(i, j)), j
-    for phrase in ("each other", "one another", "the other ones", "the other one", "the others", "the rest", "others",
+    for _, j in p.standing(
+        i, ("their up faces", "their top faces", "their upper faces", "their faces", "their letters", "the up faces",
+            "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces")
+    ):  # fmt: skip
+        yield Pronoun(word="them", span=p.span(i, j)), j
+    for phrase, j in p.standing(i, ("each other", "one another", "the other ones", "the other one", "the others",
+                   "the rest", "others",
                    "the other two", "the latter", "the former", "everything else", "both of them", "all of them",
                    "everything", "both",
                    "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
                    "the other", "one", "nothing else", "nothing", "either of them", "neither of them", "each of them",
                    "none of them", "that", "this", "those", "these", "each one", "any other one", "any other",
                    "any of the others", "each", "all others", "all the others", "all the rest",
-                   "all"):  # fmt: skip
-        if j := p.seq(i, phrase):
-            yield Pronoun(word=phrase, span=p.span(i, j)), j
+                   "all")):  # fmt: skip
+        yield Pronoun(word=phrase, span=p.span(i, j)), j
 
 
 def _table(p: Parser, i: int) -> Results[Meaning]:

@@ -137,8 +137,8 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
     yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in listed(p, j))
 
 
-_INTO_ATTRIBUTES = tuple(
-    (f"into {one} and {two}", attribute)
+_INTO_ATTRIBUTES = {
+    f"into {one} and {two}": attribute
     for firsts_, seconds, attribute in (
         (("vowels", "vowel"), ("consonants", "consonant"), "vowel"), (("consonants",), ("vowels",), "vowel"),
         (("odd", "odds", "odd numbers", "odd ones"), ("even", "evens", "even numbers", "even ones"), "parity"),
@@ -151,7 +151,7 @@ _INTO_ATTRIBUTES = tuple(
     )
     for one in firsts_
     for two in seconds
-)  # fmt: skip
+}  # fmt: skip
 
 
 _ATTRIBUTES = {
@@ -197,9 +197,8 @@ def _toward_list(p: Parser, i: int) -> Results[Meaning]:
 
 def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
     """ "by colour", "according to size", "by even and odd", "into vowels and consonants"."""
-    for phrase, attribute in _INTO_ATTRIBUTES:
-        if k := p.seq(i, phrase):
-            yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, k)), k
+    for phrase, k in p.standing(i, _INTO_ATTRIBUTES):
+        yield OrderBy(by="attribute", attribute=_INTO_ATTRIBUTES[phrase], span=p.span(i, k)), k
     j = p.any_of(i, ("by", "according to", "based on", "by their", "according to their", "by the", "depending on",
         "by whether they are", "according to whether they are", "on the basis of", "based on their",
                      "by same", "by different", "by block"))  # fmt: skip

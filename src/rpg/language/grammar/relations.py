@@ -140,42 +140,44 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
 def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
     yield from measured_bare(p, i)
-    for phrase, name in (
-        ("side by side", "side_by_side"), ("next to each other", "side_by_side"), ("beside each other", "side_by_side"),
-        ("adjacent to each other", "adjacent"), ("next to one another", "side_by_side"),
-        ("beside one another", "side_by_side"),
-        ("far apart", "apart"), ("apart", "apart"), ("far away from each other", "apart"), ("separated", "apart"),
-        ("away from each other", "apart"),
-        ("apart from each other", "apart"), ("far apart from each other", "apart"), ("separately", "apart"),
-        ("close together", "near"), ("together", "together"), ("near each other", "near"),
-        ("close to each other", "near"),
-        ("touching", "touching"), ("in contact", "touching"), ("adjacent", "adjacent"), ("nearby", "near"),
-        ("shoulder to shoulder", "side_by_side"), ("in one place", "together"), ("spread out", "apart"),
-        ("touching each other", "touching"), ("touching one another", "touching"),
-        ("in contact with each other", "touching"),
-        ("right next to each other", "adjacent"), ("immediately next to each other", "adjacent"),
-        ("directly next to each other", "adjacent"),
-        ("on top of each other", "heaped"), ("on top of one another", "heaped"), ("one on top of the other", "heaped"),
-        ("one on top of another", "heaped"), ("on each other", "heaped"), ("one upon another", "heaped"),
-        ("one over the other", "heaped"),
-        ("one above the other", "heaped"), ("one atop the other", "heaped"), ("atop each other", "heaped"),
-        ("atop one another", "heaped"),
-        ("one on the other", "heaped"), ("on one another", "heaped"), ("one on another", "heaped"),
-        ("on top of itself", "heaped"),
-        ("each on top of the other", "heaped"), ("on top of each", "heaped"),
-        ("one by one on top of each other", "heaped"),
-        ("all on top of each other", "heaped"), ("upon each other", "heaped"),
-        ("directly on top of each other", "heaped"),
-        ("one next to the other", "side_by_side"), ("one beside the other", "side_by_side"),
-        ("each next to the other", "side_by_side"),
-        ("in between", "between"), ("between them", "between"), ("in between them", "between"),
-        ("between the two", "between"), ("in the space between them", "between"),
-        ("one in front of the other", "one_behind"), ("one behind the other", "one_behind"),
-        ("one behind another", "one_behind"),
-    ):  # fmt: skip
-        if j := p.seq(i, phrase):
-            landmark = Pronoun(word="them" if name == "between" else "each other", span=p.span(i, j))
-            yield Loc(rel=name, landmark=landmark, span=p.span(i, j)), j
+    for phrase, j in p.standing(i, _UNSAID):
+        landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
+        yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
+
+
+_UNSAID = {
+    "side by side": "side_by_side", "next to each other": "side_by_side", "beside each other": "side_by_side",
+    "adjacent to each other": "adjacent", "next to one another": "side_by_side",
+    "beside one another": "side_by_side",
+    "far apart": "apart", "apart": "apart", "far away from each other": "apart", "separated": "apart",
+    "away from each other": "apart",
+    "apart from each other": "apart", "far apart from each other": "apart", "separately": "apart",
+    "close together": "near", "together": "together", "near each other": "near",
+    "close to each other": "near",
+    "touching": "touching", "in contact": "touching", "adjacent": "adjacent", "nearby": "near",
+    "shoulder to shoulder": "side_by_side", "in one place": "together", "spread out": "apart",
+    "touching each other": "touching", "touching one another": "touching",
+    "in contact with each other": "touching",
+    "right next to each other": "adjacent", "immediately next to each other": "adjacent",
+    "directly next to each other": "adjacent",
+    "on top of each other": "heaped", "on top of one another": "heaped", "one on top of the other": "heaped",
+    "one on top of another": "heaped", "on each other": "heaped", "one upon another": "heaped",
+    "one over the other": "heaped",
+    "one above the other": "heaped", "one atop the other": "heaped", "atop each other": "heaped",
+    "atop one another": "heaped",
+    "one on the other": "heaped", "on one another": "heaped", "one on another": "heaped",
+    "on top of itself": "heaped",
+    "each on top of the other": "heaped", "on top of each": "heaped",
+    "one by one on top of each other": "heaped",
+    "all on top of each other": "heaped", "upon each other": "heaped",
+    "directly on top of each other": "heaped",
+    "one next to the other": "side_by_side", "one beside the other": "side_by_side",
+    "each next to the other": "side_by_side",
+    "in between": "between", "between them": "between", "in between them": "between",
+    "between the two": "between", "in the space between them": "between",
+    "one in front of the other": "one_behind", "one behind the other": "one_behind",
+    "one behind another": "one_behind",
+}  # fmt: skip
 
 
 def _listed_cost(landmark: Meaning) -> int:

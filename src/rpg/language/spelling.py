@@ -16,6 +16,18 @@ from rpg.language.tokens import Token
 
 LONG_WORD = 7
 """From this length on, two slips are still taken for a misspelling."""
+_ROWS = ("qwertyuiop", "asdfghjkl", "zxcvbnm")
+_NEAR = {
+    key: "".join(
+        other
+        for r, around in enumerate(_ROWS)
+        for c, other in enumerate(around)
+        if abs(r - line) <= 1 and abs(c - place) <= 1 and other != key
+    )
+    for line, keys in enumerate(_ROWS)
+    for place, key in enumerate(keys)
+}
+"""Keys beside each key."""
 _SPELLERS = frozenset({"spell", "spells", "spelling", "spelled", "spelt"})
 _WRITERS = frozenset({"write", "writes", "read", "reads", "say", "says", "writing", "reading", "saying"})
 _SPELT = frozenset({"spelled", "spelt", "written"})
@@ -112,12 +124,23 @@ def _one_match(word: str) -> str | None:
     if len(word) < 3:
         return None
     for limit in (1, 2) if len(word) >= LONG_WORD else (1,):
-        close = _families(k for k in nearest(word, limit) if len(k) > 2)
+        close = _families(k for k in nearest(word, limit) if len(k) > 2 and _slip(word, k))
         if len(close) > 1:
             close = _likeliest(word, close)
         if close:
             return close[0] if len(close) == 1 else None
     return None
+
+
+def _slip(word: str, meant: str) -> bool:
+    """Whether `word` could be typed for `meant`, rather than be another word: it begins alike, and in a short word a
+    letter that stands for another is beside it on the keyboard."""
+    if word[0] != meant[0] and word[:2] != meant[1::-1]:
+        return False
+    if len(word) != len(meant) or len(word) >= LONG_WORD:
+        return True
+    wrong = [(a, b) for a, b in zip(word, meant, strict=True) if a != b]
+    return len(wrong) != 1 or wrong[0][1] in _NEAR.get(wrong[0][0], "")
 
 
 def _likeliest(word: str, close: list[str]) -> list[str]:

@@ -163,10 +163,12 @@ def _kind_of_shape(spec: Spec) -> str:
 def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "align in a row", "sort by colour": the blocks spoken of before."""
     listed = next((o for o in spec.orders if o.items and o.by in ("given", "named")), None)
-    if listed is not None and not spec.usings:
+    unnamed = any(t.color is None and t.label is None for t in scene.blocks())
+    if listed is not None and not spec.usings and not unnamed:
         upright = clause.verb == "stack" or listed.first in ("top", "bottom") or any(t.axis == "z" for t in spec.toward)
         kind = "stack" if upright else "line"
         built, goals = make(Structure(kind=kind, span=clause.span), spec, None, scene, scope)
+        spec.orders = []
         return [*goals, *places(Ref(names=built[0].members, built=tuple(built)), spec, scene, scope, clause.span)]
     if not any(True for _ in scene.blocks()) and not spec.usings:
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
@@ -250,6 +252,8 @@ def _thats(spec: Spec, scene: Scene, start: bool) -> Goals:
         if that.kind == "without":
             goals += turning.without(that, scene)
         else:
+            theme = next((m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"), Ref())
+            scene.told.update(theme.names)
             goals += chain_goals(that.clauses, scene, start)  # type: ignore[arg-type]
     spec.thats = []
     return goals

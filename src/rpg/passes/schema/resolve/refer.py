@@ -143,6 +143,8 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
         return ranked(noun, scene, scope)
     patch = _is_patch(noun, scene, scope)
+    if not patch and (noun.traits.long or noun.traits.shape not in (None, "square")):
+        raise refuse("misplaced", "blocks are cubes, all of one shape", noun.span, "leave the shape out")
     if patch and noun.traits.matching:
         return Ref(patch=True, matching=True, plural=noun.plural, det=noun.det)
     if noun.det in ("other",) or (noun.det == "another" and noun.amount is None):

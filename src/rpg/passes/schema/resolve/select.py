@@ -79,20 +79,19 @@ def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> l
 
 
 def _claim_declared(noun: Noun, scene: Scene, count: int) -> list[Thing]:
-    """ "there are five blocks; put the red one ...": it is one of the five."""
+    """ "there are five blocks; put the red one ...", "stack five blocks so that the red one ...": one of the five."""
     if not noun.traits.colors and not noun.traits.labels:
         return []
     open_ = [
         t
         for t in scene.blocks()
-        if t.declared
+        if (t.name in scene.told or (t.declared and t.name not in scene.used))
         and t.elastic is None
         and t.kind is None
         and not t.extra
         and open_to(t, noun.traits)
         and t.size is None
         and t.scheme in (None, "different")
-        and t.name not in scene.used
     ]
     if len(open_) < count:
         return []

@@ -114,6 +114,7 @@ class Scene:
     batch: int = 0
     last_landmark_patch: bool = False
     last_landmark_at: int = 0
+    told: set[str] = field(default_factory=set)
     on_top: dict[str, str] = field(default_factory=dict)
     started_on: set[str] = field(default_factory=set)
     appearance_only: bool = True

@@ -59,6 +59,7 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
     for first, j in adjunct(p, i):
         if isinstance(first, Absolute | Size):
             continue
+        j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
         k = p.any_of(j, ("there is", "there are", "there should be", "there must be", "is", "are", "should be",
             "comes", "goes", "sits", "stands", "lies", "go", "you put",

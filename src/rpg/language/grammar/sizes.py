@@ -8,6 +8,7 @@ from rpg.language.meaning import Size
 
 _BY = frozenset({"by", "x", "times"})
 _BLOCKS = ("block", "blocks", "cube", "cubes", "level", "levels", "layer", "layers")
+IN_TOTAL = ("in total", "in all", "altogether", "all in all", "total")
 _UNITS = {
     "high": "high", "tall": "high", "in height": "high", "long": "long", "in length": "long", "wide": "wide",
     "in width": "wide", "across": "wide",
@@ -64,6 +65,8 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
     )
     for found, k in amounts.amount(p, j):
         k = p.opt(k, *_BLOCKS)
+        if end := p.any_of(k, IN_TOTAL):
+            yield Size(what="total", amount=found, span=p.span(i, end)), end
         for unit, what in _UNITS.items():
             if end := p.seq(k, unit):
                 yield Size(what=what, amount=found, span=p.span(i, end)), end

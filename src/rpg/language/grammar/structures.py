@@ -15,7 +15,7 @@ from rpg.language.grammar.equations import equation
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.shapes import noun
-from rpg.language.grammar.sizes import dimensions, size_phrase
+from rpg.language.grammar.sizes import IN_TOTAL, dimensions, size_phrase
 from rpg.language.meaning import (
     Amount,
     Coord,
@@ -301,6 +301,7 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                     or p.one(end, frozenset({"each", "apiece"})) > 0
                 )
             )
+            end = end if base.plural else p.any_of(end, IN_TOTAL) or end
             listed_ = replace(base, members=members, span=p.span(i, end), each_size=counted)
             yield (
                 listed_,

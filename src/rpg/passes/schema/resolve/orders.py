@@ -132,7 +132,7 @@ def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scop
         ranks.append(_item(item, names, scene))
     listed = [n for rank in ranks for n in rank]
     missing = [n for n in names if n not in listed]
-    if missing or len(set(listed)) != len(listed):
+    if missing or len(set(listed)) != len(listed) or not set(listed) <= set(names):
         raise refuse(
             "count-mismatch", f"the order lists {len(set(listed))} of {len(names)} blocks", order.span,
             "list every block once",

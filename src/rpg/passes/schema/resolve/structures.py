@@ -80,6 +80,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         dims=shape.dims or next((z.dims for z in (*shape.sizes, *spec.sizes) if z.what == "dims"), ()),
     )
     spec.sizes = []
+    shape = replace(shape, sizes=_totals(shape))
     if shape.details:
         inner = sort_adjuncts(shape.details)
         spec.orders, spec.spacings, spec.patterns = (
@@ -96,6 +97,15 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if maker is None:
         raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)
     return maker(shape, spec, theme, scene, scope)
+
+
+def _totals(shape: Structure) -> tuple[Size, ...]:
+    """ "six in total": the size of a single structure; how several share them is not said."""
+    several = shape.plural or (shape.amount is not None and shape.amount.low > 1)
+    for size in shape.sizes:
+        if size.what == "total" and several:
+            raise refuse("ambiguous", "it is not said how many blocks each has", size.span, "say how many each has")
+    return tuple(replace(z, what="size") if z.what == "total" else z for z in shape.sizes)
 
 
 _SIZES = {

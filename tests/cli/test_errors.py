@@ -188,3 +188,31 @@ def test_an_interrupt_is_quiet_at_any_moment(compiled: Path, seconds: float) -> 
     said, complained = process.communicate(timeout=60)
     assert process.returncode in ((0, 130) if said else (130, -signal.SIGINT))
     assert "rpg/cli" not in complained
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-8"])
+def test_any_encoding_of_the_output(compiled: Path, encoding: str) -> None:
+    surroundings = os.environ | {"PYTHONIOENCODING": encoding}
+    for arguments, status in ((("show", "red-on-blue"), 0), (("compile", "Paint \U0001f600 \udcff"), 3)):
+        for more in ((), ("--json",)):
+            command = [*RPG, *arguments, "--tasks", str(compiled), *more]
+            done = subprocess.run([os.fsencode(word) for word in command], env=surroundings, capture_output=True)
+            assert (done.returncode, b"Traceback" in done.stderr) == (status, False)
+            if more:
+                json.loads(done.stdout.decode(encoding))
+
+
+def test_what_a_terminal_would_obey_is_not_taken(rpg: Rpg, compiled: Path, tmp_path: Path) -> None:
+    text = (compiled.parent / "task.yaml").read_text()
+    old = next(line for line in text.splitlines() if line.startswith("instruction:"))
+    for character in ("\\e[31m", "\\a", "\\u202e"):
+        (tmp_path / "task.yaml").write_text(text.replace(old, f'instruction: "Put {character} it"'))
+        result = rpg("compile", "--from", tmp_path / "task.yaml", "--tasks", tmp_path / "tasks")
+        assert (result.status, "control character" in result.err) == (2, True)
+    assert rpg("compile", "x", "--author", "\x1b[31m", "--tasks", tmp_path / "tasks").status == 2
+
+
+def test_a_long_instruction_is_quoted_in_part(rpg: Rpg, tmp_path: Path) -> None:
+    result = rpg("compile", "x" * 50_000, "--tasks", tmp_path / "tasks")
+    assert result.status == 3
+    assert len(result.err.splitlines()) < 30

@@ -69,6 +69,8 @@ def _options(
             f"--name {name!r}: a name is lower-case words and numbers joined by hyphens, as in red-on-blue"
         )
     author = clean(author) if author is not None else None
+    if author is not None and not author.isprintable():
+        raise UsageError("--author: a name has no control characters in it")
     return CompileOptions(name=name, seed=seed or 0, author=author, pictures=pictures, listen=listen)
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from typing import Any, Protocol, runtime_checkable
 
 from rpg.cli.main import EXIT_REFUSED, EXIT_UNAVAILABLE, EXIT_USAGE
+from rpg.cli.output import as_text
 from rpg.core.diagnostics import Refusal, Unavailable, UsageError
 
 
@@ -20,7 +20,7 @@ def report(error: Exception, *, as_json: bool) -> int | None:
         data: dict[str, Any] = {"status": "refused" if status == EXIT_REFUSED else "error", "message": message}
         if isinstance(error, Refusal):
             data |= {"diagnostics": [d.model_dump(mode="json") for d in error.diagnostics]}
-        sys.stdout.write(json.dumps(data, ensure_ascii=False) + "\n")
+        sys.stdout.write(as_text(data))
     if isinstance(error, _Misused):
         error.show()
         return status

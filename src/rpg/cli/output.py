@@ -12,6 +12,16 @@ if TYPE_CHECKING:
     from rich.console import Console
 
 
+def as_text(data: Any, indent: int | None = None) -> str:
+    """A JSON document as stdout can take it: characters that its encoding lacks are escaped."""
+    text = json.dumps(data, ensure_ascii=False, indent=indent) + "\n"
+    try:
+        text.encode(sys.stdout.encoding or "utf-8")
+    except UnicodeEncodeError:
+        text = json.dumps(data, indent=indent) + "\n"
+    return text
+
+
 @dataclass(frozen=True)
 class Output:
     """What a command writes to. With `as_json`, stdout gets one document and nothing else."""
@@ -43,7 +53,7 @@ class Output:
     def document(self, data: Any) -> None:
         """Write the JSON document, where JSON was asked for."""
         if self.as_json:
-            sys.stdout.write(json.dumps(data, ensure_ascii=False, indent=2) + "\n")
+            sys.stdout.write(as_text(data, indent=2))
 
     def finish(self, status: int) -> None:
         """Leave with an exit status other than 0."""

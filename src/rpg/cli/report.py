@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 STYLES = {"error": "bold red", "warning": "bold yellow", "note": "bold cyan"}
 MARGIN = "  │ "
+LONGEST = 8
+"""How many lines with something underlined are shown of an instruction."""
 CONTEXT = 1
 """How many lines of a long instruction are shown around a line with something underlined."""
 
@@ -85,6 +87,7 @@ def quoted(instruction: str, marks: list[Mark], width: int) -> Iterator[Text]:
     shown = "".join(map(_visible, instruction))
     lines = list(wrapped(shown, max(20, width - len(MARGIN))))
     marked = {number for number, line in enumerate(lines) if _on(line, marks, line == lines[-1])}
+    marked = set(sorted(marked)[:LONGEST])
     near = {at for number in marked for at in range(number - CONTEXT, number + CONTEXT + 1)}
     skipped = False
     for number, line in enumerate(lines):
@@ -95,7 +98,8 @@ def quoted(instruction: str, marks: list[Mark], width: int) -> Iterator[Text]:
             yield Text(MARGIN + "…", "dim")
             skipped = False
         yield Text.assemble((MARGIN, "blue"), shown[line.start : line.end].rstrip() or " ")
-        yield from _below(shown, line, _on(line, marks, line == lines[-1]))
+        if number in marked:
+            yield from _below(shown, line, _on(line, marks, line == lines[-1]))
     if skipped:
         yield Text(MARGIN + "…", "dim")
 

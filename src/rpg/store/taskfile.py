@@ -19,6 +19,8 @@ from rpg.store.yamltext import dump
 MAX_BYTES = 1_000_000
 DEEPEST = 100
 """Levels that a task may be nested; libyaml falls over its own stack at some ten thousand."""
+_UNSEEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+"""What a terminal would obey instead of showing it."""
 _FIRST = ("format", "kind", "type")
 _LAST = ("span",)
 _RESOLVED = {
@@ -135,7 +137,10 @@ def _check(node: yaml.Node | None, seen: set[int]) -> None:
             if str(key.value) in keys:
                 raise yaml.MarkedYAMLError(problem=f"`{key.value}` stands here twice", problem_mark=key.start_mark)
             keys.add(str(key.value))
+            _check(key, seen)
             _check(value, seen)
+    elif isinstance(node, yaml.ScalarNode) and _UNSEEN.search(node.value):
+        raise yaml.MarkedYAMLError(problem="a control character has no place here", problem_mark=node.start_mark)
     elif isinstance(node, yaml.SequenceNode):
         for item in node.value:
             _check(item, seen)

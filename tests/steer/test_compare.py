@@ -11,7 +11,7 @@ from rpg.ir.goal import Row
 from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
 from rpg.steer.bank import SIZE, Bank
-from rpg.steer.compare import Judge, _same, compare
+from rpg.steer.compare import Judge, compare
 from rpg.steer.identity import Identity
 
 ORIGINS = ("first_block", "second_block", "third_block")
@@ -34,7 +34,7 @@ def test_a_recoloured_row_is_judged_once_and_for_both() -> None:
     identity = Identity(row("blue"), row("white", name="white_block"))
     bank = Bank(identity)
     old, new = Judge(bank.old, bank.new), Judge(bank.new, bank.old)
-    assert _same(old, new)
+    assert bank.same
     assert [old(sample) for sample in bank.samples] == [new(sample) for sample in bank.samples]
     found = compare(identity, bank)
     assert (found.relation, found.only_old, found.only_new) == ("equal", 0, 0)
@@ -52,5 +52,4 @@ def test_a_recoloured_row_is_judged_once_and_for_both() -> None:
     ids=["an order of colours", "a block now like another", "another direction"],
 )
 def test_goals_that_may_differ_are_both_judged(before: TaskSchema, after: TaskSchema) -> None:
-    bank = Bank(Identity(before, after))
-    assert not _same(Judge(bank.old, bank.new), Judge(bank.new, bank.old))
+    assert not Bank(Identity(before, after)).same

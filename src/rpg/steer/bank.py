@@ -17,10 +17,12 @@ from rpg.blocks.initial import sample_start
 from rpg.blocks.near_miss import near_misses
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
 from rpg.core.diagnostics import Refusal
+from rpg.ir import goal as g
 from rpg.ir.assets import Block, GoalPatch
 from rpg.ir.edits import key
+from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
-from rpg.ir.walk import atoms
+from rpg.ir.walk import atoms, rename, transform
 from rpg.steer.identity import Identity
 
 SIZE = 512
@@ -31,6 +33,9 @@ of its places among its blocks."""
 
 MOST_CHOICES = 64
 """Look-alikes of the other version are tried in place of a version's own up to so many combinations."""
+
+READERS = frozenset({"equation", "facing", "group_by", "spells", "towers"})
+"""Conditions on colours or symbols."""
 
 Pose = tuple[Vec3, Quat]
 
@@ -100,11 +105,40 @@ class Side:
         }
 
 
+def _seen(side: Side) -> tuple[object, ...]:
+    """All that the verdicts of a version depend on, by key."""
+    world, keys = side.world, side.keys
+    looks: dict[str, object] = {k: world.look[name] for name, k in keys.items()}
+    if not any(_reads_looks(atom) for atom in atoms(side.schema.goal)):
+        groups: dict[object, set[str]] = {}
+        for k, look in looks.items():
+            groups.setdefault(look, set()).add(k)
+        looks = {k: groups[look] for k, look in looks.items()}
+    goal = rename(transform(side.schema.goal, _without_span), keys)
+    return goal, looks, {k: world.edge[name] for name, k in keys.items()}, world.patches
+
+
+def _reads_looks(atom: g.Atom) -> bool:
+    """May a verdict of `atom` depend on more of the looks of blocks than which of them look alike?"""
+    order: Order | None = getattr(atom, "order", None)
+    ordered = order is not None and order.by not in ("any", "given")
+    return atom.kind in READERS or ordered or any(getattr(atom, asked, None) for asked in ("pattern", "readable"))
+
+
+def _without_span(node: g.Goal) -> g.Goal:
+    return node if node.span is None else node.model_copy(update={"span": None})
+
+
 class Bank:
-    """The states on which two versions are compared. The same versions give the same bank."""
+    """The states on which two versions are compared. The same versions give the same bank.
+
+    `same`: both goals are one expression over one world, but for names and for looks that it does not ask about. They
+    say the same of every state then: what is arranged for one of them is arranged for both.
+    """
 
     def __init__(self, identity: Identity, seed: int = 0) -> None:
         self.old, self.new = Side(identity.old, "old"), Side(identity.new, "new")
+        self.same = not self.old.looks_back and _seen(self.old) == _seen(self.new)
         self.sizes = _sizes(identity)
         self.rng = Random(f"bank {seed}")
         self.slots = _slots(1.5 * max(self.sizes.values()))
@@ -116,9 +150,13 @@ class Bank:
     def _sides(self) -> tuple[tuple[str, Side], ...]:
         return ("old", self.old), ("new", self.new)
 
+    def _arranged(self) -> tuple[tuple[str, Side], ...]:
+        """The sides for which goals are arranged."""
+        return self._sides()[self.same :]
+
     def _fill(self) -> None:
-        goals = {label: self._goals(side) for label, side in self._sides()}
-        for label, side in self._sides():
+        goals = {label: self._goals(side) for label, side in self._arranged()}
+        for label, side in self._arranged():
             for state in goals[label]:
                 self._add(side, state, "goal", True)
             for state in goals[label][:MISSED]:
@@ -127,7 +165,7 @@ class Bank:
         for label, side in self._sides():
             for start in self.begun[label]:
                 self.samples.append(Sample(start, start, f"{label} start"))
-            for state in goals[label]:
+            for state in goals.get(label, ()):
                 for dealt in self._dealt(state):
                     self._add(side, dealt, "goal re-dealt", None)
         while len(self.samples) < SIZE:
@@ -197,13 +235,15 @@ class Bank:
         begun = self.begun["new"]
         return Sample(poses, begun[self.rng.randrange(len(begun))], "random layout")
 
-    def _near(self, count: int) -> list[tuple[float, float]]:
+    def _near(self, count: int) -> Iterator[tuple[float, float]]:
         """Places in a few rows around a point, in a random order of rows, at one pitch."""
         pitch = max(self.sizes.values()) * self.rng.choice((1.02, 1.2, 1.6, 2.2))
         columns = self.rng.randint(1, max(1, min(6, count)))
         x, y = self.rng.uniform(0.45, 0.6), self.rng.uniform(-0.1, 0.15)
         rows = -(-count // columns)
-        return [(round(x + i * pitch, 4), round(y - j * pitch, 4)) for i in range(rows) for j in range(columns)]
+        for place in range(rows * columns):
+            i, j = divmod(place, columns)
+            yield round(x + i * pitch, 4), round(y - j * pitch, 4)
 
 
 def _slots(pitch: float) -> list[tuple[float, float]]:

@@ -9,8 +9,7 @@ from rpg.blocks import alike
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.state import BlockState
 from rpg.ir import goal as g
-from rpg.ir.order import Order
-from rpg.ir.walk import atoms, rename, transform
+from rpg.ir.walk import transform
 from rpg.steer.bank import Bank, Sample, Side
 from rpg.steer.identity import Identity
 
@@ -20,8 +19,6 @@ Relation = Literal["equal", "implies", "implied by", "overlaps", "disjoint"]
 
 LITTLE = 0.5
 """A goal is decided by little where its margin is less than this part of a tolerance."""
-READERS = frozenset({"equation", "facing", "group_by", "spells", "towers"})
-"""Conditions on colours or symbols."""
 
 
 @dataclass(frozen=True)
@@ -75,52 +72,15 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
     both: list[Sample] = []
     only_old: list[Sample] = []
     only_new: list[Sample] = []
-    same = _same(old, new)
     for sample in bank.samples:
         before = old(sample)
-        after = before if same else new(sample)
+        after = before if bank.same else new(sample)
         if before or after:
             (both if before and after else only_old if before else only_new).append(sample)
     relation, edge = _up_to_tolerance(_relation(len(both), len(only_old), len(only_new)), old, new, only_old, only_new)
     relation = _temporal(identity, relation)
     witnesses = (*_witness("new", bank.new, only_new), *_witness("old", bank.old, only_old))
     return Comparison(relation, len(bank.samples), len(both), len(only_old), len(only_new), edge, witnesses)
-
-
-def _same(old: Judge, new: Judge) -> bool:
-    """Are both goals one expression over one world, but for names and for looks that it does not ask about?
-
-    Then they say the same of every state, and one of them is judged for both.
-    """
-    sides = old.side, new.side
-    if len(old.choices) + len(new.choices) > 2 or old.side.looks_back:
-        return False
-    first, second = (_seen(side) for side in sides)
-    return first == second
-
-
-def _seen(side: Side) -> tuple[object, ...]:
-    """All that the verdicts of a version depend on, by key."""
-    world, keys = side.world, side.keys
-    looks: dict[str, object] = {k: world.look[name] for name, k in keys.items()}
-    if not any(_reads_looks(atom) for atom in atoms(side.schema.goal)):
-        groups: dict[object, set[str]] = {}
-        for k, look in looks.items():
-            groups.setdefault(look, set()).add(k)
-        looks = {k: groups[look] for k, look in looks.items()}
-    goal = rename(transform(side.schema.goal, _without_span), keys)
-    return goal, looks, {k: world.edge[name] for name, k in keys.items()}, world.patches
-
-
-def _reads_looks(atom: g.Atom) -> bool:
-    """May a verdict of `atom` depend on more of the looks of blocks than which of them look alike?"""
-    order: Order | None = getattr(atom, "order", None)
-    ordered = order is not None and order.by not in ("any", "given")
-    return atom.kind in READERS or ordered or any(getattr(atom, asked, None) for asked in ("pattern", "readable"))
-
-
-def _without_span(node: g.Goal) -> g.Goal:
-    return node if node.span is None else node.model_copy(update={"span": None})
 
 
 def _relation(both: int, only_old: int, only_new: int) -> Relation:

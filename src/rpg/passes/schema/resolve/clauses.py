@@ -34,7 +34,10 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         return []
     if clause.theme is not None:
         _first_thats(clause.theme, spec, scene)
+    loose = len(scene.loose)
     goals = _dispatch(clause, spec, scene, scope)
+    if clause.negated and len(scene.loose) > loose:
+        _deny(loose, goals, scene, clause.span)
     goals = [*scene.goals.pop(number, []), *goals]
     later = _thats(spec, scene, start)
     if spec.manner("xor") is not None:
@@ -46,6 +49,14 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if always and not start:
         goals = held_throughout(goals, scene, clause.span)
     return [*goals, *later]
+
+
+def _deny(loose: int, goals: Goals, scene: Scene, span: Span) -> None:
+    """ "the red one is not at the top": what is settled later is denied then."""
+    if len(scene.loose) > loose + 1 or any(not isinstance(x, g.All) or x.goals for x in goals):
+        raise refuse("ambiguous", "it is not clear how much of this is denied", span, "say it in two sentences")
+    scene.denied += scene.loose[loose:]
+    del scene.loose[loose:]
 
 
 def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
@@ -105,6 +116,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         and not clause.adjuncts
         and not clause.negated
     ):
+        if clause.theme is not None and clause.span[1] > clause.theme.span[1]:
+            raise refuse("no-goal", "it is not said where to", clause.span, "say where the block should be")
         theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
         scene.assume("moved: at least 5 cm away from where it started")
         return [spread(theme, lambda a: r.Moved(a=a, span=clause.span), clause.span, together=True)]

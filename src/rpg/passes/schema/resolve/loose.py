@@ -8,7 +8,7 @@ from rpg.passes.schema.resolve.world import Scene
 
 def settle(goal: g.Goal, scene: Scene) -> g.Goal:
     """Work what `scene.loose` holds into the goal."""
-    if not scene.loose:
+    if not scene.loose and not scene.denied:
         return goal
     from rpg.passes.schema.resolve.sides import place_loose
 

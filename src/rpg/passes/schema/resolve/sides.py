@@ -20,7 +20,27 @@ _REGION = {"left": "left_half", "right": "right_half", "front": "near_half", "ba
 
 
 def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
-    """Refine the order of a structure in `goal`, or make goals of their own."""
+    """Refine the order of a structure in `goal`, or make goals of their own; then what is denied."""
+    goal = _stated(goal, scene) if scene.loose else goal
+    for item in scene.denied:
+        goal = _denied(goal, item, scene)
+    return goal
+
+
+def _denied(goal: g.Goal, item: Loose, scene: Scene) -> g.Goal:
+    """ "the red one is not at the top": the structure, but with no such order."""
+    ref, _, span = item
+    node = next((n for n in _lines(goal) if set(ref.names) <= set(n.blocks)), None)
+    if node is None:
+        _of_what(item, goal, scene)
+        return _and(goal, g.Not(goal=_region(item), span=span))
+    kept = node.model_copy(update={"axis": node.axis or "y"}) if isinstance(node, s.Row) else node
+    so = _refine(node, node, [item], scene)
+    without = conj([kept, g.Not(goal=so, span=span)], span)
+    return transform(goal, lambda x: without if x == node else x)
+
+
+def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     loose = scene.loose
     scene.loose = []
     names = [n for ref, _, _ in loose for n in ref.names]
@@ -51,6 +71,13 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     if at_.side == "middle" and figure:
         raise refuse(
             "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
+        )
+    if at_.side != "middle" and any(isinstance(a, r.LeftOf | r.RightOf | r.InFrontOf | r.Behind) for a in atoms(goal)):
+        raise refuse(
+            "ambiguous",
+            "this could be a side of the table or of a block",
+            at_.span,
+            "say 'half of the table', or of what",
         )
     if any(isinstance(a, r.InRegion) and ("edge" in a.region or "corner" in a.region) for a in atoms(goal)):
         raise refuse("ambiguous", "this could be a half or an edge of the table", at_.span, "say which")

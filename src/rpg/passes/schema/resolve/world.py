@@ -128,6 +128,7 @@ class Scene:
     spare: set[str] = field(default_factory=set)
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
+    denied: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
 
     def assume(self, text: str) -> None:
         """Record a default that was taken."""

@@ -35,7 +35,7 @@ format: setup ## format the code and mend what the linter can
 	$(BIN)/ruff format src tests benchmarks
 
 schemas: setup ## export the JSON Schemas to schemas/
-	$(BIN)/python -m rpg.ir.export schemas
+	$(BIN)/python docs/generate.py
 
 docs: setup ## write the generated pages of docs/
 	$(BIN)/python docs/generate.py

@@ -14,6 +14,8 @@ Color = Literal[
 Face = Literal["top", "bottom", "front", "back", "left", "right"]
 FACES: tuple[Face, ...] = ("top", "bottom", "front", "back", "left", "right")
 
+AssetName = Annotated[str, Field(pattern=r"^\w[\w -]{0,59}$")]
+"""What an object may be called: letters, digits, underscores; blanks and hyphens within."""
 EDGE = 0.04
 """Edge of a block in metres unless the instruction says otherwise."""
 PATCH_SIDE = 0.10
@@ -38,7 +40,7 @@ class ColoredCube(Record):
     """
 
     type: Literal["ColoredCube"] = "ColoredCube"
-    name: str
+    name: AssetName
     color: Color
     size: float = Field(EDGE, ge=0.01, le=0.12)
     origin: str | None = None
@@ -51,7 +53,7 @@ class SemanticCube(Record):
     """
 
     type: Literal["SemanticCube"] = "SemanticCube"
-    name: str
+    name: AssetName
     label: str = ""
     labels: Faces | None = None
     color: Color = "ivory"
@@ -71,7 +73,7 @@ class GoalPatch(Record):
     """
 
     type: Literal["GoalPatch"] = "GoalPatch"
-    name: str
+    name: AssetName
     color: Color
     shape: Literal["square", "rectangle", "circle"] = "square"
     size: tuple[float, float] = (PATCH_SIDE, PATCH_SIDE)

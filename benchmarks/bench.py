@@ -33,12 +33,20 @@ from rpg.ir.schema import TaskSchema
 from rpg.passes.repair.placing import state_of
 from rpg.passes.validate import Measures
 from rpg.passes.validate.load import load
-from rpg.pipeline import Outcome, compile_schema
-from rpg.store import dump_schema
+from rpg.pipeline import Outcome, compile_instruction, compile_schema
+from rpg.publishing import publish
+from rpg.steering import steer
+from rpg.store import Workspace, Written, dump_schema
 
 COLORS: tuple[Color, ...] = ("red", "orange", "yellow", "green", "cyan", "blue", "purple", "pink", "brown", "black")
 SIZES = (2, 5, 14, 27)
 STATES = 10_000
+STEERS = (
+    ("put the red block on the yellow block", "add a green block on top"),
+    ("arrange the red, green, blue and yellow blocks in a row", "make the red block white"),
+    ("build a pyramid of 14 red blocks", "make the blocks blue"),
+)
+"""A first instruction, and an edit of it."""
 
 
 @dataclass(frozen=True)
@@ -112,6 +120,27 @@ def compiles() -> Iterator[Figure]:
         yield Figure(f"warm compile, {count} blocks", warm, "s", floor, "MuJoCo's share of it")
 
 
+def steers() -> Iterator[Figure]:
+    """Steers beside the compile of the sentence that they lead to, both in processor time and with publishing."""
+    for base, edit in STEERS:
+        with tempfile.TemporaryDirectory() as directory:
+            root = Path(directory)
+            steered, compiled = [], []
+            for number in range(8):
+                first = publish(compile_instruction(base), Workspace(root / str(number)))
+                assert isinstance(first, Written)
+                begun = time.process_time()
+                done = steer(first.version, edit)
+                steered.append(time.process_time() - begun)
+                assert done.outcome is not None and done.outcome.schema is not None
+                sentence = done.outcome.schema.instruction
+                begun = time.process_time()
+                publish(compile_instruction(sentence), Workspace(root / f"{number} compiled"))
+                compiled.append(time.process_time() - begun)
+        warm = (statistics.median(times[1:]) for times in (steered, compiled))
+        yield Figure(f"warm steer, {edit}", next(warm), "s", next(warm), "compile of its result")
+
+
 def rpg(*arguments: str) -> Callable[[], object]:
     return lambda: subprocess.run([sys.executable, "-m", "rpg", *arguments], check=True, capture_output=True)
 
@@ -162,7 +191,7 @@ def shown(figure: Figure) -> str:
 def main() -> None:
     """Print every figure as it is measured."""
     found = []
-    for group in (processes, compiles, running):
+    for group in (processes, compiles, steers, running):
         for figure in group():
             found.append(figure)
             if "--json" not in sys.argv:

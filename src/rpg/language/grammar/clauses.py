@@ -11,7 +11,7 @@ from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STA
 from rpg.language.grammar.gaps import gap
 from rpg.language.grammar.having import having
 from rpg.language.grammar.lists import listed
-from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.piled import piled
 from rpg.language.grammar.states import state
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
@@ -51,6 +51,24 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _exists(p, i)
     yield from _describe(p, i, when)
     yield from having(p, i, when)
+    yield from _for_each(p, i)
+
+
+@rule
+def _for_each(p: Parser, i: int) -> Results[Meaning]:
+    """ "for each patch, put a red block on it": said of each of them."""
+    j = p.one(i, "for")
+    for each, k in simple(p, j) if j and p.words[j] in ("each", "every") else ():
+        if not isinstance(each, Noun) or each.head != "patch":
+            continue
+        for found, end in _command(p, p.opt(k, ",", ":")):
+            if not isinstance(found, Clause) or len(found.adjuncts) != 1 or found.verb != "place":
+                continue
+            spot = found.adjuncts[0]
+            mark = spot.landmark if isinstance(spot, Loc) else None
+            compared = isinstance(found.theme, Noun) and found.theme.traits.scheme
+            if isinstance(spot, Loc) and isinstance(mark, Pronoun) and mark.word == "it" and not compared:
+                yield replace(found, adjuncts=(replace(spot, landmark=each),), span=p.span(i, end)), end
 
 
 @rule

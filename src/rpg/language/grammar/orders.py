@@ -191,6 +191,8 @@ def _toward_list(p: Parser, i: int) -> Results[Meaning]:
             p.opt(k, "order"),
             ("they are", "are", "it is", "they read", "is", "read", "it reads", "the blocks are", "the colors are"),
         ) or (p.one(k, ":") if j == i else 0)
+        if not end and j == i and i and p.words[i - 1] in (",", ":"):
+            end = k
         for items, last in listed(p, p.opt(end, ":")) if end else ():
             yield OrderBy(by="given", items=items, first=found.first, span=p.span(i, last)), last
 

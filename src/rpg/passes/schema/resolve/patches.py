@@ -35,6 +35,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         return conj(
             [_on_patch(Ref(names=b.members, built=(b,)), p, span) for b, p in zip(units, patches, strict=True)], span
         )
+    if mark.each and (theme.built or len(theme.names) < len(patches)):
+        raise refuse("ambiguous", "this cannot be on each of several patches at once", span, "name what each one gets")
     if len(theme.names) == len(patches):
         pairs = zip(theme.names, patches, strict=True)
         return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)

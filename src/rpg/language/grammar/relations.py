@@ -104,6 +104,8 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
     if not k:
         k = p.any_of(j, ("sandwiched between", "sandwiched in between", "sandwiched by"))
         name = "sandwiched"
+    if k and p.words[j] in ("midway", "halfway", "centered"):
+        mods = ("halfway",)
     if k:
         for landmark, end in noun_phrase(p, k):
             if isinstance(landmark, TableTop):

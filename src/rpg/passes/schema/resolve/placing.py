@@ -167,8 +167,13 @@ def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) ->
 def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
     """ "on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
     goals: Goals = []
+    if ref.op not in ("and", "nor") or ref.quant is not None:
+        raise refuse("ambiguous", "it is not clear which block is meant", ref.span, "name one block")
     for at_ in spec.ats:
-        scene.loose.append((ref, at_, span))
+        if ref.op == "nor":
+            scene.denied += [(part, at_, span) for part in ref.parts]
+        else:
+            scene.loose.append((ref, at_, span))
     spec.ats = []
     return goals or [g.All(goals=())]
 

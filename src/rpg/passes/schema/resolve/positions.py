@@ -66,7 +66,10 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope
         at_ = item.adjuncts[0] if item.adjuncts else None
         if not isinstance(at_, At) or not _belongs(item.theme, names, scene):
             continue
-        found = refer(item.theme, scene, Scope(pool=names)).names
+        ref = refer(item.theme, scene, Scope(pool=names))
+        if ref.op != "and" or ref.quant is not None:
+            raise refuse("ambiguous", "it is not clear which block is here", item.span, "name one block for each place")
+        found = ref.names
         scene.mentions.pop()
         if at_.side == "next" and last is not None:
             indices = [last + 1 + k for k in range(len(found))]

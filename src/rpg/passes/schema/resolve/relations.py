@@ -20,6 +20,8 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
+HALFWAY_GAP = 12.0
+"""How far apart two blocks with one halfway between them may be, in edges: as far as the workspace allows."""
 PATCH_MIDDLE = 0.02
 """How far from a patch's centre a block in its middle may be, in metres."""
 
@@ -354,6 +356,15 @@ def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         scene.add_built("stack", members, True, span)
         scene.assume("sandwiched means stacked: one below, one above")
         return s.Stack(blocks=members, order=_free_ends(order, members, scene), span=span)
+    if "halfway" in loc.mods:
+        if (
+            isinstance(b, Lowest | Highest)
+            or isinstance(c, Lowest | Highest)
+            or len(theme.names) * len(b) * len(c) != 1
+        ):
+            raise refuse("misplaced", "only one block between two can be halfway", loc.span, "say 'between'")
+        order = Order(by="given", ranks=(b, theme.names, c))
+        return s.Row(blocks=(*b, *theme.names, *c), order=order, evenly=True, gap_edges=HALFWAY_GAP, span=span)
     return spread(theme, lambda a: r.Between(a=a, b=b, c=c, span=span), span)
 
 

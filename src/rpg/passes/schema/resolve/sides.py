@@ -30,7 +30,8 @@ def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
 def _denied(goal: g.Goal, item: Loose, scene: Scene) -> g.Goal:
     """ "the red one is not at the top": the structure, but with no such order."""
     ref, _, span = item
-    node = next((n for n in _lines(goal) if set(ref.names) <= set(n.blocks)), None)
+    nodes = [n for n in _lines(goal) if set(ref.names) <= set(n.blocks)]
+    node = next((n for n in nodes if n.order.by == "any"), nodes[0] if nodes else None)
     if node is None:
         _of_what(item, goal, scene)
         return _and(goal, g.Not(goal=_region(item), span=span))

@@ -89,7 +89,7 @@ def _no_chain(spec: Spec) -> None:
     for one, two in itertools.pairwise(p for p in spec.places if isinstance(p, Loc)):
         if one.rel == two.rel and one.rel in CHAINED and 0 <= two.span[0] - one.span[1] <= 1:
             raise refuse(
-                "ambiguous", "it is not clear what this is said of", two.span, "say 'and', or use two sentences"
+                "misplaced", "it is not clear what this is said of", two.span, "say 'and', or use two sentences"
             )
 
 

@@ -70,6 +70,8 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope
         if ref.op != "and" or ref.quant is not None:
             raise refuse("ambiguous", "it is not clear which block is here", item.span, "name one block for each place")
         found = ref.names
+        if not set(found) <= set(names):
+            raise refuse("misplaced", "this is none of the structure's blocks", item.span, "name it among them")
         scene.mentions.pop()
         if at_.side == "next" and last is not None:
             indices = [last + 1 + k for k in range(len(found))]

@@ -126,6 +126,8 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
                 asked=amount,
                 there=len(found),
             )
+        if not found and (claimed := _claim(noun, scene, scope, patch, amount)):
+            return tuple(t.name for t in claimed)
         if len(found) < amount:
             if not found or not scope.given:
                 scene.new_batch()

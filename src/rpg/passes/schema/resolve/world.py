@@ -8,6 +8,7 @@ from typing import Any
 
 from rpg.core.diagnostics import Diagnostic, Label, Refusal, Span
 from rpg.ir.goal import Goal
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, Meaning, Traits
 
 
@@ -154,6 +155,13 @@ class Scene:
         things = [self.things[n] for n in names]
         if need is None or len(names) == need or not names or any(t.elastic is None for t in things) or need < 1:
             return names
+        if any(set(names) & set(names_in(goal)) for goal in self.start_goals):
+            raise refuse(
+                "count-mismatch",
+                f"at the start there are {len(names)} of these blocks, then {need}",
+                None,
+                "say how many there are from the start on",
+            )
         for name in names[need:]:
             del self.things[name]
         kept = list(names[:need])

@@ -112,7 +112,7 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
             return (_pick(noun, found, scene, scope).name,)
         if claimed := _claim(noun, scene, scope, patch, 1):
             return (claimed[0].name,)
-        if (shown := _shown_on(noun, scene)) is not None:
+        if scope.role != "landmark" and (shown := _shown_on(noun, scene)) is not None:
             return (shown,)
         scene.new_batch()
         return (create(noun.traits, scene, patch).name,)

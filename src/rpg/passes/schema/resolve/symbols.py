@@ -110,13 +110,20 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
                 symbol=symbol,
             )
         if found is None:
-            if traits.kind in ("plain",) or False:
+            if traits.kind == "plain":
                 raise refuse("order-misfit", "plain blocks spell nothing", span, "use letter blocks")
             found = create(
                 Traits(labels=(symbol,), colors=traits.colors[:1], edge=traits.edge, size=traits.size), scene, False
             )
         names.append(found.name)
-    left = [t for t in pool if theme is not None and t.name not in names and t.label is None and t.color is None]
+    if theme is not None:
+        _none_left(pool, names, text, span)
+    return tuple(names)
+
+
+def _none_left(pool: list[Thing], names: list[str], text: str, span: Span) -> None:
+    """Refuse blocks that were named for a word and are not in it."""
+    left = [t for t in pool if t.name not in names and t.label is None and t.color is None]
     if left:
         raise refuse(
             "count-mismatch",
@@ -125,7 +132,6 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
             f"say {len(text)} blocks",
             letters=len(text),
         )
-    return tuple(names)
 
 
 def _has_symbols(scene: Scene) -> bool:

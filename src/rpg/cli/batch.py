@@ -13,8 +13,8 @@ import typer
 from rpg.cli.options import WORKSPACE, Json, NoPictures, Quiet, Tasks, workspace
 
 if TYPE_CHECKING:
-    from rpg.batch.pool import Executor
     from rpg.batch.lines import Line, Report
+    from rpg.batch.pool import Executor
     from rpg.cli.output import Output
 
 EXAMPLE = "rpg batch instructions.txt sessions.yaml --jobs 4 --junit report.xml"

@@ -27,7 +27,7 @@ SIZE = (320, 240)
 def mixed() -> BlockState:
     colours = ("red", "green", "blue", "yellow", "orange", "purple", "white", "black")
     blocks = [ColoredCube(name=f"{colour}_block", color=colour) for colour in colours]
-    letters = [SemanticCube(name=f"{letter}_block", label=letter) for letter in "AR5+"]
+    letters = [SemanticCube(name=f"letter_block_{i}", label=letter) for i, letter in enumerate("AR5+")]
     patch = GoalPatch(name="patch", color="cyan", shape="circle", position=(0.6, 0.1))
     return sample_start(InitialState(), World([*blocks, *letters, patch]), 4)
 

@@ -28,10 +28,18 @@ def _stack_patches(goal: g.Goal) -> g.Goal:
                     goals[goals.index(stack)] = stack.model_copy(update={"patch": on.patch})
                     goals.remove(on)
                     break
-        goals = _one_grouping(_tower_patches(goals))
+        goals = _one_grouping(_tower_patches(_without_implied(goals)))
         return goals[0] if len(goals) == 1 else node.model_copy(update={"goals": tuple(goals)})
 
     return transform(goal, change)
+
+
+def _without_implied(goals: list[g.Goal]) -> list[g.Goal]:
+    """ "All in one tower" adds nothing to a stack of the same blocks in an order."""
+    stacks = [x for x in goals if isinstance(x, s.Stack)]
+    plain = [x for x in stacks if x == s.Stack(blocks=x.blocks, span=x.span)]
+    implied = [x for x in plain if any(y not in plain and set(y.blocks) == set(x.blocks) for y in stacks)]
+    return [x for x in goals if x not in implied]
 
 
 def _one_grouping(goals: list[g.Goal]) -> list[g.Goal]:
@@ -64,8 +72,6 @@ def _open_tops(goal: g.Goal) -> g.Goal:
         if isinstance(atom, r.On | r.Above):
             topped.update(members(atom.b))
             topped.update(members(atom.a))
-        elif isinstance(atom, s.Stack) and atom.order.by == "given":
-            topped.update(())
 
     def change(node: g.Goal) -> g.Goal:
         if isinstance(node, s.Stack) and node.exact and topped & set(node.blocks):

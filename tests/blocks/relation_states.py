@@ -6,8 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 from rpg.blocks.constants import TABLE_Z
-from rpg.blocks.predicates.common import product
-from rpg.blocks.state import BlockState, Quat, World, yaw_quat
+from rpg.blocks.state import BlockState, Quat, World, product, yaw_quat
 from rpg.ir.assets import ColoredCube, Faces, GoalPatch, SemanticCube
 from rpg.ir.goal import GOAL, Goal
 

@@ -10,8 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rpg.blocks.evaluate import evaluate, settled
-from rpg.blocks.predicates.common import product
-from rpg.blocks.state import BlockState, World, yaw_quat
+from rpg.blocks.state import BlockState, World, product, yaw_quat
 from rpg.ir import goal as g
 from rpg.ir.goal import GOAL
 from tests.blocks.random_goals import random_atom, random_state, random_world

@@ -67,10 +67,6 @@ class BlockState:
         vertical = max(abs(x), abs(y), abs(z))
         return math.degrees(math.acos(min(1.0, vertical)))
 
-    def half_height(self, name: str) -> float:
-        """Half of the block's vertical extent as it is turned."""
-        return (self._axes.get(name) or self._turned(name))[1]
-
     def bottom(self, name: str) -> float:
         """Height of the block's lowest point."""
         return self.position[name][2] - (self._axes.get(name) or self._turned(name))[1]

@@ -24,7 +24,6 @@ RESTARTS = 4
 SHUFFLED = 3
 SPOILT = 10.0
 """How much worse a structure that no longer holds is than a condition that does not."""
-Seats = list[tuple[int, Vec3, Quat | None]]
 
 
 def reseated(

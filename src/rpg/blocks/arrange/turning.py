@@ -6,9 +6,8 @@ from collections.abc import Iterable, Iterator
 from itertools import chain
 
 from rpg.blocks.predicates import PREDICATES
-from rpg.blocks.predicates.common import product
 from rpg.blocks.predicates.facing import directions, shown_faces
-from rpg.blocks.state import IDENTITY, BlockState, Matrix, Quat, Vec3, World, yaw_quat
+from rpg.blocks.state import IDENTITY, BlockState, Matrix, Quat, Vec3, World, product, yaw_quat
 from rpg.blocks.visibility import NORMALS, TOWARD, UPS, cross, turned
 from rpg.ir.relations import Facing, Turned
 

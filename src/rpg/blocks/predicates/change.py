@@ -10,8 +10,8 @@ from typing import Any
 
 from rpg.blocks.geometry import carried
 from rpg.blocks.predicate import NearMiss, Predicate
-from rpg.blocks.predicates.common import PAST, product, put, shift
-from rpg.blocks.state import IDENTITY, BlockState, yaw_quat
+from rpg.blocks.predicates.common import PAST, put, shift
+from rpg.blocks.state import IDENTITY, BlockState, product, yaw_quat
 from rpg.blocks.verdict import Verdict, at_least, at_most, every, some
 from rpg.ir.relations import Moved, Stayed, Swapped, Turned
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import carried, footprint_gap
-from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, yaw_quat
+from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, product, yaw_quat
 from rpg.ir.assets import EDGE
 
 TILT = 15.0
@@ -109,18 +109,6 @@ def tilted(state: BlockState, name: str, degrees: float) -> BlockState:
     x, y, z = state.position[name]
     tipped = put(state, name, (x, y, z), product(tip, state.orientation.get(name, IDENTITY)))
     return put(tipped, name, (x, y, z + state.bottom(name) - tipped.bottom(name)), tipped.orientation[name])
-
-
-def product(p: Quat, q: Quat) -> Quat:
-    """The turn `q` followed by `p`."""
-    a, b, c, d = p
-    e, f, g, h = q
-    return (
-        a * e - b * f - c * g - d * h,
-        a * f + b * e + c * h - d * g,
-        a * g - b * h + c * e + d * f,
-        a * h + b * g - c * f + d * e,
-    )
 
 
 def centroid(state: BlockState, names: Sequence[str]) -> tuple[float, float]:

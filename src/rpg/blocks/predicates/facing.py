@@ -8,15 +8,12 @@ from random import Random
 from typing import Any
 
 from rpg.blocks.predicate import NearMiss, Predicate
-from rpg.blocks.predicates.common import product, put, tilted
-from rpg.blocks.state import IDENTITY, BlockState, Quat, World, yaw_quat
+from rpg.blocks.predicates.common import put, tilted
+from rpg.blocks.state import IDENTITY, BlockState, Quat, World, product, yaw_quat
 from rpg.blocks.verdict import FALSE, TRUE, Verdict, some
 from rpg.blocks.visibility import TOWARD, Toward, readable, turned, visible
 from rpg.ir.assets import FACES, Face, SemanticCube
 from rpg.ir.relations import Facing
-
-SEEN: dict[str, tuple[Toward, ...]] = {"viewer": ("up", "front"), "up": ("up",), "front": ("front",)}
-"""The directions in which the viewer can see a face at all."""
 
 HALF = math.sqrt(0.5)
 PAST_DEGREES = 24.0

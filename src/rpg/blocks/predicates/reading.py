@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from rpg.blocks.geometry import footprint_gap, rests_on
 from rpg.blocks.predicate import NearMiss
-from rpg.blocks.predicates.common import pair_edge, product, put, strangers
-from rpg.blocks.state import IDENTITY, BlockState, Vec3
+from rpg.blocks.predicates.common import pair_edge, put, strangers
+from rpg.blocks.state import IDENTITY, BlockState, Vec3, product
 from rpg.blocks.traits import Traits
 from rpg.blocks.verdict import FALSE, Verdict, holds
 from rpg.blocks.visibility import reads

@@ -160,8 +160,3 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(comma, ("while keeping", "while leaving", "keeping", "leaving", "but keep", "but leave")):
         for clauses, k in gerund_clause(p, j - 1):
             yield That(kind="while", clauses=clauses, span=p.span(i, k)), k
-
-
-def spelt_word(p: Parser, i: int) -> str | None:
-    """The word after "spell"."""
-    return literal(p, i)

@@ -115,7 +115,6 @@ THEN = (
     "once that is done", "and subsequently", "after this", "when that is done", "once done", "once this is done",
     "when done",
 )  # fmt: skip
-AFTER = ("after",)
 TAG = Phrases(
     "please", "thanks", "thank you", "if you can", "if possible", "for me", "if you could", "thank you very much",
     "ok", "okay", "would you", "will you", "can you", "could you", "now", "as well", "too",

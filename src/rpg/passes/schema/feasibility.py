@@ -1,12 +1,12 @@
-"""Feasibility of a task before anything runs: what there is, what is required, what cannot be, what would mend it.
+"""Feasibility of a task before anything runs: what is required, what cannot be, what would mend it.
 
-Only what follows from numbers and names is decided here; whether blocks can be arranged so is the arrangement solver's.
+Only what follows from numbers and names is decided here. How many blocks and symbols a task may have is checked where
+its assets are counted, in `resolve.finish`; whether blocks can be arranged so is the arrangement solver's.
 """
 
 from __future__ import annotations
 
 import math
-import string
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Literal
@@ -18,7 +18,6 @@ from rpg.core.diagnostics import Diagnostic
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.ir.assets import SemanticCube
 from rpg.ir.node import members
 from rpg.ir.schema import MAX_BLOCKS, MAX_DIGITS, MAX_LETTERS, TaskSchema
 from rpg.passes.schema.resolve.conflicts import required
@@ -38,16 +37,6 @@ class Repair:
 
 
 @dataclass(frozen=True)
-class Assets:
-    """Asset analysis: how many blocks of each sort a task has."""
-
-    blocks: int
-    letters: int
-    digits: int
-    patches: int
-
-
-@dataclass(frozen=True)
 class Requirement:
     """Requirement extraction: the room that one atom takes along an axis, in metres."""
 
@@ -55,14 +44,6 @@ class Requirement:
     axis: Literal["x", "y", "any"]
     extent_m: float
     fits: int
-
-
-def analyse(schema: TaskSchema) -> Assets:
-    """What there is."""
-    labels = [b.label for b in schema.blocks if isinstance(b, SemanticCube) and b.label]
-    letters = sum(label in string.ascii_uppercase for label in labels)
-    digits = sum(label in string.digits for label in labels)
-    return Assets(len(schema.blocks), letters, digits, len(schema.patches))
 
 
 def requirements(schema: TaskSchema) -> tuple[Requirement, ...]:

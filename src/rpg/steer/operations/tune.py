@@ -18,7 +18,6 @@ EDGES = {"on": ("offset_edges",), "row": ("line_edges",), "between": ("within_ed
 """Tolerances in edges, by kind of atom."""
 METRES = {"stayed": ("tolerance",), "swapped": ("tolerance",), "moved": (), "touching": ("gap",), "on_table": ("gap",)}
 """Tolerances in metres, by kind of atom."""
-DISTANCES = {"near": "distance", "apart": "distance"}
 
 
 def loosen(draft: Draft, request: r.Loosen) -> None:

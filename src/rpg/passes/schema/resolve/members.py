@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
@@ -223,6 +222,3 @@ def amount_of(meaning: Meaning | None) -> int | None:
     """The plain number in a noun phrase."""
     amount: Amount | None = getattr(meaning, "amount", None)
     return amount.low if amount is not None and amount.low == amount.high else None
-
-
-Builder = Callable[[Structure, Spec, Ref | None, Scene, Scope], object]

@@ -15,8 +15,6 @@ from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import quality_fits
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
 
-OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
-
 
 def implied_kind(spec: Spec) -> str | None:
     """The kind of block that an order takes for granted: letters for alphabetical, digits for numeric."""

@@ -31,7 +31,6 @@ class Thing:
     declared: bool = False
     scheme: str | None = None
     batch: int = 0
-    hidden_label: bool = False
     faces: dict[str, str] | None = None
     claims: int = 0
     elastic: str | None = None
@@ -117,8 +116,6 @@ class Scene:
     last_landmark_at: int = 0
     told: set[str] = field(default_factory=set)
     on_top: dict[str, str] = field(default_factory=dict)
-    started_on: set[str] = field(default_factory=set)
-    appearance_only: bool = True
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
     speaks_of_rest: bool = False

@@ -224,6 +224,8 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         for (listed, _either), k in colors(p, j):
             if len(listed) == 1:
                 yield Marks({"colors": listed}), k
+    if head == "patch" and (j := p.any_of(i, ("of its own", "of their own", "to itself", "to themselves"))):
+        yield Marks({"scheme": "different"}), j
     if head == "patch" and (
         j := p.any_of(
             i,
@@ -243,8 +245,11 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
                    "of the matching color", "with matching color", "that matches its color",
                    "matching its color", "that matches their color", "matching their color", "matching in color",
                    "with its color", "that match its color", "that match their color", "with the matching color",
-                   "that has the same color", "that has its color", "in the same color"):  # fmt: skip
-        if head == "patch" and (j := p.seq(i, phrase)):
+                   "that has the same color", "that has its color", "in the same color", "in its own color",
+                   "of equal color", "in the matching color", "in matching color", "with its own color"):  # fmt: skip
+        if head != "patch" and "same" in phrase:
+            continue
+        if j := p.seq(i, phrase):
             yield Marks({"matching": True}), j
     if j := p.any_of(i, ("of size", "of edge", "with edge", "with edges of", "with sides of", "of edge length", "of")):
         yield from ((Marks({"edge": metres}), k) for metres, k in length(p, j))

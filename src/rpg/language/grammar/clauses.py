@@ -66,8 +66,7 @@ def _for_each(p: Parser, i: int) -> Results[Meaning]:
                 continue
             spot = found.adjuncts[0]
             mark = spot.landmark if isinstance(spot, Loc) else None
-            compared = isinstance(found.theme, Noun) and found.theme.traits.scheme
-            if isinstance(spot, Loc) and isinstance(mark, Pronoun) and mark.word == "it" and not compared:
+            if isinstance(spot, Loc) and isinstance(mark, Pronoun) and mark.word == "it":
                 yield replace(found, adjuncts=(replace(spot, landmark=each),), span=p.span(i, end)), end
 
 

@@ -12,11 +12,13 @@ from rpg.language.grammar.adjectives import Marks, adjectives, clash, merge, of_
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
+from rpg.language.grammar.pronouns import pronoun
 from rpg.language.grammar.retold import retold, tally
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
 
+_APART = frozenset({"own", "separate", "distinct"})
+"""Before patches: none is shared."""
 _JOIN = frozenset({"and", "or", "plus", "&", "nor"})
-_PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
 _SINGLE = Quantity("bare")
 
 
@@ -125,7 +127,7 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
     """A noun phrase that is no list."""
     if i >= p.end:
         return
-    yield from _pronoun(p, i)
+    yield from pronoun(p, i)
     yield from _table(p, i)
     from rpg.language.grammar.structures import structure
 
@@ -149,26 +151,6 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
         if isinstance(whole, Noun) and (whole.plural or whole.amount):
             for found, k in amounts.amount(p, p.opt(j, ",")):
                 yield Noun(head=whole.head, det="some", amount=found, plural=True, part_of=whole, span=p.span(i, k)), k
-
-
-def _pronoun(p: Parser, i: int) -> Results[Meaning]:
-    if j := p.one(i, _PRONOUNS):
-        yield Pronoun(word=p.words[i], span=p.span(i, j)), j
-    for _, j in p.standing(
-        i, ("their up faces", "their top faces", "their upper faces", "their faces", "their letters", "the up faces",
-            "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces")
-    ):  # fmt: skip
-        yield Pronoun(word="them", span=p.span(i, j)), j
-    for phrase, j in p.standing(i, ("each other", "one another", "the other ones", "the other one", "the others",
-                   "the rest", "others",
-                   "the other two", "the latter", "the former", "everything else", "both of them", "all of them",
-                   "everything", "both",
-                   "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
-                   "the other", "one", "nothing else", "nothing", "either of them", "neither of them", "each of them",
-                   "none of them", "that", "this", "those", "these", "each one", "any other one", "any other",
-                   "any of the others", "each", "all others", "all the others", "all the rest",
-                   "all")):  # fmt: skip
-        yield Pronoun(word=phrase, span=p.span(i, j)), j
 
 
 def _table(p: Parser, i: int) -> Results[Meaning]:
@@ -240,11 +222,12 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
         plural = p.lex(i, table)
         if plural is not None:
             yield (head, plural, {}), i + 1
-    j = i
+    start = p.one(i, _APART) or i
+    j = start
     while p.lex(j, lexicon.PATCH) is not None:
         j += 1
-    if j > i:
-        yield ("patch", bool(p.lex(j - 1, lexicon.PATCH)), {}), j
+    if j > start:
+        yield ("patch", bool(p.lex(j - 1, lexicon.PATCH)), {"scheme": "different"} if start > i else {}), j
     for table, kind in ((lexicon.LETTER, "letter"), (lexicon.DIGIT, "digit"), (lexicon.SYMBOL, "symbol")):
         plural = p.lex(i, table)
         if plural is not None:

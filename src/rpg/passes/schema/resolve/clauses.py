@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve import turning
+from rpg.passes.schema.resolve.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.logic import conj, negation
@@ -91,6 +92,9 @@ def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
 
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    clause = by_likeness(clause, spec, scene) or clause
+    if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
+        return pairs
     match clause.verb:
         case "exist":
             return _exist(clause, spec, scene, scope)

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import permutations
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.node import EACH
+from rpg.language.meaning import Loc, Noun
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.operands import spread
-from rpg.passes.schema.resolve.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+
+MAX_SHARED = 3
+"""So many groups of blocks are dealt out to patches in every possible way."""
 
 
 def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
@@ -115,3 +124,48 @@ def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
         members = tuple(b.name for b in blocks if b.color == color)
         goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
     return goals
+
+
+def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms | None:
+    """ "on different patches", "each on a patch of its own": no two share one; None where that is not said."""
+    noun = loc.landmark
+    if not isinstance(noun, Noun) or noun.head != "patch" or loc.rel not in ("on", "in") or loc.negated:
+        return None
+    if noun.traits.scheme != "different" or noun.traits.colors or theme.quant is not None or theme.op != "and":
+        return None
+    units = [p.names for p in theme.parts] if len(theme.parts) > 1 else [(n,) for n in theme.names]
+    if all(len(u) == 1 for u in units) and len(units) == 1:
+        return None
+    many = replace(noun, plural=True, traits=replace(noun.traits, scheme=None), det="bare" if noun.det in ("a", "its") else noun.det,
+                   amount=None if noun.det in ("a", "its") else noun.amount)  # fmt: skip
+    mark = refer(many, scene, replace(scope, role="landmark", pool=(), need=len(units)))
+    if len(mark.names) < len(units):
+        raise refuse(
+            "count-mismatch",
+            f"{len(units)} cannot each have one of {len(mark.names)} patches",
+            noun.span,
+            "name as many patches",
+            wanted=len(units),
+            there=len(mark.names),
+        )
+    return [_dealt(units, mark.names, span)]
+
+
+def _dealt(units: list[tuple[str, ...]], patches: tuple[str, ...], span: Span) -> g.Goal:
+    """One unit on each patch at most, every unit on one."""
+    if all(len(u) == 1 for u in units):
+        names = tuple(u[0] for u in units)
+        least = 1 if len(patches) == len(units) else 0
+        counted: list[g.Goal] = [
+            g.Count(over=names, at_least=least, at_most=1, goal=r.OnPatch(a=(EACH,), patch=p, span=span), span=span)
+            for p in patches
+        ]
+        placed = [disj([r.OnPatch(a=(n,), patch=p, span=span) for p in patches], span) for n in names]
+        return conj(counted if least else [*placed, *counted], span)
+    if len(patches) > MAX_SHARED:
+        raise refuse("ambiguous", "it is not said which go on which patch", span, "name the patch of each")
+    ways = permutations(patches, len(units))
+    options = [
+        conj([r.OnPatch(a=u, patch=p, span=span) for u, p in zip(units, way, strict=True)], span) for way in ways
+    ]
+    return disj(options, span)

@@ -25,7 +25,9 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word in _REST or word.word in _OTHER:
         noun = Noun(head="any", det="other", plural=word.word in _REST, span=word.span)
         return others(noun, scene, scope, scope.like_patch)
-    if word.word in ("it", "that", "this", "the latter", "the former", "the first one"):
+    if word.word in ("the latter", "the former"):
+        return _one_of_two(word, scene)
+    if word.word in ("it", "that", "this", "the first one"):
         return _it(word, scene, scope)
     if word.word in ("nothing", "nothing else", "none of them", "neither of them"):
         names = tuple(t.name for t in scene.blocks() if not t.extra)
@@ -72,6 +74,15 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
         return _decide(word, scene, list(rivals.values()))
     return single[-1].ref
+
+
+def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
+    """ "the former", "the latter": of the two things that the clause before named, in the order of the words."""
+    last = max((m.clause for m in scene.mentions if m.ref.names and m.clause < scene.clause), default=-1)
+    named = sorted((m for m in scene.mentions if m.clause == last), key=lambda m: m.ref.span)
+    if len(named) != 2:
+        raise refuse("ambiguous", f"{word.word!r} wants two things named before", word.span, "name the block")
+    return named[1 if word.word == "the latter" else 0].ref
 
 
 def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:

@@ -8,7 +8,7 @@ from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, 
 from rpg.passes.schema.resolve.listing import listed, quantified
 from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
-from rpg.passes.schema.resolve.things import Premise, alike, create, matching
+from rpg.passes.schema.resolve.things import Premise, alike, compared, create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -145,6 +145,8 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     patch = _is_patch(noun, scene, scope)
     if not patch and (noun.traits.long or noun.traits.shape not in (None, "square")):
         raise refuse("misplaced", "blocks are cubes, all of one shape", noun.span, "leave the shape out")
+    if not patch and compared(noun):
+        raise refuse("ambiguous", "it is not said of what colour", noun.span, "name the colour")
     if patch and noun.traits.matching:
         return Ref(patch=True, matching=True, plural=noun.plural, det=noun.det)
     if noun.det in ("other",) or (noun.det == "another" and noun.amount is None):

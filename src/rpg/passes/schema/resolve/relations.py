@@ -15,7 +15,13 @@ from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import reciprocal
 from rpg.passes.schema.resolve.operands import DIRECTIONS, LEVEL, base_of, count, crown, foot, measure, spread
-from rpg.passes.schema.resolve.patches import indefinite, matching_patches, on_patches, one_lot_each
+from rpg.passes.schema.resolve.patches import (
+    indefinite,
+    matching_patches,
+    on_patches,
+    on_separate_patches,
+    one_lot_each,
+)
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -67,6 +73,8 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return reciprocal(theme, loc, span)
     before = scene.last_landmark_patch and scene.last_landmark_at < loc.span[0]
     like = scope.like_patch or (before and loc.rel in ("on", "in"))
+    if (apart := on_separate_patches(theme, loc, scene, scope, span)) is not None:
+        return apart
     if (found := _any_of_them(theme, loc, scene)) is not None:
         units = [Ref(names=(n,)) for n in theme.names]
         if isinstance(loc.landmark, Noun) and loc.landmark.traits.scheme == "different":
@@ -150,6 +158,13 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
 
 
 def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    if mark.each and len(mark.names) > 1 and not mark.built and indefinite(theme) and not theme.built:
+        if loc.rel in DIRECTIONS:
+            raise refuse("ambiguous", "one for all of them, or one for each?", loc.span, "name the one of each")
+        lots = one_lot_each(theme, len(mark.names), scene)
+        pairs = zip(lots, mark.names, strict=True)
+        if (len(lots[0]) == 1 or loc.rel != "on") and theme.quant is None:
+            return conj([_relate(Ref(names=lot), Ref(names=(b,)), loc, scene, span) for lot, b in pairs], span)
     if loc.rel in ("on", "above", "under"):
         return _vertical(theme, mark, loc, scene, span)
     if loc.rel in DIRECTIONS:
@@ -201,10 +216,6 @@ def _vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Go
         return _tower_on(theme, mark, scene, span)
     if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
         return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
-    if mark.each and len(mark.names) > 1 and not mark.built and indefinite(theme) and not theme.built:
-        lots = one_lot_each(theme, len(mark.names), scene)
-        if len(lots[0]) == 1 and theme.quant is None:
-            return conj([_on(a, (b,), scene, span) for (a,), b in zip(lots, mark.names, strict=True)], span)
     b = crown(mark)
     if not isinstance(b, Lowest | Highest) and len(b) > 1:
         raise refuse(

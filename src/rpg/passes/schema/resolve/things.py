@@ -139,6 +139,14 @@ def _words(traits: Traits) -> str:
     return "".join(w + " " for w in words if w)
 
 
+def compared(meaning: Meaning | None) -> bool:
+    """ "a block of the same colour", "a matching block": told by something else's colour."""
+    if not isinstance(meaning, Noun) or meaning.head == "patch" or meaning.traits.colors or meaning.traits.labels:
+        return False
+    one = not meaning.plural and meaning.det in ("a", "another", "its", "bare")
+    return meaning.traits.matching or (meaning.traits.scheme == "same" and one)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Premise(Meaning):
     """What a relative clause takes for granted of some objects."""

@@ -38,6 +38,9 @@ def evaluate(goal: g.Goal, state: BlockState) -> Verdict:
 
 def satisfied(goal: g.Goal, state: BlockState) -> bool:
     """The truth of `goal` alone: as `evaluate`, but it stops at the first part that decides."""
+    predicate = PREDICATES.get(goal.kind)
+    if predicate is not None:
+        return predicate.holds(goal, state)
     match goal:
         case g.All():
             return all(satisfied(part, state) for part in goal.goals)

@@ -11,6 +11,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from random import Random
 
+import numpy as np
+
 from rpg.blocks.arrange import arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import Polygon, footprint, polygon_gap
@@ -28,7 +30,12 @@ TIGHT = 0.004
 """Gap (m) kept in any case."""
 BORDER = 0.005
 """Scattered centres stay this far (m) inside the workspace."""
+LEAST_X, LEAST_Y = WORKSPACE_X[0] + BORDER, WORKSPACE_Y[0] + BORDER
+SPAN_X, SPAN_Y = WORKSPACE_X[1] - BORDER - LEAST_X, WORKSPACE_Y[1] - BORDER - LEAST_Y
+TURN = 2 * math.pi
 PROPOSALS = 120
+FEW = 6
+"""Proposals that are looked at one by one; only on a crowded table all of them are looked at, at once."""
 LAYOUTS = 20
 HEAP_MARGIN = 0.025
 """A heap may spread this far (m) beyond its shaft."""
@@ -36,25 +43,34 @@ STIRRED = 0.005
 """Nothing but heaps may move farther (m) than this while a start settles."""
 
 
+class _Obstacle:
+    """A convex outline to keep clear of: its middle (x, y), the `radius` of the circle around it, and that of a circle
+    about its middle that lies `within` it."""
+
+    def __init__(self, outline: Polygon, radius: float | None = None, within: float = 0.0) -> None:
+        self.outline = outline
+        self.x, self.y = middle = _middle(outline)
+        self.radius = max(math.dist(middle, p) for p in outline) if radius is None else radius
+        self.within = within
+
+
 @dataclass
 class _Layout:
-    """A start under construction: blocks placed so far, and outlines to keep clear of."""
+    """A start under construction: blocks placed so far, and what to keep clear of."""
 
     world: World
     position: dict[str, Vec3] = field(default_factory=dict)
     orientation: dict[str, Quat] = field(default_factory=dict)
-    circles: list[tuple[float, float, float]] = field(default_factory=list)
-    outlines: list[Polygon] = field(default_factory=list)
+    obstacles: list[_Obstacle] = field(default_factory=list)
     heaps: list[Heap] = field(default_factory=list)
 
     def put(self, name: str, position: Vec3, orientation: Quat) -> None:
         self.position[name], self.orientation[name] = position, orientation
-        self.keep_clear(footprint(self.state(), name))
+        outline = footprint(BlockState(self.world, self.position, self.orientation), name)
+        self.obstacles.append(_Obstacle(outline, within=self.world.edge[name] / 2))
 
     def keep_clear(self, outline: Polygon) -> None:
-        x, y = _middle(outline)
-        self.circles.append((x, y, max(math.dist((x, y), p) for p in outline)))
-        self.outlines.append(outline)
+        self.obstacles.append(_Obstacle(outline))
 
     def state(self) -> BlockState:
         """What is placed so far, in the order of the world."""
@@ -63,14 +79,20 @@ class _Layout:
 
     def free(self, x: float, y: float, radius: float, clearance: float) -> bool:
         """Is a disc around (x, y) clear of everything by `clearance`?"""
-        return all((x - a) ** 2 + (y - b) ** 2 >= (radius + r + clearance) ** 2 for a, b, r in self.circles)
+        radius += clearance
+        for other in self.obstacles:
+            dx, dy, reach = x - other.x, y - other.y, radius + other.radius
+            if dx * dx + dy * dy < reach * reach:
+                return False
+        return True
 
     def fits(self, outline: Polygon, clearance: float) -> bool:
         """Is `outline` clear of everything by `clearance`?"""
         x, y = _middle(outline)
         reach = math.dist((x, y), outline[0]) + clearance
-        for (a, b, r), other in zip(self.circles, self.outlines, strict=True):
-            if (x - a) ** 2 + (y - b) ** 2 < (reach + r) ** 2 and polygon_gap(outline, other) < clearance:
+        for other in self.obstacles:
+            near = (x - other.x) ** 2 + (y - other.y) ** 2 < (reach + other.radius) ** 2
+            if near and polygon_gap(outline, other.outline) < clearance:
                 return False
         return True
 
@@ -131,8 +153,7 @@ def _compose(init: InitialState, world: World, draw: str) -> _Layout | None:
         for origin, size in vacant.get(name, ()):
             place = _place(layout, size, Random(f"{draw}/{origin}"))
             if place is not None:
-                layout.circles.append((place[0], place[1], size / math.sqrt(2)))
-                layout.outlines.append(_outline(*place, size))
+                layout.obstacles.append(_Obstacle(_outline(*place, size), size / math.sqrt(2), size / 2))
         if name is not None and name in world.blocks and name not in layout.position:
             block = world.blocks[name]
             place = _place(layout, block.size, Random(f"{draw}/{block.origin or name}"))
@@ -146,15 +167,27 @@ def _compose(init: InitialState, world: World, draw: str) -> _Layout | None:
 def _place(layout: _Layout, size: float, rng: Random) -> tuple[float, float, float] | None:
     """A free place (x, y, yaw) for a block of edge `size`: with room around it, else wherever it fits."""
     radius = size / math.sqrt(2)
-    drawn = []
-    for _ in range(PROPOSALS):
-        x = rng.uniform(WORKSPACE_X[0] + BORDER, WORKSPACE_X[1] - BORDER)
-        y = rng.uniform(WORKSPACE_Y[0] + BORDER, WORKSPACE_Y[1] - BORDER)
-        yaw = rng.uniform(-math.pi, math.pi)
-        if layout.free(x, y, radius, CLEARANCE):
-            return x, y, yaw
-        drawn.append((x, y, yaw))
-    return next((place for place in drawn if layout.fits(_outline(*place, size), TIGHT)), None)
+    drawn = _proposals(rng, FEW)
+    for place in drawn:
+        if layout.free(place[0], place[1], radius, CLEARANCE):
+            return place
+    drawn += _proposals(rng, PROPOSALS - FEW)
+    others = np.array([(other.x, other.y, other.radius, other.within) for other in layout.obstacles])
+    middles = np.array(drawn)
+    dx, dy = (np.subtract.outer(middles[:, k], others[:, k]) for k in (0, 1))
+    square = dx * dx + dy * dy
+    with_room = (square >= (radius + CLEARANCE + others[:, 2]) ** 2).all(axis=1)
+    if with_room.any():
+        return drawn[int(with_room.argmax())]
+    perhaps = (square >= (size / 2 + others[:, 3]) ** 2).all(axis=1)
+    candidates = (drawn[k] for k in np.flatnonzero(perhaps))
+    return next((place for place in candidates if layout.fits(_outline(*place, size), TIGHT)), None)
+
+
+def _proposals(rng: Random, count: int) -> list[tuple[float, float, float]]:
+    """So many (x, y, yaw) drawn from the workspace."""
+    draw = rng.random
+    return [(LEAST_X + SPAN_X * draw(), LEAST_Y + SPAN_Y * draw(), -math.pi + TURN * draw()) for _ in range(count)]
 
 
 def _outline(x: float, y: float, yaw: float, size: float) -> Polygon:

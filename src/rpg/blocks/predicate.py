@@ -51,6 +51,10 @@ class Predicate(Generic[N]):
         """Truth and margin of the atom on `state`."""
         raise NotImplementedError
 
+    def holds(self, node: N, state: BlockState) -> bool:
+        """The truth of `evaluate` alone, for judging many states: most are ruled out at a glance."""
+        return self.evaluate(node, state).value
+
     def build(self, node: N, world: World, rng: Random) -> Iterator[list[Cluster]]:
         """Ways to lay out the blocks of a structure, most natural first; nothing for a relation.
 

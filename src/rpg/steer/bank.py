@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import combinations
 from random import Random
 
@@ -37,7 +38,20 @@ MOST_CHOICES = 64
 READERS = frozenset({"equation", "facing", "group_by", "spells", "towers"})
 """Conditions on colours or symbols."""
 
-Pose = tuple[Vec3, Quat]
+HEIGHTS = (1, 1, 1, 2, 2, 3, 4)
+"""Heights of the stacks in random layouts."""
+PITCHES = (1.02, 1.2, 1.6, 2.2)
+"""Distances between the stacks of a close layout, in edges."""
+RENEWED = 16
+"""After so many states another order of the places on the table is drawn."""
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where objects are, by key."""
+
+    position: dict[str, Vec3]
+    orientation: dict[str, Quat]
 
 
 @dataclass(frozen=True)
@@ -47,75 +61,82 @@ class Sample:
     `known`: what one of the versions is known to say of it by construction.
     """
 
-    poses: dict[str, Pose]
-    start: dict[str, Pose]
+    layout: Layout
+    start: Layout
     source: str
     known: dict[str, bool] = field(default_factory=dict)
 
 
 class Side:
-    """One version as the bank sees it."""
+    """One version as the bank sees it: `goal` and `world` are by key, as the states of the bank are."""
 
     def __init__(self, schema: TaskSchema, label: str) -> None:
         self.schema = schema
         self.label = label
-        self.world = World(schema.assets)
-        self.keys = {asset.name: key(asset) for asset in schema.assets if not isinstance(asset, GoalPatch)}
+        self.names = {key(asset): asset.name for asset in schema.assets}
+        keys = {name: k for k, name in self.names.items()}
+        self.goal = rename(schema.goal, keys)
+        self.world = World(asset.model_copy(update={"name": key(asset)}) for asset in schema.assets)
+        self.keys = {k: k for k in self.world.blocks}
         self.looks_back = any(atom.kind in CHANGES for atom in atoms(schema.goal))
 
     def state(self, sample: Sample, keys: Mapping[str, str] | None = None) -> BlockState:
-        """`sample` as this version has it: its own blocks (those of `keys`), by its own names."""
+        """`sample` as this version has it: its own blocks, or those of `keys` in their place."""
         keys = self.keys if keys is None else keys
         start = self._only(sample.start, keys, None) if self.looks_back else None
-        return self._only(sample.poses, keys, start)
+        return self._only(sample.layout, keys, start)
 
-    def _only(self, poses: dict[str, Pose], keys: Mapping[str, str], start: BlockState | None) -> BlockState:
+    def _only(self, layout: Layout, keys: Mapping[str, str], start: BlockState | None) -> BlockState:
+        position, orientation = layout.position, layout.orientation
+        if keys is not self.keys or len(keys) < len(position):
+            position = {k: position[taken] for k, taken in keys.items()}
+            orientation = {k: orientation[taken] for k, taken in keys.items()}
+        return BlockState(self.world, position, orientation, start=start)
+
+    def named(self, sample: Sample) -> BlockState:
+        """`sample` by the names of this version."""
+        state = self.state(sample)
+        start = None if state.start is None else self._named(state.start, None)
+        return self._named(state, start)
+
+    def _named(self, state: BlockState, start: BlockState | None) -> BlockState:
         return BlockState(
-            world=self.world,
-            position={name: poses[k][0] for name, k in keys.items()},
-            orientation={name: poses[k][1] for name, k in keys.items()},
+            world=World(self.schema.assets),
+            position={self.names[k]: place for k, place in state.position.items()},
+            orientation={self.names[k]: turn for k, turn in state.orientation.items()},
             start=start,
         )
 
     def choices(self, other: Side) -> tuple[dict[str, str], ...]:
-        """Every set of blocks of both versions that this version can take for its own: name -> key, its own first.
+        """Every set of blocks of both versions that this version can take for its own, its own first.
 
         They differ where the other version has more blocks of a look.
         """
-        foreign = {k: other.world.look[name] for name, k in other.keys.items() if k not in self.keys.values()}
-        found = [dict(self.keys)]
+        foreign = {k: other.world.look[k] for k in other.keys if k not in self.keys}
+        found = [self.keys]
         for look in sorted(set(foreign.values()) & set(self.world.look.values())):
-            mine = [name for name in self.keys if self.world.look[name] == look]
-            pool = [*(self.keys[name] for name in mine), *(k for k in foreign if foreign[k] == look)]
+            mine = [k for k in self.keys if self.world.look[k] == look]
+            pool = [*mine, *(k for k in foreign if foreign[k] == look)]
             found = [
                 {**before, **dict(zip(mine, chosen, strict=True))}
                 for before in found
                 for chosen in combinations(pool, len(mine))
             ]
             if len(found) > MOST_CHOICES:
-                return (dict(self.keys),)
-        return tuple(found)
-
-    def poses(self, state: BlockState) -> dict[str, Pose]:
-        """A state of this version, by key."""
-        return {
-            k: (state.position[n], state.orientation.get(n, IDENTITY))
-            for n, k in self.keys.items()
-            if n in state.position
-        }
+                return (self.keys,)
+        return (self.keys, *found[1:])
 
 
 def _seen(side: Side) -> tuple[object, ...]:
-    """All that the verdicts of a version depend on, by key."""
-    world, keys = side.world, side.keys
-    looks: dict[str, object] = {k: world.look[name] for name, k in keys.items()}
-    if not any(_reads_looks(atom) for atom in atoms(side.schema.goal)):
+    """All that the verdicts of a version depend on."""
+    world = side.world
+    looks: dict[str, object] = dict(world.look)
+    if not any(_reads_looks(atom) for atom in atoms(side.goal)):
         groups: dict[object, set[str]] = {}
         for k, look in looks.items():
             groups.setdefault(look, set()).add(k)
         looks = {k: groups[look] for k, look in looks.items()}
-    goal = rename(transform(side.schema.goal, _without_span), keys)
-    return goal, looks, {k: world.edge[name] for name, k in keys.items()}, world.patches
+    return transform(side.goal, _without_span), looks, world.edge, world.patches
 
 
 def _reads_looks(atom: g.Atom) -> bool:
@@ -132,49 +153,52 @@ def _without_span(node: g.Goal) -> g.Goal:
 class Bank:
     """The states on which two versions are compared. The same versions give the same bank.
 
-    `same`: both goals are one expression over one world, but for names and for looks that it does not ask about. They
-    say the same of every state then: what is arranged for one of them is arranged for both.
+    `starts`: of both versions, drawn from the same seeds. `same`: both goals are one expression over one world, but for
+    names and for looks that it does not ask about. They say the same of every state then: what is arranged for one of
+    them is arranged for both.
     """
 
     def __init__(self, identity: Identity, seed: int = 0) -> None:
         self.old, self.new = Side(identity.old, "old"), Side(identity.new, "new")
         self.same = not self.old.looks_back and _seen(self.old) == _seen(self.new)
         self.sizes = _sizes(identity)
+        self.alike = len(set(self.sizes.values())) == 1
         self.rng = Random(f"bank {seed}")
         self.slots = _slots(1.5 * max(self.sizes.values()))
         self.starts = {side.label: _starts(side, STARTS) for side in (self.old, self.new)}
-        self.begun = {label: [self._complete(side, s) for s in self.starts[label]] for label, side in self._sides()}
+        self.begun = {label: [self._complete(start) for start in self.starts[label]] for label in ("old", "new")}
         self.samples: list[Sample] = []
         self._fill()
 
-    def _sides(self) -> tuple[tuple[str, Side], ...]:
-        return ("old", self.old), ("new", self.new)
+    def _sides(self) -> tuple[Side, ...]:
+        return self.old, self.new
 
-    def _arranged(self) -> tuple[tuple[str, Side], ...]:
+    def _arranged(self) -> tuple[Side, ...]:
         """The sides for which goals are arranged."""
         return self._sides()[self.same :]
 
     def _fill(self) -> None:
-        goals = {label: self._goals(side) for label, side in self._arranged()}
-        for label, side in self._arranged():
-            for state in goals[label]:
+        goals = {side.label: self._goals(side) for side in self._arranged()}
+        for side in self._arranged():
+            for state in goals[side.label]:
                 self._add(side, state, "goal", True)
-            for state in goals[label][:MISSED]:
-                for miss in near_misses(side.schema.goal, state, self.rng):
+            for state in goals[side.label][:MISSED]:
+                for miss in near_misses(side.goal, state, self.rng):
                     self._add(side, miss.state, "near-miss", False)
-        for label, side in self._sides():
-            for start in self.begun[label]:
-                self.samples.append(Sample(start, start, f"{label} start"))
-            for state in goals.get(label, ()):
+        for side in self._sides():
+            for start in self.begun[side.label]:
+                self.samples.append(Sample(start, start, f"{side.label} start"))
+            for state in goals.get(side.label, ()):
                 for dealt in self._dealt(state):
                     self._add(side, dealt, "goal re-dealt", None)
         while len(self.samples) < SIZE:
-            self.samples.append(self._random(tight=len(self.samples) % 2 == 0))
+            self.samples.append(self._random(len(self.samples)))
 
     def _goals(self, side: Side) -> list[BlockState]:
-        start = self.starts[side.label][0]
+        begun = self.starts[side.label][0]
+        start = BlockState(side.world, begun.position, begun.orientation)
         try:
-            return arrange(side.schema.goal, side.world, rng=self.rng, start=start, count=ARRANGED)
+            return arrange(side.goal, side.world, rng=self.rng, start=start, count=ARRANGED)
         except Refusal:
             return []
 
@@ -191,16 +215,17 @@ class Bank:
     def _add(self, side: Side, state: BlockState, source: str, holds: bool | None) -> None:
         """Add a state of one version, with the other version's blocks somewhere on the table as well."""
         known = {} if holds is None else {side.label: holds}
-        start = self.begun[side.label][0]
-        self.samples.append(Sample(self._complete(side, state), start, f"{side.label} {source}", known))
+        turns = {k: state.orientation.get(k, IDENTITY) for k in state.position}
+        layout = self._complete(Layout(dict(state.position), turns))
+        self.samples.append(Sample(layout, self.begun[side.label][0], f"{side.label} {source}", known))
 
-    def _complete(self, side: Side, state: BlockState) -> dict[str, Pose]:
+    def _complete(self, layout: Layout) -> Layout:
         """A state of one version, with every block that it lacks at a free place flat on the table."""
-        poses = side.poses(state)
-        missing = [k for k in self.sizes if k not in poses]
+        missing = [k for k in self.sizes if k not in layout.position]
         if not missing:
-            return poses
-        taken = [(x, y) for (x, y, _), _ in poses.values()]
+            return layout
+        position, orientation = dict(layout.position), dict(layout.orientation)
+        taken = [(x, y) for x, y, _ in position.values()]
         reach = (1.5 * max(self.sizes.values())) ** 2
         enough = min(len(self.slots), 3 * len(missing) + 4 * len(taken))
         for x, y in self.rng.sample(self.slots, enough):
@@ -208,42 +233,59 @@ class Bank:
                 break
             if all((x - a) ** 2 + (y - b) ** 2 > reach for a, b in taken):
                 k = missing.pop()
-                poses[k] = ((x, y, TABLE_Z + self.sizes[k] / 2), yaw_quat(self.rng.uniform(-math.pi, math.pi)))
+                position[k] = (x, y, TABLE_Z + self.sizes[k] / 2)
+                orientation[k] = yaw_quat(self.rng.uniform(-math.pi, math.pi))
         for index, k in enumerate(missing):
-            poses[k] = (self._aside(index, k), IDENTITY)
-        return poses
+            position[k], orientation[k] = self._aside(index, k), IDENTITY
+        return Layout(position, orientation)
 
     def _aside(self, index: int, k: str) -> Vec3:
         """A place beyond the others, for blocks that find no room among them."""
         return (WORKSPACE_X[1] + 0.2 * (index + 1), 0.0, TABLE_Z + self.sizes[k] / 2)
 
-    def _random(self, tight: bool) -> Sample:
-        """Blocks dealt into stacks of random heights, square to the table: close together, or at free places."""
-        names = sorted(self.sizes)
-        self.rng.shuffle(names)
-        poses: dict[str, Pose] = {}
-        for x, y in self._near(len(names)) if tight else self.rng.sample(self.slots, min(len(names), len(self.slots))):
+    def _random(self, number: int) -> Sample:
+        """Blocks dealt into stacks of random heights, square to the table: by turns close together and anywhere."""
+        draw, sizes = self.rng.random, self.sizes
+        names = sorted(sizes, key=lambda _: draw())
+        position: dict[str, Vec3] = {}
+        for x, y in self._near(len(names)) if number % 2 == 0 else self._anywhere(number):
+            height = min(len(names), HEIGHTS[int(draw() * len(HEIGHTS))])
+            stack = names[-height:]
+            if not self.alike:
+                stack.sort(key=lambda k: -sizes[k])
+            z = TABLE_Z
+            for k in stack:
+                edge = sizes[k]
+                position[k] = (x, y, z + edge / 2)
+                z += edge
+            del names[-height:]
             if not names:
                 break
-            height = min(len(names), self.rng.choice((1, 1, 1, 2, 2, 3, 4)))
-            z = TABLE_Z
-            for k in sorted((names.pop() for _ in range(height)), key=lambda k: -self.sizes[k]):
-                poses[k] = ((x, y, round(z + self.sizes[k] / 2, 6)), IDENTITY)
-                z += self.sizes[k]
         for index, k in enumerate(names):
-            poses[k] = (self._aside(index, k), IDENTITY)
+            position[k] = self._aside(index, k)
         begun = self.begun["new"]
-        return Sample(poses, begun[self.rng.randrange(len(begun))], "random layout")
+        return Sample(Layout(position, self._upright), begun[int(draw() * len(begun))], "random layout")
+
+    @cached_property
+    def _upright(self) -> dict[str, Quat]:
+        return dict.fromkeys(self.sizes, IDENTITY)
 
     def _near(self, count: int) -> Iterator[tuple[float, float]]:
-        """Places in a few rows around a point, in a random order of rows, at one pitch."""
-        pitch = max(self.sizes.values()) * self.rng.choice((1.02, 1.2, 1.6, 2.2))
-        columns = self.rng.randint(1, max(1, min(6, count)))
-        x, y = self.rng.uniform(0.45, 0.6), self.rng.uniform(-0.1, 0.15)
-        rows = -(-count // columns)
-        for place in range(rows * columns):
-            i, j = divmod(place, columns)
-            yield round(x + i * pitch, 4), round(y - j * pitch, 4)
+        """Places in a few rows around a point, at one pitch."""
+        draw = self.rng.random
+        pitch = max(self.sizes.values()) * PITCHES[int(draw() * len(PITCHES))]
+        columns = 1 + int(draw() * min(6, count))
+        x, y = 0.45 + 0.15 * draw(), -0.1 + 0.25 * draw()
+        for place in range(count):
+            yield x + place // columns * pitch, y - place % columns * pitch
+
+    def _anywhere(self, number: int) -> Iterator[tuple[float, float]]:
+        """Places on the table in a random order, which is drawn anew every so often."""
+        if number % RENEWED == 1:
+            self.rng.shuffle(self.slots)
+        first = int(self.rng.random() * len(self.slots))
+        yield from self.slots[first:]
+        yield from self.slots[:first]
 
 
 def _slots(pitch: float) -> list[tuple[float, float]]:
@@ -255,8 +297,15 @@ def _slots(pitch: float) -> list[tuple[float, float]]:
     ]
 
 
-def _starts(side: Side, count: int) -> list[BlockState]:
-    return [sample_start(side.schema.init, side.world, seed) for seed in range(count)]
+def _starts(side: Side, count: int) -> list[Layout]:
+    """Starts as the version itself draws them, by key."""
+    world = World(side.schema.assets)
+    found = []
+    for seed in range(count):
+        state = sample_start(side.schema.init, world, seed)
+        position = {k: state.position[side.names[k]] for k in side.keys}
+        found.append(Layout(position, {k: state.orientation.get(side.names[k], IDENTITY) for k in side.keys}))
+    return found
 
 
 def _sizes(identity: Identity) -> dict[str, float]:

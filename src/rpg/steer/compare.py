@@ -51,8 +51,7 @@ class Judge:
 
     def __init__(self, side: Side, other: Side) -> None:
         self.side = side
-        self.goal = side.schema.goal
-        self.holds = alike.Judge(self.goal, side.world).any_name
+        self.holds = alike.Judge(side.goal, side.world).any_name
         self.choices = side.choices(other)
 
     def __call__(self, sample: Sample) -> bool:
@@ -63,7 +62,7 @@ class Judge:
 
     def margin(self, sample: Sample) -> float:
         """By how much of its tolerances the goal holds, or fails, with its own blocks."""
-        return evaluate(self.goal, self.side.state(sample)).margin
+        return evaluate(self.side.goal, self.side.state(sample)).margin
 
 
 def compare(identity: Identity, bank: Bank) -> Comparison:
@@ -139,4 +138,4 @@ def _witness(accepted_by: Literal["old", "new"], side: Side, samples: list[Sampl
     if not samples:
         return ()
     best = min(samples, key=lambda sample: sample.source != f"{accepted_by} goal")
-    return (Witness(accepted_by, best.source, side.state(best)),)
+    return (Witness(accepted_by, best.source, side.named(best)),)

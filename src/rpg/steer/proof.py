@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-from rpg.blocks.state import BlockState
 from rpg.ir.base import Record
 from rpg.ir.schema import TaskSchema
-from rpg.steer.bank import STARTS, Bank
+from rpg.steer.bank import STARTS, Bank, Layout
 from rpg.steer.compare import Comparison, Relation, Witness, compare
 from rpg.steer.diff import Diff, diff
 from rpg.steer.identity import Identity, look
@@ -83,7 +82,7 @@ def _positions(identity: Identity, bank: Bank) -> Positions:
     moved: set[str] = set()
     identical = 0
     for before, after in zip(bank.starts["old"], bank.starts["new"], strict=True):
-        elsewhere = {k for k in identity.untouched if _pose(before, identity, k, old=True) != _pose(after, identity, k)}
+        elsewhere = {k for k in identity.untouched if _pose(before, k) != _pose(after, k)}
         identical += not elsewhere
         moved |= elsewhere
     names = {k: identity.after[k].name for k in identity.untouched}
@@ -95,9 +94,8 @@ def _positions(identity: Identity, bank: Bank) -> Positions:
     )
 
 
-def _pose(state: BlockState, identity: Identity, k: str, *, old: bool = False) -> tuple[object, object]:
-    name = (identity.before if old else identity.after)[k].name
-    return state.position[name], state.orientation.get(name)
+def _pose(start: Layout, k: str) -> tuple[object, object]:
+    return start.position[k], start.orientation[k]
 
 
 def _axes(identity: Identity, changes: Diff, relation: Relation) -> tuple[Axis, ...]:

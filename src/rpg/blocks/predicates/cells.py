@@ -23,9 +23,10 @@ from rpg.blocks.predicates.common import (
     spin,
     swap,
 )
-from rpg.blocks.predicates.fit import EPS, Fit, best_fit, likeness
+from rpg.blocks.predicates.fit import EPS, Fit, best_fit, likeness, prepared
 from rpg.blocks.predicates.order import fixed_edges
 from rpg.blocks.predicates.pattern import fillings, follows
+from rpg.blocks.predicates.plainly import layers
 from rpg.blocks.predicates.reading import legible, unreadable
 from rpg.blocks.predicates.stack import alone
 from rpg.blocks.predicates.vertical import GROUND
@@ -60,6 +61,11 @@ def heights(state: BlockState, names: Sequence[str], edge: float) -> tuple[list[
     return levels, 1.0 - error / SUPPORT_GAP
 
 
+def _layer_counts(node: Cells, count: int) -> list[list[int]]:
+    """How many blocks each form of a figure has at each level."""
+    return [[len(level) for level in prepared(ideal).levels] for ideal in ideals(node, count)]
+
+
 def outdone(ideal: Ideal, fit: Fit, places: Sequence[tuple[float, float, int]], pitches: tuple[float, float]) -> float:
     """How much better another flat figure fits the blocks than half as badly as `fit` does; negative where none does.
 
@@ -81,6 +87,12 @@ class CellsPredicate(Predicate[Cells]):
     def evaluate(self, node: Cells, state: BlockState) -> Verdict:
         found = self.find(node, state)
         return found.verdict if found is not None else FALSE
+
+    def holds(self, node: Cells, state: BlockState) -> bool:
+        counts = layers(state, node.blocks)
+        if counts is not None and counts not in _layer_counts(node, len(node.blocks)):
+            return False
+        return self.evaluate(node, state).value
 
     def find(self, node: Cells, state: BlockState) -> Found | None:
         """The form of the figure that holds, or else comes nearest to it; None where none has the blocks' levels."""

@@ -27,6 +27,7 @@ from rpg.blocks.predicates.common import (
     swap,
 )
 from rpg.blocks.predicates.order import ordered, sequences, swaps
+from rpg.blocks.predicates.plainly import uneven
 from rpg.blocks.predicates.reading import apart, legible, unreadable
 from rpg.blocks.predicates.stack import alone
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
@@ -157,6 +158,9 @@ class RowPredicate(Predicate[Row]):
             if node.order.by in READ_ORDERS:
                 parts.append(apart(state, line.sequence, line.direction, node.gap_edges, symbols=True))
         return every(parts)
+
+    def holds(self, node: Row, state: BlockState) -> bool:
+        return not uneven(state, node.blocks) and self.evaluate(node, state).value
 
     def build(self, node: Row, world: World, rng: Random) -> Iterator[list[Cluster]]:
         for sequence in sequences(node.order, node.blocks, Traits(world), rng):

@@ -13,8 +13,9 @@ from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.common import TILT, set_aside, shift, stand_on, strangers, swap
 from rpg.blocks.predicates.order import fixed_edges, ordered, sequences, swaps
 from rpg.blocks.predicates.patches import on_patch
+from rpg.blocks.predicates.plainly import off
 from rpg.blocks.predicates.reading import legible, unreadable
-from rpg.blocks.predicates.vertical import GROUND, directly_on
+from rpg.blocks.predicates.vertical import DIRECTLY, GROUND, directly_on
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
 from rpg.blocks.traits import TO_VIEWER, UP, Traits, symbols_shown
 from rpg.blocks.verdict import FALSE, TRUE, Verdict, at_most, every, holds
@@ -74,6 +75,15 @@ class StackPredicate(Predicate[Stack]):
         if node.readable:
             parts.append(legible(state, upward, TO_VIEWER, UP, node.excused))
         return every(parts)
+
+    def holds(self, node: Stack, state: BlockState) -> bool:
+        position, edge = state.position, state.world.edge
+        upward = sorted(node.blocks, key=lambda name: position[name][2])
+        for below, above in pairwise(upward):
+            reach = DIRECTLY.offset_edges * max(edge[below], edge[above]) + DIRECTLY.slack
+            if off(state, above, below, reach, DIRECTLY.gap):
+                return False
+        return self.evaluate(node, state).value
 
     def _either(self, node: Stack) -> bool:
         return node.order.by == "rainbow" and node.order.first is None

@@ -10,6 +10,7 @@ from typing import Any
 from rpg.blocks.geometry import carried, footprint_gap, riders, supporters, table_gap
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, set_aside, shift, stand_on, swap, tilted
+from rpg.blocks.predicates.plainly import off
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import FALSE, Verdict, at_most, every, holds, some
 from rpg.ir.node import Lowest, members
@@ -63,6 +64,15 @@ class OnPredicate(Predicate[On]):
     def evaluate(self, node: On, state: BlockState) -> Verdict:
         below = state.resolve(node.b)
         return every(some(directly_on(a, b, state, node) for b in below) for a in state.resolve(node.a))
+
+    def holds(self, node: On, state: BlockState) -> bool:
+        below, edge = state.resolve(node.b), state.world.edge
+
+        def on(a: str, b: str) -> bool:
+            reach = node.offset_edges * max(edge[a], edge[b]) + node.slack
+            return not off(state, a, b, reach, node.gap) and directly_on(a, b, state, node).value
+
+        return all(any(on(a, b) for b in below) for a in state.resolve(node.a))
 
     def near_misses(self, node: On, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         a = state.resolve(node.a)[0]

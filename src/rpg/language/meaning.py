@@ -189,6 +189,21 @@ class At(Meaning):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Places(Meaning):
+    """Some places of a structure: "the first row" (`side` "first", `index` 1), "the two middle blocks", "each corner".
+
+    `side` is a side, "first", "last", or "ends", "corners", "edge", "inner", "rest"; `unit` what is counted: "block",
+    "row", "column", "layer", "half", "third"; `several`: how many of them.
+    """
+
+    side: str
+    unit: str
+    index: int | None = None
+    several: int | None = None
+    each: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Absolute(Meaning):
     """ "with the red block on top": a thing and what is said of it."""
 

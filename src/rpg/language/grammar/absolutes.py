@@ -6,30 +6,42 @@ from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.parts import part_statement, unit_of
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import SIDES, at
-from rpg.language.meaning import Absolute, At, Coord, Loc, Manner, Meaning, Noun, TableTop
+from rpg.language.meaning import Absolute, At, Coord, Loc, Manner, Meaning, Noun, Places, TableTop
+
+_LEADS = (
+    "with", "having", "where", "keeping", "whose", "and with", "but with", "crowned by", "crowned with", "topped by",
+    "topped with",
+)  # fmt: skip
+_PART_LEADS = (
+    "in which", "of which", "so that", "such that", "except that", "except", "but", "but where", "but whose", "only",
+    "and where", "and whose", "with just", "with only", "and", "that has", "which has", "that have", "and has",
+)  # fmt: skip
+"""What only a statement about a part of the structure follows, beside the others."""
+_STARTING = ("starting with", "beginning with", "starting from", "start with", "begin with")
 
 
+def starting(p: Parser, i: int) -> Results[Absolute]:
+    """ "starting with the red one (at the bottom)": what comes first in a line."""
+    j = p.any_of(p.opt(i, ","), _STARTING)
+    for theme, k in simple(p, j) if j else ():
+        if not isinstance(theme, Noun) or theme.head == "patch":
+            continue
+        first = Places(side="first", unit="block", index=1, span=theme.span)
+        yield Absolute(theme=theme, adjuncts=(first,), span=p.span(i, k)), k
+        for side, end in at(p, k):
+            yield Absolute(theme=theme, adjuncts=(side,), span=p.span(i, end)), end
+
+
+@rule
 def absolute(p: Parser, i: int) -> Results[Meaning]:
     """ "with the red block on top and the blue one below it"; "the green one on top" after a comma."""
     comma = p.opt(i, ",", ":")
-    j = p.any_of(
-        comma,
-        (
-            "with",
-            "having",
-            "where",
-            "keeping",
-            "and with",
-            "but with",
-            "whose",
-            "crowned by",
-            "crowned with",
-            "topped by",
-            "topped with",
-        ),
-    ) or (comma if comma > i else 0)
+    yield from starting(p, i)
+    yield from _of_parts(p, i, comma)
+    j = p.any_of(comma, _LEADS) or (comma if comma > i else 0)
     if not j:
         return
     if p.words[j - 1] in ("by", "with") and p.words[j - 2] in ("crowned", "topped"):
@@ -45,19 +57,28 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
         yield from _absolute_more(p, i, end, (first,))
 
 
+def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:
+    """ "in which the first row is red and the others blue": statements about parts alone."""
+    j = p.any_of(comma, _PART_LEADS)
+    for first, end in part_statement(p, j) if j else ():
+        yield first, end
+        yield from _absolute_more(p, i, end, (first,))
+
+
 @rule
 def sided(p: Parser, i: int) -> Results[Meaning]:
     """Absolutes about the sides of a structure alone."""
     for found, j in absolute(p, i):
         parts = found.items if isinstance(found, Coord) else (found,)
-        if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At) for x in parts):
+        if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At | Places) for x in parts):
             if isinstance(found, Coord):
                 found = replace(found, items=(replace(parts[0], cost=0), *parts[1:]))
             yield replace(found, cost=0), j
 
 
-def _one_absolute(p: Parser, j: int) -> Results[Absolute]:
+def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
     """ "a red block at the bottom" or "bottom red"."""
+    yield from part_statement(p, j, unit)
     for theme, k in noun_phrase(p, j):
         k = p.opt(k, "is", "are", "being", "goes", "should", "lying", "standing", "left")
         k = p.opt(k, "be")
@@ -83,10 +104,12 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     """ "... and blue on top", "... then green": further ones, in one record."""
     j = p.opt(at_, ",")
     then = p.any_of(j, ("and then", "then", "followed by"))
-    j = then or p.any_of(j, ("and",)) or j
+    j = then or p.any_of(j, ("and", "but", "while", ";")) or j
     if j == at_ or len(had) > 12:
         return
-    more = list(_one_absolute(p, j))
+    j = p.any_of(j, ("with", "where", "whose", "having")) or j
+    unit = unit_of(had[-1]) if isinstance(had[-1], Absolute) else ""
+    more = list(_one_absolute(p, j, unit))
     if then:
         more += [
             (Absolute(theme=t, adjuncts=(At(side="next", span=t.span),), span=t.span), k)

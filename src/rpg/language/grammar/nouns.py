@@ -14,7 +14,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
 from rpg.language.grammar.pronouns import pronoun
 from rpg.language.grammar.retold import retold, tally
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
+from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""
@@ -99,9 +99,13 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
     if op is not None and now != op and op != "comma":
         return
     nxt = joined or comma
-    for item, j in simple(p, nxt):
+    for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
         if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
             continue
+        if isinstance(item, Noun) and isinstance(item.part_of, Noun) and item.part_of.det == "bare" and not item.cost:
+            item = replace(item, cost=2)
+        if _part_after(items[-1], item):
+            item = replace(item, cost=item.cost + 3)
         whole = (*items, item)
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
             yield Coord(op="xor", items=whole, span=p.span(i, k)), k
@@ -112,6 +116,22 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
         else:
             yield Coord(op="and", items=whole, span=p.span(i, j), cost=3 if retold(whole) else 1), j
             yield from _list(p, i, whole, j, op or "comma")
+
+
+def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:
+    """ "a group of reds and one of blues": a structure like the one before it in the list."""
+    of = p.any_of(i, ("one of", "another of", "another one of", "a second of", "a third of", "the other of"))
+    if not (of and isinstance(before, Structure) and before.members is not None and not before.plural):
+        return
+    for members, j in simple(p, of):
+        if isinstance(members, Noun):
+            yield replace(before, members=members, sizes=(), dims=(), details=(), span=p.span(i, j)), j
+
+
+def _part_after(before: Meaning, item: Meaning) -> bool:
+    """ "a tower with black ends and white ..." goes on with the tower's parts."""
+    parts = isinstance(before, Structure) and any(isinstance(d, Absolute | Coord) for d in before.details)
+    return parts and not isinstance(item, Structure)
 
 
 def _shares_head(before: Meaning, item: Meaning) -> bool:

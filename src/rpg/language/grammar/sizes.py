@@ -67,6 +67,8 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
         k = p.opt(k, *_BLOCKS)
         if end := p.any_of(k, IN_TOTAL):
             yield Size(what="total", amount=found, span=p.span(i, end)), end
+        if p.words[i] == "," and p.words[k - 1] in ("blocks", "cubes") and j == i + 1:
+            yield Size(what="size", amount=found, span=p.span(i, k), cost=1), k
         for unit, what in _UNITS.items():
             if end := p.seq(k, unit):
                 yield Size(what=what, amount=found, span=p.span(i, end)), end

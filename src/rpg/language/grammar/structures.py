@@ -195,19 +195,22 @@ def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meanin
             yield from _one_each(p, i, end, whole)
             yield from _sided(p, i, end, whole)
             yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
-        if base.kind in ("stack", "row", "line", "column", "grid", "square", "cube", "wall", "word"):
-            yield from _sided(p, i, k, sized)
+        yield from _sided(p, i, k, sized)
         if base.kind in ("stack", "row", "line", "column"):
             for items, end in listed(p, p.opt(k, ":", ",")):
                 given = OrderBy(by="named", items=items, span=p.span(k, end))
                 yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
 
 
+_DETAILED = frozenset({"with", ",", "having", "where", ":", "whose", "in", "of", "so", "such", "except", "but",
+                       "starting", "that", "which"})  # fmt: skip
+
+
 def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
     from rpg.language.grammar.absolutes import sided
 
-    if p.words[k : k + 1] and p.words[k] in ("with", ",", "having", "where", ":", "whose"):
+    if k < p.end and p.words[k] in _DETAILED:
         for detail, end in sided(p, k):
             yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
 

@@ -12,11 +12,13 @@ from rpg.language.grammar.labels import literal
 from rpg.language.grammar.manners import direction
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.meaning import (
+    At,
     Chain,
     Clause,
     Loc,
     Manner,
     Meaning,
+    Noun,
     Pronoun,
     Quality,
     Structure,
@@ -139,6 +141,12 @@ def gerund_clause(p: Parser, i: int) -> Results[Chain]:
                     yield Chain(clauses=(found, more), links=("and", "and"), span=p.span(i, end)), end
 
 
+def _bare_count(theme: Meaning) -> bool:
+    """ "stack red and blue, six blocks ..." says how many there are of those, it speaks of no others."""
+    many = isinstance(theme, Noun) and theme.amount is not None and theme.amount.low > 1
+    return many and isinstance(theme, Noun) and theme.det == "bare" and theme.traits == Traits()
+
+
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
@@ -146,6 +154,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         for found, k in adjuncts(p, j):
             if found and not isinstance(found[0], That):
                 cost = 2 if before.verb in ("build", "spell", "sort") and not isinstance(theme, Structure) else 0
+                cost += 2 if _bare_count(theme) or (before.verb == "stack" and isinstance(found[0], At)) else 0
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):

@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
-from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Structure, Toward
+from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Structure, Toward, Traits
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.orders import order_of
@@ -33,7 +33,20 @@ def counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
         and not theme.traits.colors
     ):
         return replace(theme, traits=replace(theme.traits, kind=kind))
-    return theme
+    total = next((z for z in spec.sizes if z.what in ("size", "total") and z.amount is not None), None)
+    colors = _plain_colors(theme)
+    if total is None or len(colors) < 2:
+        return theme
+    spec.sizes.remove(total)
+    return Noun(head="block", amount=total.amount, plural=True, traits=Traits(colors=colors), span=theme.span)
+
+
+def _plain_colors(theme: Meaning) -> tuple[str, ...]:
+    """The colours of "red and blue", where they are all that is said."""
+    if isinstance(theme, Coord) and theme.op == "and":
+        return tuple(c for item in theme.items for c in _plain_colors(item))
+    plain = isinstance(theme, Noun) and theme.amount is None and theme.det == "bare" and theme.head == "any"
+    return theme.traits.colors if plain and isinstance(theme, Noun) and not theme.traits.either else ()
 
 
 def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
@@ -184,7 +197,7 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         if not spec.places and not heaped:
             raise refuse("no-goal", "it is not said on what to stack it", span, "say 'on the blue block'")
         return theme, []
-    if theme.quant is not None or theme.op == "or":
+    if theme.quant is not None or theme.op == "or" or theme.mixed:
         raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
     items = next((o.items for o in spec.orders if o.items and o.by == "given"), ())
     if items and len(theme.names) != len(items):

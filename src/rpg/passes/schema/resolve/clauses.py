@@ -290,6 +290,7 @@ def _leftovers(spec: Spec, clause: Clause) -> None:
         "places",
         "intos",
         "qualities",
+        "parts",
     ):
         for item in getattr(spec, name):
             raise refuse(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.language.meaning import Structure
-from rpg.passes.schema.resolve.members import amount_of
+from rpg.passes.schema.resolve.things import amount_of
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
 
 Made = tuple[list[Built], list[g.Goal]]

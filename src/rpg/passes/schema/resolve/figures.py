@@ -11,6 +11,7 @@ from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.grids import grid
 from rpg.passes.schema.resolve.members import members_of
+from rpg.passes.schema.resolve.parts import widened
 from rpg.passes.schema.resolve.patterns import pattern_of
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -29,6 +30,12 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
             return grid(shape, spec, theme, scene, scope)
     sides, need = _outline(shape, count)
+    pointing = _pointing(shape.kind, spec)
+    filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
+    said: dict[str, Any] = {"shape": shape.kind, "pointing": pointing}
+    form = s.Figure(blocks=("",), filled=filled, sides=sides, **said)
+    size = need or count or FEWEST[shape.kind]
+    shape = widened(shape, spec, theme, form, size, scene)
     names = members_of(shape, spec, theme, need, FEWEST[shape.kind], scene, scope)
     least = 4 if shape.kind in ("square", "circle", "rectangle") else 3
     if len(names) < least:
@@ -39,10 +46,7 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
             f"use {FEWEST[shape.kind]}",
             blocks=len(names),
         )
-    pointing = _pointing(shape.kind, spec)
-    filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
-    pattern, readable = pattern_of(shape, spec, names, None, scene, scope)
-    said: dict[str, Any] = {"shape": shape.kind, "pointing": pointing}
+    pattern, readable = pattern_of(shape, spec, names, None, scene, scope, form)
     node = s.Figure(
         blocks=names, filled=filled, sides=sides, pattern=pattern, readable=readable, span=shape.span, **said
     )

@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 
 from rpg.ir import structures as s
-from rpg.ir.order import Order, Pattern
-from rpg.language.meaning import Absolute, At, Structure
 from rpg.language.meaning import Pattern as Said
+from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
+from rpg.passes.schema.resolve.parts import widened
 from rpg.passes.schema.resolve.patterns import pattern_of
-from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -23,56 +22,14 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     need = rows * columns * layers
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
-    centre = next((a for a in spec.absolutes if isinstance(a.adjuncts[0], At) and a.adjuncts[0].side == "middle"), None)
-    if centre is not None and layers == 1 and not spec.patterns and not spec.orders:
-        return _centred(centre, shape, spec, theme, (rows, columns), scene, scope)
+    form = s.Grid(blocks=("",), rows=rows, columns=columns, layers=layers)
+    shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
-    pattern, readable = pattern_of(shape, spec, names, (rows, columns, layers), scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, (rows, columns, layers), scene, scope, form)
     node = s.Grid(
         blocks=names, rows=rows, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
     )
     return made("grid" if shape.kind == "checkerboard" else shape.kind, node, names, shape.span, scene)
-
-
-def _centred(
-    centre: Absolute, shape: Structure, spec: Spec, theme: Ref | None, dims: tuple[int, int], scene: Scene, scope: Scope
-) -> Made:
-    """ "a 3x3 square of red blocks with a blue one in the center"."""
-    spec.absolutes.remove(centre)
-    rows, columns = dims
-    total = rows * columns
-    if total % 2 == 0 or rows % 2 == 0:
-        raise refuse(
-            "misplaced",
-            f"a {rows} by {columns} grid has no single middle cell",
-            centre.span,
-            "use odd numbers of rows and columns",
-        )
-    others = members_of(shape, spec, theme, total - 1, total - 1, scene, scope)
-    if len({(t.color, t.label) for t in (scene.things[n] for n in others)}) > 1:
-        raise refuse(
-            "ambiguous",
-            "it is not said how the other blocks are laid out",
-            shape.span,
-            "use blocks of one colour around it",
-        )
-    for name in others:
-        scene.things[name].scheme = scene.things[name].scheme or "same"
-    middle = refer(centre.theme, scene, Scope()).names
-    if len(middle) != 1 or middle[0] in others:
-        raise refuse(
-            "misplaced", "one further block goes in the middle", centre.span, "name one block of another colour"
-        )
-    half = len(others) // 2
-    order = Order(by="given", ranks=(others[:half], middle, others[half:]))
-    node = s.Grid(
-        blocks=(*others, *middle),
-        rows=rows,
-        columns=columns,
-        pattern=Pattern(kind="reading", order=order),
-        span=shape.span,
-    )
-    return made(shape.kind, node, node.blocks, shape.span, scene)
 
 
 def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:
@@ -154,8 +111,10 @@ def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             )
         scene.assume(f"the wall is {columns} blocks wide and {layers} high")
     need = columns * layers
+    form = s.Grid(blocks=("",), rows=1, columns=columns, layers=layers)
+    shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
-    pattern, readable = pattern_of(shape, spec, names, (1, columns, layers), scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, (1, columns, layers), scene, scope, form)
     node = s.Grid(
         blocks=names, rows=1, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
     )

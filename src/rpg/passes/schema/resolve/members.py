@@ -100,6 +100,8 @@ def certain(ref: Ref, scene: Scene) -> Ref:
         if ref.op == "except":
             return ref.parts[0]
         raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
+    if ref.mixed:
+        raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
     if ref.quant is None:
         return ref
     things = [scene.things[n] for n in ref.names]
@@ -216,9 +218,3 @@ def new_members(traits: Traits, count: int, kind: str | None, scene: Scene) -> t
         thing.invented = not (color or one.kind or one.size)
         names.append(thing.name)
     return tuple(names)
-
-
-def amount_of(meaning: Meaning | None) -> int | None:
-    """The plain number in a noun phrase."""
-    amount: Amount | None = getattr(meaning, "amount", None)
-    return amount.low if amount is not None and amount.low == amount.high else None

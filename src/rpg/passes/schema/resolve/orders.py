@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import Meaning, Noun, OrderBy
-from rpg.passes.schema.resolve.positions import SIDES, positions
+from rpg.passes.schema.resolve.positions import SIDES, Placed, positions
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import quality_fits
@@ -39,6 +39,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "reverse")):
         merged = _merge(found, order, names, kind, scene, scope, first)
         if found.by not in ("any", merged.by) and order.by not in ("in_order", "reverse", "any"):
+            if scene.lenient:
+                continue
             raise refuse("order-conflict", "two orders are given for the same blocks", order.span, "keep one of them")
         found = merged
     reverse = any(o.by == "reverse" for o in spec.orders)
@@ -53,14 +55,32 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         found = found.model_copy(update={"descending": not found.descending})
     if found.by == "any" and not spec.orders and spec.listed and (first or _doubled(names, scene)):
         found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
-    placed = positions(spec, names, kind, scene, scope)
-    if placed:
+    placed = positions(spec, names, kind, scene)
+    if placed is not None and found.by == "alternating":
+        return _begun(found, placed, names, kind, scene, span)
+    if placed is not None and not (scene.lenient and found.by != "any"):
         if found.by != "any":
             raise refuse("order-conflict", "two orders are given for the same blocks", span, "keep one of them")
-        found = Order(by="given", ranks=tuple(placed), first=first or _default_side(kind))  # type: ignore[arg-type]
+        if first is not None and placed.first not in (None, first):
+            raise refuse("order-conflict", "the places are counted from two sides", span, "keep one of them")
+        found = Order(by="given", ranks=placed.ranks, first=placed.first)  # type: ignore[arg-type]
     if found.by != "any" and first and found.first is None:
         found = found.model_copy(update={"first": first})
     return found
+
+
+def _begun(found: Order, placed: Placed, names: tuple[str, ...], kind: str, scene: Scene, span: Span) -> Order:
+    """ "alternating red and blue, blue at the bottom": of the two alternations the one that fits."""
+    looks = {n: scene.things[n].color for n in names}
+    for begin in sorted({look for look in looks.values() if look}):
+        one = [n for n in names if looks[n] == begin]
+        two = [n for n in names if looks[n] != begin]
+        row = [(one if k % 2 == 0 else two)[k // 2 : k // 2 + 1] for k in range(len(names))]
+        said = [n for rank in placed.ranks for n in (rank if len(rank) == 1 else (None,) * len(rank))]
+        fits = all(a is None or (b and looks[a] == looks[b[0]]) for a, b in zip(said, row, strict=True))
+        if fits and all(row) and len({looks[n] for n in two}) == 1 and abs(len(one) - len(two)) < 2:
+            return Order(by="given", ranks=tuple(map(tuple, row)), first=placed.first)  # type: ignore[arg-type]
+    raise refuse("order-conflict", "two orders are given for the same blocks", span, "keep one of them")
 
 
 def _doubled(names: tuple[str, ...], scene: Scene) -> bool:
@@ -179,16 +199,9 @@ def _symbolic(order: OrderBy, things: list[Thing], kind: str, scene: Scene, firs
         return _by_size(order, things, kind, scene, first)
     by = "number" if order.by == "number" or (order.by != "label" and kinds <= {"digit", None}) else "label"
     want = "digit" if by == "number" else "letter"
-    wrong = [t for t in things if t.kind not in (want, None, "symbol")]
-    if wrong or any(t.kind is None and t.color for t in things):
-        raise refuse(
-            "order-misfit",
-            f"this order is for {'numbers' if by == 'number' else 'letters'}, but some blocks show none",
-            order.span,
-            "use blocks that show them",
-        )
     for thing in things:
-        thing.kind = want
+        if thing.kind == "symbol" or (thing.kind is None and not thing.color):
+            thing.kind = want
     if first is None:
         first = "top" if kind == "stack" else _default_side(kind)
         scene.assume(

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from rpg.ir.order import Order, Pattern
+from rpg.ir.structures import Cells
 from rpg.language.lexicon import COLORS
 from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.parts import parted
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
 
@@ -13,9 +15,18 @@ PALETTE = (*tuple(c for c in COLORS if c not in ("black", "white", "gray", "brow
 
 
 def pattern_of(
-    shape: Structure, spec: Spec, names: tuple[str, ...], dims: tuple[int, int, int] | None, scene: Scene, scope: Scope
+    shape: Structure,
+    spec: Spec,
+    names: tuple[str, ...],
+    dims: tuple[int, int, int] | None,
+    scene: Scene,
+    scope: Scope,
+    form: Cells,
 ) -> tuple[Pattern | None, bool]:
-    """How the cells are coloured or labelled; colours and labels left open are chosen to fit."""
+    """How the cells of `form` are coloured or labelled; colours and labels left open are chosen to fit."""
+    by_parts = parted(spec, form, names, scene, scope)
+    if by_parts is not None:
+        return by_parts, False
     things = [scene.things[n] for n in names]
     said = next(iter(spec.patterns), None)
     spec.patterns = spec.patterns[1:]

@@ -192,6 +192,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 "ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks"
             )
         inner = sort_adjuncts(item.adjuncts)
+        for part in inner.parts:
+            raise refuse("misplaced", "the structure has no such part", part.span, "name its blocks one by one")
         _merge_sides(inner)
         for at_ in list(inner.ats):
             if (

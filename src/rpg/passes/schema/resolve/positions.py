@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 from rpg.ir.order import Order
-from rpg.language.meaning import At, Coord, Meaning, Noun, Pronoun
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun
+from rpg.passes.schema.resolve.parts import Groups, chosen, counted, place_of, standing
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.things import matching, open_to
+from rpg.passes.schema.resolve.things import amount_of, matching, open_to
 from rpg.passes.schema.resolve.world import Scene, Scope, refuse
 
 SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"),
@@ -51,45 +52,129 @@ def _share_out(pool: tuple[str, ...], sizes: list[int]) -> Iterator[tuple[tuple[
     if not sizes:
         yield ()
         return
-    for chosen in combinations(pool, sizes[0]):
-        rest = tuple(n for n in pool if n not in chosen)
-        yield from ((chosen, *more) for more in _share_out(rest, sizes[1:]))
+    for some in combinations(pool, sizes[0]):
+        rest = tuple(n for n in pool if n not in some)
+        yield from ((some, *more) for more in _share_out(rest, sizes[1:]))
 
 
-def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope) -> list[tuple[str, ...]]:
-    """ "with the red block at the bottom": ranks from places inside the structure."""
-    places: dict[int, tuple[str, ...]] = {}
-    sides = SIDES[kind]
-    total = len(names)
+@dataclass(frozen=True)
+class Placed:
+    """Ranks from places; `first`: the side that they are counted from, None where either end may be the beginning."""
+
+    ranks: tuple[tuple[str, ...], ...]
+    first: str | None
+
+
+def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Placed | None:
+    """ "with the red block at the bottom", "white at both ends, red in between": ranks from places in the line."""
+    held: dict[int, tuple[str, ...]] = {}
+    rest: list[Absolute] = []
+    parts: list[At | Places] = []
     last: int | None = None
+    ends = any(getattr(place_of(item), "side", "") == "ends" for item in spec.absolutes)
     for item in list(spec.absolutes):
-        at_ = item.adjuncts[0] if item.adjuncts else None
-        if not isinstance(at_, At) or not _belongs(item.theme, names, scene):
+        place = place_of(item)
+        if place is None or not _belongs(item.theme, names, scene):
             continue
-        ref = refer(item.theme, scene, Scope(pool=names))
-        if ref.op != "and" or ref.quant is not None:
-            raise refuse("ambiguous", "it is not clear which block is here", item.span, "name one block for each place")
-        found = ref.names
-        if not set(found) <= set(names):
-            raise refuse("misplaced", "this is none of the structure's blocks", item.span, "name it among them")
-        scene.mentions.pop()
-        if at_.side == "next" and last is not None:
-            indices = [last + 1 + k for k in range(len(found))]
-        else:
-            indices = _indices(at_, total, len(found), sides, kind)
-        if set(found) >= set(names) or any(not 0 <= i < total for i in indices):
-            raise refuse(
-                "contradiction", "so many blocks have no room there", item.span, "name fewer blocks", blocks=total
-            )
-        for index, name in zip(indices, found, strict=False):
-            if index in places and places[index] != (name,):
-                raise refuse(
-                    "contradiction", "two blocks are given the same place", item.span, "give each a place of its own"
-                )
-            places[index] = (name,)
-        last = max(indices) if sides[0] not in ("top",) else None
+        if place.side == "rest" or (place.side == "middle" and ends and _whole(item)):
+            rest.append(item)
+            continue
+        groups = _following(item, last) if place.side == "next" and last is not None else None
+        last = _put(item, place, groups, held, names, kind, scene)
+        parts.append(place)
         spec.absolutes.remove(item)
-    return ranks_from(places, names, scene) if places else []
+    for item in rest:
+        _fill(item, held, names, scene)
+        spec.absolutes.remove(item)
+    if not held:
+        return None
+    symmetric = all(isinstance(p, Places) and p.side in ("ends", "inner", "middle") for p in parts)
+    symmetric = symmetric or all(p.side == "middle" or (isinstance(p, Places) and p.side == "ends") for p in parts)
+    first = None if symmetric else _side_of(parts, kind)
+    return Placed(tuple(ranks_from(held, names, scene)), first)
+
+
+def _side_of(parts: list[At | Places], kind: str) -> str:
+    """The side that places are counted from: a line has its own where one was said."""
+    sides = {p.side for p in parts}
+    if kind == "line" and sides & {"front", "back"}:
+        return "front"
+    return {"stack": "bottom", "column": "front"}.get(kind, "left")
+
+
+def _following(item: Absolute, last: int) -> Groups:
+    """ "then green": the places after the last one."""
+    count = amount_of(item.theme) or max(1, len(getattr(item.theme, "items", ())))
+    return [[last + 1 + k] for k in range(count)]
+
+
+def _put(
+    item: Absolute,
+    place: At | Places,
+    groups: Groups | None,
+    held: dict[int, tuple[str, ...]],
+    names: tuple[str, ...],
+    kind: str,
+    scene: Scene,
+) -> int:
+    """Note which blocks stand in a part of the line; its last place."""
+    total = len(names)
+    theme = item.theme
+    if groups is None and isinstance(place, At):
+        found = _refer(_single(theme), names, item, scene)
+        indices = places_of(place, total, len(found), SIDES[kind], kind)
+    else:
+        groups = groups if groups is not None else line_groups(place, total, kind)
+        if not groups:
+            raise refuse(
+                "count-mismatch", f"{total} blocks in a {kind} have no such part", place.span, "name the blocks"
+            )
+        indices = [k for group in groups for k in group]
+        found = _refer(counted(theme, groups, place), names, item, scene)
+    if set(found) >= set(names) or len(found) != len(indices) or any(not 0 <= i < total for i in indices):
+        raise refuse("contradiction", "so many blocks have no room there", item.span, "name fewer blocks", blocks=total)
+    for index, name in zip(indices, found, strict=True):
+        if index in held and held[index] != (name,):
+            raise refuse(
+                "contradiction", "two blocks are given the same place", item.span, "give each a place of its own"
+            )
+        held[index] = (name,)
+    return max(indices)
+
+
+def _whole(item: Absolute) -> bool:
+    """ "white in the middle": all of it, however many."""
+    return isinstance(item.theme, Noun) and item.theme.det == "bare" and item.theme.amount is None
+
+
+def _single(theme: Meaning) -> Meaning:
+    """ "red at the bottom" is one red block."""
+    if isinstance(theme, Noun) and theme.det == "bare" and theme.amount is None and not theme.plural:
+        return replace(theme, amount=Amount(1, 1))
+    return theme
+
+
+def _refer(theme: Meaning, names: tuple[str, ...], item: Absolute, scene: Scene) -> tuple[str, ...]:
+    ref = refer(theme, scene, Scope(pool=names))
+    if ref.op != "and" or ref.quant is not None:
+        raise refuse("ambiguous", "it is not clear which block is here", item.span, "name one block for each place")
+    if not set(ref.names) <= set(names):
+        raise refuse("misplaced", "this is none of the structure's blocks", item.span, "name it among them")
+    scene.mentions.pop()
+    return ref.names
+
+
+def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene) -> None:
+    """ "and red in between": all the places that are left."""
+    left = [k for k in range(len(names)) if k not in held]
+    if not left or not held:
+        raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")
+    free = tuple(n for n in names if (n,) not in held.values())
+    place = Places(side="rest", unit="block", span=item.span)
+    found = standing(item, place, [left], free, scene)
+    if len(found) != len(left):
+        raise refuse("count-mismatch", f"{len(left)} places are left for this", item.span, f"say {len(left)}")
+    held.update({k: (name,) for k, name in zip(left, found, strict=True)})
 
 
 def ranks_from(places: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene) -> list[tuple[str, ...]]:
@@ -130,27 +215,44 @@ def _free_runs(ranks: list[tuple[str, ...]], places: dict[int, tuple[str, ...]],
     return ranks
 
 
-def _indices(at_: At, total: int, several: int, sides: tuple[str, ...], kind: str) -> list[int]:
-    """Places counted from the first side (bottom, left or front)."""
-    backward = {"top": True, "right": True, "back": True}.get(at_.side, False)
-    if kind == "stack" and at_.side == "first" and at_.index is not None and at_.index > 0:
-        return [at_.index - 1 + k for k in range(several)]
-    if at_.side == "middle":
-        if (total - several) % 2:
+def line_groups(place: At | Places, total: int, kind: str) -> Groups:
+    """The places of a line or a tower that a part names; none where it has no such part."""
+    sides = ("front", "back") if place.side in ("front", "back") else SIDES[kind][:2]
+    unit = getattr(place, "unit", "block")
+    several = getattr(place, "several", None)
+    if (kind == "row" and place.side in ("front", "back")) or (kind == "column" and place.side in ("left", "right")):
+        raise refuse("misplaced", f"a {kind} has no {place.side}", place.span,
+                     f"say '{SIDES[kind][0]}' or '{SIDES[kind][1]}', or which block is first")  # fmt: skip
+    if unit in ("half", "third"):
+        share, left = divmod(total, 2 if unit == "half" else 3)
+        if left or several not in (None, 1):
             raise refuse(
-                "misplaced",
-                f"{total} blocks have no single middle one",
-                at_.span,
-                "use an odd number of blocks",
-                blocks=total,
+                "count-mismatch", f"{total} blocks have no such {unit}", place.span, "say how many blocks it has"
             )
-        start = (total - several) // 2
-        return [start + k for k in range(several)]
-    if at_.side == "first":
-        index = at_.index or 1
-        return [total - 1] if index == -1 else [index - 1 + k for k in range(several)]
-    if at_.side not in sides:
+        several = share
+    elif unit not in ("block", "layer" if kind == "stack" else "block"):
+        return []
+    return [[k] for k in chosen(place.side, place.index, several, total, (sides[0], sides[1]))]
+
+
+def places_of(at_: At, total: int, several: int, sides: tuple[str, ...], kind: str) -> list[int]:
+    """Places counted from the first side (bottom, left or front)."""
+    if at_.side == "middle" and (total - several) % 2:
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks have no single middle one",
+            at_.span,
+            "use an odd number of blocks",
+            blocks=total,
+        )
+    if at_.side not in (*sides, "middle", "first"):
         raise refuse("misplaced", f"a {kind} has no {at_.side}", at_.span, f"say {sides[0]} or {sides[1]}")
-    index = (at_.index or 1) - 1
-    places = [index + k for k in range(several)]
-    return [total - 1 - k for k in places] if backward else places
+    if at_.side in ("right", "top", "back"):
+        return [total - (at_.index or 1) - k for k in range(several)]
+    if at_.side == "first" and at_.index == -1:
+        return [total - 1]
+    return [k for (k,) in line_groups(_spread(at_, several), total, kind)]
+
+
+def _spread(at_: At, several: int) -> Places:
+    return Places(side=at_.side, unit="block", index=at_.index, several=several, span=at_.span)

@@ -11,7 +11,7 @@ from rpg.ir.order import Order
 from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning
 from rpg.passes.schema.resolve.logic import conj
-from rpg.passes.schema.resolve.positions import SIDES, alternatives, ranks_from
+from rpg.passes.schema.resolve.positions import SIDES, alternatives, places_of, ranks_from
 from rpg.passes.schema.resolve.structures import either, stack_built
 from rpg.passes.schema.resolve.world import Ref, Scene, refuse
 
@@ -94,17 +94,17 @@ def _lines(goal: g.Goal) -> list[s.Stack | s.Row]:
 
 def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scene) -> g.Goal:
     kind = "stack" if isinstance(node, s.Stack) else "row"
+    if node.order.by != "any" and scene.lenient:
+        return goal
     if node.order.by != "any":
         raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], "keep one of them")
-    from rpg.passes.schema.resolve.positions import _indices
-
     total = len(node.blocks)
     sides = SIDES[kind]
     places: dict[int, str] = {}
     for ref, at_, span in loose:
         if not isinstance(at_, At):
             continue
-        for index, name in zip(_indices(at_, total, len(ref.names), sides, kind), ref.names, strict=False):
+        for index, name in zip(places_of(at_, total, len(ref.names), sides, kind), ref.names, strict=False):
             if index in places or not 0 <= index < total or len(ref.names) >= total:
                 raise refuse(
                     "contradiction", "two blocks are given the same place", span, "give each a place of its own"

@@ -15,6 +15,7 @@ from rpg.language.meaning import (
     Meaning,
     OrderBy,
     Pattern,
+    Places,
     Quality,
     Size,
     Spacing,
@@ -41,6 +42,7 @@ class Spec:
     intos: list[Into] = field(default_factory=list)
     thats: list[That] = field(default_factory=list)
     qualities: list[Quality] = field(default_factory=list)
+    parts: list[Places] = field(default_factory=list)
     listed: bool = False
 
     def first(self, *allowed: str) -> str | None:
@@ -59,6 +61,7 @@ _KINDS: dict[type, str] = {
     OrderBy: "orders", Toward: "toward", At: "ats", Absolute: "absolutes", Using: "usings", Pattern: "patterns",
     Spacing: "spacings",
     Size: "sizes", Manner: "manners", Loc: "places", In: "places", Into: "intos", That: "thats", Quality: "qualities",
+    Places: "parts",
 }  # fmt: skip
 
 

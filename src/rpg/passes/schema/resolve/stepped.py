@@ -6,9 +6,11 @@ from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
 from rpg.language.meaning import At, Noun, Pronoun, Size, Structure, Traits
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
-from rpg.passes.schema.resolve.members import amount_of, members_of
+from rpg.passes.schema.resolve.members import members_of
+from rpg.passes.schema.resolve.parts import widened
 from rpg.passes.schema.resolve.patterns import pattern_of
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import amount_of
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -17,9 +19,11 @@ def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     plain(shape)
     base = _base(shape, spec, theme, scene)
     need = pyramid_size(base)
+    form = s.Pyramid(blocks=("",), base=base)
+    shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
     layers = min(base) if base[1] > 1 else base[0]
-    pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope)
+    pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope, form)
     node = s.Pyramid(blocks=names, base=base, pattern=pattern, readable=readable, span=shape.span)
     return made("pyramid", node, names, shape.span, scene)
 
@@ -131,7 +135,8 @@ def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sco
         spec.toward = []
     need = steps * (steps + 1) // 2
     names = members_of(shape, spec, theme, need, need, scene, scope)
-    pattern, readable = pattern_of(shape, spec, names, None, scene, scope)
+    form = s.Staircase(blocks=("",), steps=steps, up=up)  # type: ignore[arg-type]
+    pattern, readable = pattern_of(shape, spec, names, None, scene, scope, form)
     node = s.Staircase(blocks=names, steps=steps, up=up, pattern=pattern, readable=readable, span=shape.span)  # type: ignore[arg-type]
     return made("staircase", node, names, shape.span, scene)
 

@@ -11,10 +11,11 @@ from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.language.meaning import Amount, Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve import figures, grids, groups, stepped, symbols, towers
-from rpg.passes.schema.resolve.members import amount_of, members_of
+from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.positions import alternatives
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.things import amount_of
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 Made = tuple[list[Built], list[g.Goal]]

@@ -6,7 +6,7 @@ import string
 from dataclasses import dataclass
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Meaning, Noun, Traits
+from rpg.language.meaning import Amount, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.world import Scene, Thing
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
@@ -153,3 +153,9 @@ class Premise(Meaning):
 
     names: tuple[str, ...]
     condition: Meaning
+
+
+def amount_of(meaning: Meaning | None) -> int | None:
+    """The plain number in a noun phrase."""
+    amount: Amount | None = getattr(meaning, "amount", None)
+    return amount.low if amount is not None and amount.low == amount.high else None

@@ -14,7 +14,10 @@ from rpg.language.meaning import Amount, Meaning, Traits
 
 @dataclass
 class Thing:
-    """A block or a patch while the instruction is read; what is not said yet is None."""
+    """A block or a patch while the instruction is read; what is not said yet is None.
+
+    `open`: the symbols that it may show, where which one was left open.
+    """
 
     name: str
     patch: bool = False
@@ -35,6 +38,7 @@ class Thing:
     claims: int = 0
     elastic: str | None = None
     invented: bool = False
+    open: str = ""
 
 
 @dataclass(frozen=True)
@@ -73,6 +77,11 @@ class Ref:
     part: str | None = None
     span: Span = (0, 0)
 
+    @property
+    def mixed(self) -> bool:
+        """ "one of the red blocks and two of the blue ones": so many of each part."""
+        return self.op == "and" and any(part.quant is not None for part in self.parts)
+
 
 @dataclass
 class Mention:
@@ -99,7 +108,10 @@ class Scope:
 
 @dataclass
 class Scene:
-    """Everything brought up so far, with the goals and assumptions it led to."""
+    """Everything brought up so far, with the goals and assumptions it led to.
+
+    `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
+    """
 
     things: dict[str, Thing] = field(default_factory=dict)
     built: list[Built] = field(default_factory=list)
@@ -127,6 +139,7 @@ class Scene:
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     denied: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
+    lenient: bool = False
 
     def assume(self, text: str) -> None:
         """Record a default that was taken."""

@@ -1,0 +1,160 @@
+"""Parts of a structure and what they are made of: "the first row red", "a blue one in each corner", "white ends".
+
+A part is one or more of its places; a statement about it is an `Absolute` whose theme says what stands there.
+"""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.adjectives import adjectives
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.meaning import Absolute, At, Meaning, Noun, Places, Traits
+
+_SIDES = {
+    "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
+    "bottom": "bottom", "lower": "bottom", "lowest": "bottom", "bottommost": "bottom", "lowermost": "bottom",
+    "middle": "middle", "center": "middle", "central": "middle",
+    "left": "left", "leftmost": "left", "right": "right", "rightmost": "right",
+    "front": "front", "near": "front", "nearest": "front", "frontmost": "front", "closest": "front",
+    "back": "back", "far": "back", "rear": "back", "farthest": "back", "rearmost": "back", "furthest": "back",
+    "outer": "ends", "outermost": "ends", "outside": "ends", "end": "ends", "corner": "corners", "edge": "edge",
+    "inner": "inner", "inside": "inner", "innermost": "inner", "other": "rest", "remaining": "rest",
+    "last": "last", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
+}  # fmt: skip
+_UNITS = {
+    "row": "row", "rows": "row", "column": "column", "columns": "column", "layer": "layer", "layers": "layer",
+    "level": "layer", "levels": "layer", "tier": "layer", "tiers": "layer", "floor": "layer", "floors": "layer",
+    "story": "layer", "stories": "layer", "course": "layer", "block": "block", "blocks": "block", "cube": "block",
+    "cubes": "block", "brick": "block", "bricks": "block", "one": "block", "ones": "block", "cell": "block",
+    "cells": "block", "half": "half", "third": "third",
+}  # fmt: skip
+_NOUNS = {
+    "corners": "corners", "ends": "ends", "edges": "edge", "border": "edge", "rim": "edge", "perimeter": "edge",
+    "center": "middle", "middle": "middle", "top": "top", "peak": "top", "tip": "top", "apex": "top",
+    "bottom": "bottom", "base": "bottom", "foundation": "bottom", "rest": "rest", "others": "rest",
+    "remainder": "rest", "corner": "corners", "end": "ends", "inside": "inner", "interior": "inner",
+    "outside": "edge",
+}  # fmt: skip
+"""Parts that are named by a noun of their own."""
+_OWN = frozenset({"the", "its", "their", "all", "both", "each", "every", "either"})
+_LEADS = ("in", "at", "on", "for", "along", "as", "forming", "in all", "on all", "at all")
+_BETWEEN = ("in between", "between them", "elsewhere", "everywhere else", "in between them", "between the ends")
+_IS = (
+    "is", "are", "being", "should be", "must be", "shall be", "has to be", "have to be", "will be", "in",
+    "made of", "is made of", "are made of", "consists of", "consist of", "contains", "contain", "of", "is all",
+    "are all", "should all be", "must all be", "all", "is a", "should only be", ":", "has", "has only", "to be",
+)  # fmt: skip
+
+
+@rule
+def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
+    """ "the first row", "the two middle blocks", "each corner", "the rest"; `unit`: what is counted if it is not said.
+
+    A single block at a side is an `At`, everything else `Places`.
+    """
+    j, each, owned = i, False, False
+    while k := p.one(j, _OWN):
+        each = each or p.words[j] in ("each", "every", "either", "both")
+        owned, j = True, k
+    if k := p.any_of(j, ("of the", "of its")):
+        j = k
+    several = p.number(j)
+    after = j + 1 if several is not None else j
+    after = p.opt(after, "very")
+    word = p.words[after] if after < p.end else ""
+    if word in _SIDES:
+        p.reach(after + 1)
+        yield from _sided(p, i, after + 1, _SIDES[word], several, each, unit)
+    if word in _NOUNS and (owned or several is not None or word not in ("corner", "end")):
+        end = p.any_of(p.reach(after + 1), ("of it", "of them", "pieces", "places")) or after + 1
+        yield _place(p, i, end, _NOUNS[word], "block", several, each), end
+
+
+def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool, unit: str) -> Results[Meaning]:
+    """What follows the word for the side: "two", "two rows", "row", "of them", or nothing where the unit is known."""
+    count = p.number(j)
+    if count is not None and several is None and p.words[j] not in ("one", "ones"):
+        several, j = count, j + 1
+    found = _UNITS.get(p.words[j]) if j < p.end else None
+    if found:
+        end = p.any_of(p.reach(j + 1), ("of it", "of them", "of blocks", "of cubes")) or j + 1
+        yield _place(p, i, end, side, found, several, each), end
+        return
+    end = p.any_of(j, ("of them", "of these")) or j
+    if end > j or unit or several is not None:
+        yield _place(p, i, end, side, unit or "block", several, each), end
+    elif side in ("top", "bottom", "left", "right") and p.words[j - 1].endswith(("est", "most")):
+        yield _place(p, i, j, side, "block", several, each), j
+
+
+def _place(p: Parser, i: int, j: int, side: str, unit: str, several: int | None, each: bool) -> Meaning:
+    index = int(side) if side.isdigit() else None
+    if (
+        unit == "block"
+        and several in (None, 1)
+        and side in ("top", "bottom", "left", "right", "front", "back", "middle")
+    ):
+        return At(side=side, span=p.span(i, j))
+    if index is not None:
+        side = "first"
+    return Places(side=side, unit=unit, index=index, several=several, each=each, span=p.span(i, j))
+
+
+@rule
+def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
+    """ "the first row is red", "white on both ends", "black corners", "red in between"."""
+    for place, j in part(p, i, unit):
+        for theme, k in _looks(p, p.any_of(j, _IS) or j):
+            yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
+    yield from _coloured(p, i)
+    yield from _put(p, i, unit)
+
+
+def _looks(p: Parser, j: int) -> Results[Noun]:
+    """What a part is made of: a colour, or blocks of it."""
+    for theme, k in simple(p, j):
+        if _plain(theme) and not (theme.plural and theme.det == "the"):
+            yield theme, k
+
+
+def _plain(theme: Meaning) -> bool:
+    """Whether a phrase says only how blocks look, and how many there are."""
+    if not isinstance(theme, Noun) or theme.head == "patch" or theme.part_of is not None or theme.conditions:
+        return False
+    marks = theme.traits
+    return bool(marks.colors or marks.labels) and marks.rank is None and not marks.extra
+
+
+def _coloured(p: Parser, i: int) -> Results[Absolute]:
+    """ "black corners", "a green middle column", "a yellow top"."""
+    j = p.opt(i, "a", "an", "the", "its", "all")
+    for marks, k in adjectives(p, j):
+        if set(marks) != {"colors"} or k >= p.end or p.words[k] in _OWN:
+            continue
+        for place, end in part(p, k):
+            if isinstance(place, Places) and place.side == "rest":
+                continue
+            theme = Noun(head="any", traits=Traits(colors=marks["colors"]), span=p.span(j, k))
+            yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
+def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
+    """ "a blue one in each corner", "white on both ends", "red in between", "red for the first row"."""
+    for theme, k in noun_phrase(p, i):
+        if not _plain(theme):
+            continue
+        k = p.any_of(k, ("is", "are", "being", "goes", "go")) or k
+        if end := p.any_of(k, _BETWEEN):
+            rest = Places(side="rest", unit="block", span=p.span(k, end))
+            yield Absolute(theme=theme, adjuncts=(rest,), span=p.span(i, end)), end
+        if lead := p.any_of(k, _LEADS):
+            for place, end in part(p, lead, unit):
+                if isinstance(place, Places):
+                    yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
+def unit_of(found: Absolute) -> str:
+    """The unit that a further statement in the list may leave unsaid."""
+    place = found.adjuncts[0]
+    return place.unit if isinstance(place, Places) else "block" if isinstance(place, At) else ""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from rpg.blocks.constants import SUPPORT_GAP
-from rpg.blocks.geometry import body_gap, is_level, supporters, table_gap
+from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z
+from rpg.blocks.geometry import body_gap, is_level, rests_on, supporters, table_gap
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState
 from rpg.blocks.verdict import FALSE, Verdict, at_most, between, every, some
@@ -65,7 +65,17 @@ def settled(state: BlockState) -> Verdict:
 
 def rests(state: BlockState) -> bool:
     """The truth of `settled` alone: it stops at the first block that floats."""
-    return not state.moving and not state.held and all(_supported(name, state).value for name in state.position)
+    if state.moving or state.held:
+        return False
+    return all(_carried(name, state) or _supported(name, state).value for name in state.position)
+
+
+def _carried(name: str, state: BlockState) -> bool:
+    """Is a block on the table or plainly on another one?"""
+    bottom = state.bottom(name)
+    if abs(bottom - TABLE_Z) <= SUPPORT_GAP:
+        return True
+    return any(abs(bottom - state.top(b)) <= SUPPORT_GAP and rests_on(state, name, b) for b in state.position)
 
 
 def _supported(name: str, state: BlockState) -> Verdict:

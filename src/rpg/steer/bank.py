@@ -28,7 +28,7 @@ from rpg.steer.identity import Identity
 
 SIZE = 512
 """States in a bank."""
-ARRANGED, MISSED, STARTS, SHUFFLES = 4, 1, 16, 6
+ARRANGED, MISSED, STARTS, SHUFFLES = 3, 1, 8, 6
 """Per version: goal states arranged, those whose near-misses are taken, starts drawn; and per goal state, re-dealings
 of its places among its blocks."""
 

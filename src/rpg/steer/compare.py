@@ -58,6 +58,8 @@ class Judge:
         known = sample.known.get(self.side.label)
         if known is not None and (known or len(self.choices) == 1):
             return known
+        if len(self.choices) == 1:
+            return self.holds(self.side.state(sample))
         return any(self.holds(self.side.state(sample, keys)) for keys in self.choices)
 
     def margin(self, sample: Sample) -> float:

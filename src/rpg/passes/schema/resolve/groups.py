@@ -7,10 +7,10 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.language.meaning import Structure, Traits
+from rpg.language.meaning import Amount, Noun, Structure, Traits
 from rpg.passes.schema.resolve.members import members_of, new_members
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.things import VOWELS
+from rpg.passes.schema.resolve.things import VOWELS, alike
 from rpg.passes.schema.resolve.towers import STACK_COLORS
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, Thing, refuse
 
@@ -30,8 +30,66 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
     if not several:
         names = members_of(shape, spec, theme, None, 4, scene, scope)
         return [scene.add_built("pile", names, False, shape.span)], [s.GroupBy(groups=(names,), span=shape.span)]
+    if attribute is None and theme is not None:
+        return share_out(theme, shape, spec, scene, shape.span)
+    if attribute is None and group_size(shape) is not None:
+        return share_out(_new_lots(shape, spec, scene), shape, spec, scene, shape.span)
     members = theme.names if theme is not None else None
     return sort_into(members, attribute, shape, spec, scene, scope, shape.span)
+
+
+def group_size(shape: Structure) -> int | None:
+    """How many blocks each of several groups has, if it was said."""
+    amount = getattr(shape.members, "amount", None) if shape.each_size else None
+    if amount is not None and amount.low == amount.high:
+        return int(amount.low)
+    return shape.extent("size", "columns")
+
+
+def _new_lots(shape: Structure, spec: Spec, scene: Scene) -> Ref:
+    """ "three piles of two red blocks each": the blocks of all of them."""
+    from rpg.passes.schema.resolve.refer import refer
+
+    count = (shape.amount.low if shape.amount else DEFAULT_GROUPS) * (group_size(shape) or 1)
+    source = shape.members or Noun(head="block", plural=True, span=shape.span)
+    if not isinstance(source, Noun):
+        raise refuse("ambiguous", "it is not said which blocks are in which group", shape.span, "name each group")
+    if source.traits == Traits() and spec.usings:
+        return refer(spec.usings.pop(0).members, scene, Scope(need=count, role="member"))
+    return refer(replace(source, det="bare", amount=Amount(count, count), plural=True), scene, Scope(role="member"))
+
+
+def share_out(theme: Ref, shape: Structure, spec: Spec, scene: Scene, span: Span) -> Made:
+    """ "divide six blocks into two groups": look-alikes in equal lots, parts named one by one as they are named."""
+    count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
+    parts = tuple(p.names for p in theme.parts)
+    if len(parts) > 1 and any(len(p) > 1 for p in parts) and count in (None, len(parts)):
+        return _lots(parts, spec, scene, span)
+    things = [scene.things[n] for n in theme.names]
+    open_ = all(t.color is None and t.label is None and t.kind is None for t in things)
+    if count is None or not (open_ or alike(things)):
+        return sort_into(theme.names, None, shape, spec, scene, Scope(), span)
+    size = group_size(shape) or DEFAULT_EACH
+    names = scene.fit(theme.names, count * size) if all(t.elastic for t in things) else theme.names
+    if len(names) % count or (group_size(shape) or len(names) // count) * count != len(names):
+        raise refuse(
+            "count-mismatch",
+            f"{len(names)} blocks do not make {count} groups of one size",
+            shape.span,
+            "say how many blocks each group has",
+            blocks=len(names),
+            groups=count,
+        )
+    for name in names:
+        scene.things[name].scheme = "same"
+    each = len(names) // count
+    return _lots(tuple(names[i * each : (i + 1) * each] for i in range(count)), spec, scene, span)
+
+
+def _lots(groups: tuple[tuple[str, ...], ...], spec: Spec, scene: Scene, span: Span) -> Made:
+    spec.places = [p for p in spec.places if getattr(p, "rel", "") not in ("apart",)]
+    built = [scene.add_built("pile", lot, False, span) for lot in groups]
+    return built, [s.GroupBy(groups=groups, span=span)]
 
 
 def outliers_of(spec: Spec) -> int:

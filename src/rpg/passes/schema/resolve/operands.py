@@ -32,6 +32,8 @@ def spread(theme: Ref, atom: Callable[[Operand], g.Goal], span: Span, together: 
     """`atom` of every, any, or so many of the theme's blocks. `together`: the atom takes several blocks at once."""
     if theme.quant is not None:
         return count(theme.names, theme.quant, atom, span)
+    if theme.mixed:
+        return conj([spread(part, atom, span, together) for part in theme.parts], span)
     if theme.op == "except":
         inside, out = theme.parts
         return conj([spread(inside, atom, span, together), *negation([spread(out, atom, span)], span)], span)

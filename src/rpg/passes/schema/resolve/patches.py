@@ -136,8 +136,9 @@ def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: 
     units = [p.names for p in theme.parts] if len(theme.parts) > 1 else [(n,) for n in theme.names]
     if all(len(u) == 1 for u in units) and len(units) == 1:
         return None
-    many = replace(noun, plural=True, traits=replace(noun.traits, scheme=None), det="bare" if noun.det in ("a", "its") else noun.det,
-                   amount=None if noun.det in ("a", "its") else noun.amount)  # fmt: skip
+    many = replace(noun, plural=True, traits=replace(noun.traits, scheme=None))
+    if noun.det in ("a", "its"):
+        many = replace(many, det="bare", amount=None)
     mark = refer(many, scene, replace(scope, role="landmark", pool=(), need=len(units)))
     if len(mark.names) < len(units):
         raise refuse(

@@ -4,16 +4,23 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Clause, Loc, Pronoun, Structure
+from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
-from rpg.passes.schema.resolve.groups import attribute_of, sort_into
+from rpg.passes.schema.resolve.groups import attribute_of, fill, share_out, sort_into
+from rpg.passes.schema.resolve.members import certain
 from rpg.passes.schema.resolve.mutual import reciprocal
+from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.placing import Goals, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.shaped import shaped
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
+
+DIVIDES = frozenset({"separate", "split", "divide", "partition", "distribute"})
+SIDE = 3
+"""Blocks on each side that are separated, where their number is left open."""
 
 
 def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
@@ -34,25 +41,54 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if isinstance(theme_meaning, Structure):
         return shaped(clause, spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
-    theme = refer(theme_meaning, scene, replace(scope, need=6 if not (line or ordered) else 4, need_each=2))
+    need = 4 if line or ordered else SIDE if clause.lemma in DIVIDES and (apart or spec.usings) else 6
+    theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=2)), scene)
     if line or ordered:
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
+    if (patched := _onto_patches(theme, attribute, spec, scene, clause)) is not None:
+        return patched
     if clause.lemma in ("gather", "collect", "cluster", "group", "bunch") and attribute is None and not spec.intos:
-        spec.places = [p for p in spec.places if getattr(p, "rel", "") not in ("near", "together")]
+        spec.places = [p for p in spec.places if not _together(p)]
         node = s.GroupBy(groups=(theme.names,), span=clause.span)
         ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
         return [node, *places(ref, spec, scene, scope, clause.span)]
-    if (
-        clause.lemma in ("separate", "split", "divide")
-        and attribute is None
-        and (apart is not None or len(theme.parts) == 2)
-    ):
+    if clause.lemma in DIVIDES and attribute is None and (apart is not None or len(theme.parts) == 2 or spec.usings):
         return _separate(theme, apart, spec, scene, scope, clause)
     shape = _pile_target(spec)
     attribute = attribute_of(spec)
-    built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
+    if attribute is None and shape is not None and clause.lemma in DIVIDES:
+        built, goals = share_out(theme, shape, spec, scene, clause.span)
+    else:
+        built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
     ref = replace(theme, built=tuple(built))
     return goals + places(ref, spec, scene, scope, clause.span)
+
+
+def _together(place: Meaning) -> bool:
+    """ "gather the blocks together", "close to each other": what the verb says already."""
+    mark = place.landmark if isinstance(place, Loc) and place.rel in ("near", "together") else None
+    return isinstance(mark, Pronoun) and mark.word in ("each other", "one another")
+
+
+def _onto_patches(theme: Ref, attribute: str | None, spec: Spec, scene: Scene, clause: Clause) -> Goals | None:
+    """ "sort the blocks onto the patches by colour": each on the patch of its colour."""
+    on = next((p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "in") and not p.negated), None)
+    mark = on.landmark if on is not None else None
+    if on is None or not isinstance(mark, Noun) or mark.head != "patch" or mark.traits.colors:
+        return None
+    if attribute not in (None, "color") or not (mark.plural or mark.det == "each" or mark.traits.matching):
+        return None
+    if attribute is None and not mark.traits.matching:
+        raise refuse("ambiguous", "it is not said what to sort by", mark.span, "say 'by color'")
+    attribute_of(spec)
+    spec.places.remove(on)
+    there = refer(mark, scene, Scope(role="landmark", given=True)).names if mark.det == "the" else ()
+    count = mark.amount.low if mark.amount else len(there) or None
+    fill([scene.things[n] for n in theme.names], "color", count, scene)
+    colors = {scene.things[n].color for n in theme.names}
+    if count is not None and len(colors) > count:
+        raise refuse("count-mismatch", f"{len(colors)} colours, but {count} patches", mark.span, "name as many of both")
+    return [*matching_patches(theme, Ref(patch=True, matching=True), scene, clause.span)]
 
 
 def _pile_target(spec: Spec) -> Structure | None:
@@ -72,15 +108,24 @@ def _sort_piles(shape: Structure, spec: Spec, scene: Scene, scope: Scope) -> tup
 def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Scope, clause: Clause) -> Goals:
     """ "separate the red blocks from the blue ones"."""
     target = _pile_target(spec)
-    if apart is None and len(theme.parts) == 2:
-        groups: tuple[tuple[str, ...], ...] = tuple(p.names for p in theme.parts)
+    if target is not None and target.amount and target.amount.low > 2 and (apart is not None or spec.usings):
+        raise refuse("count-mismatch", "two groups are separated", target.span, "say 'into two groups'")
+    if apart is None and spec.usings and len(theme.parts) != 2:
+        other = refer(spec.usings.pop(0).members, scene, replace(scope, role="landmark", need=SIDE))
+        groups: tuple[tuple[str, ...], ...] = (theme.names, other.names)
+    elif apart is None and len(theme.parts) == 2:
+        groups = tuple(p.names for p in theme.parts)
     elif apart is not None and apart.landmark is not None:
         spec.places.remove(apart)
-        mark = refer(apart.landmark, scene, replace(scope, role="landmark"))
+        mark = refer(apart.landmark, scene, replace(scope, role="landmark", need=SIDE))
         if mark.reciprocal:
             return reciprocal(theme, apart, clause.span)
         groups = (theme.names, mark.names)
     else:
         attribute = attribute_of(spec)
         return sort_into(theme.names, attribute, target, spec, scene, scope, clause.span)[1]
+    if set(groups[0]) & set(groups[1]):
+        raise refuse("self-reference", "a block is in both groups", clause.span, "name different blocks")
+    if len(groups[0]) == len(groups[1]) == 1:
+        return [r.Apart(a=groups[0], b=groups[1], span=clause.span)]
     return [s.GroupBy(groups=groups, span=clause.span)]

@@ -10,6 +10,7 @@ from rpg.ir import relations as r
 from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, That, Using
 from rpg.passes.schema.resolve.finish import label_of
 from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.spec import Spec
@@ -53,6 +54,8 @@ def _stayed(theme: Ref, span: Span) -> g.Goal:
         raise refuse("fixed-patch", "patches and the table never move", theme.span, "name blocks")
     if not theme.names:
         raise refuse("no-referent", "there is no such block", theme.span)
+    if theme.quant is not None or theme.mixed:
+        return spread(theme, lambda a: r.Stayed(a=a, span=span), span, together=True)
     return r.Stayed(a=theme.names, span=span)
 
 

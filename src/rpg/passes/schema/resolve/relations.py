@@ -112,6 +112,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     """The goals of a relation between what is known already."""
     if theme.patch and not mark.table and not mark.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if mark.mixed or (theme.mixed and mark.reciprocal):
+        raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
     if mark.reciprocal:
         return reciprocal(theme, loc, span)
     if mark.table:
@@ -281,7 +283,7 @@ def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g
         "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods,
         "somewhere": "somewhere" in loc.mods,
     }  # fmt: skip
-    if theme.quant is not None or theme.op == "or":
+    if theme.quant is not None or theme.op == "or" or theme.mixed:
         goal = spread(theme, lambda a: node(a=a, b=b, span=span, **flags), span)
     else:
         goal = node(
@@ -366,7 +368,7 @@ def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         members = (ends[0].names[0], theme.names[0], ends[1].names[0])
         scene.add_built("stack", members, True, span)
         scene.assume("sandwiched means stacked: one below, one above")
-        return s.Stack(blocks=members, order=_free_ends(order, members, scene), span=span)
+        return s.Stack(blocks=members, order=order, span=span)
     if "halfway" in loc.mods:
         if (
             isinstance(b, Lowest | Highest)
@@ -392,8 +394,3 @@ def _two_towers(mark: Ref, scene: Scene) -> tuple[Ref, ...]:
         scene.goals.setdefault(scene.clause, []).append(s.Stack(blocks=part, exact=True, span=mark.span))
         ends.append(Ref(names=part, built=(built,)))
     return tuple(ends)
-
-
-def _free_ends(order: Order, members: tuple[str, ...], scene: Scene) -> Order:
-    """Which end is below is open when they were not told apart; a fixed order is one of both readings of equals."""
-    return order

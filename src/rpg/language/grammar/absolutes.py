@@ -124,6 +124,11 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
         yield from _absolute_more(p, i, end, whole)
 
 
+def more_parts(p: Parser, i: int, at_: int, first: Absolute) -> Results[Meaning]:
+    """Further statements about parts after the first one."""
+    yield from _absolute_more(p, i, at_, (first,))
+
+
 def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in loc(p, i):
         yield (found,), k

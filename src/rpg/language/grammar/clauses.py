@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG
 from rpg.language.grammar.gaps import gap
 from rpg.language.grammar.having import having
@@ -51,6 +52,8 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _exists(p, i)
     yield from _describe(p, i, when)
     yield from having(p, i, when)
+    if mode != "start":
+        yield from part_clause(p, i)
     yield from _for_each(p, i)
 
 

@@ -67,15 +67,15 @@ def side_relation(p: Parser, i: int) -> Results[tuple[str, str]]:
         or i
     )
     near = p.one(j, frozenset({"immediate", "near", "direct"}))
-    far = p.one(j, "far")
-    k = near or far or j
+    k = near or j
     if p.words[k : k + 1] and p.words[k] in _CHOICE:
         side = p.words[k]
         k = p.reach(k + 1)
         k = p.opt(k, "hand")
+        bounded = p.one(k, "side") and p.words[i] in ("on", "onto", "in")
         k = p.any_of(k, ("side",)) or k
         if of := p.one(k, frozenset({"of", "from"})):
-            yield (side, p.words[j] if near else ""), of
+            yield (side, p.words[j] if near else "side" if bounded else ""), of
         elif k > i and p.words[k - 1] != "hand":
             yield (side + "?", ""), k
 
@@ -92,5 +92,5 @@ def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
             yield (_SIMPLE[phrase], mods), k
         for (side, how), k in side_relation(p, j):
             if not side.endswith("?"):
-                extra = {"immediate": ("immediate",), "direct": ("directly",)}.get(how, ())
+                extra = {"immediate": ("immediate",), "direct": ("directly",), "side": ("side",)}.get(how, ())
                 yield (side, (*mods, *extra)), k

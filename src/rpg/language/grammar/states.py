@@ -137,6 +137,8 @@ def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
             break
         if p.words[j] == "to" and p.words[j + 1] == "the":
             break
+        if p.words[j] in ("end", "ends") and p.words[j + 1] in ("is", "are", "should", "must"):
+            break
         words.add(p.words[j])
         j = p.reach(j + 1)
     return j, words

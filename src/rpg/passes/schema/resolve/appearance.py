@@ -21,6 +21,8 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     theme = refer(clause.theme, scene, Scope(given=scope.given)) if clause.theme is not None else Ref()
     if theme.table:
         raise refuse("misplaced", "the table has one look", clause.span)
+    if theme.part is not None:
+        raise refuse("no-referent", f"it is not clear which block the {theme.part} is", theme.span, "name the block")
     for quality in spec.qualities:
         _give(theme, quality, clause, scene)
     spec.qualities = []

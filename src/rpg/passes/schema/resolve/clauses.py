@@ -106,6 +106,9 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return sort(clause, spec, scene, scope)
         case "spell" | "read":
             return spell(clause, spec, scene, scope)
+        case "part":
+            raise refuse("no-referent", "it is not clear of which structure this is a part", clause.span,
+                         "say it in the sentence that builds the structure")  # fmt: skip
     if spec.manner("partial") is not None:
         return _partly(clause, scene, scope)
     if spec.qualities and clause.verb in ("be", "keep"):

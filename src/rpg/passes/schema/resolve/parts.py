@@ -9,7 +9,7 @@ from rpg.blocks.figures import Cell, ideals, upright
 from rpg.blocks.predicates.pattern import reading_order
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import amount_of, matching
@@ -136,6 +136,13 @@ def counted(theme: Meaning, groups: Groups, place: At | Places) -> Meaning:
     return replace(theme, det="bare", amount=Amount(places, places), plural=places > 1)
 
 
+def _told(theme: Meaning) -> bool:
+    """Whether it is said how the blocks of a part look, and not only how many there are."""
+    if isinstance(theme, Noun):
+        return replace(theme.traits, kind=None) != Traits()
+    return not (isinstance(theme, Pronoun) and theme.word == "one")
+
+
 Claim = tuple[Absolute, At | Places, Groups]
 
 
@@ -188,7 +195,11 @@ def widened(shape: Structure, spec: Spec, theme: Ref | None, node: s.Cells, coun
         return shape
     colors = source.traits.colors if source is not None else shape.traits.colors
     own = replace(source.traits if source is not None else shape.traits, colors=())
-    more = [(counted(item.theme, groups, place), sum(map(len, groups))) for item, place, groups in found]
+    more = [
+        (counted(item.theme, groups, place), sum(map(len, groups)))
+        for item, place, groups in found
+        if _told(item.theme)
+    ]
     other = [t for t, _ in more if isinstance(t, Noun) and not set(t.traits.colors) <= set(colors)]
     if not colors or not other:
         return shape
@@ -214,12 +225,17 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
     held: dict[int, str] = {}
     for item, place, groups in found:
         spec.absolutes.remove(item)
+        if not _told(item.theme):
+            counted(item.theme, groups, place)
+            continue
         places = [k for group in groups for k in group]
         blocks = standing(item, place, groups, tuple(n for n in names if n not in held.values()), scene)
         if len(blocks) != len(places) or set(blocks) & set(held.values()) or set(places) & set(held):
             raise refuse("contradiction", "two different blocks are given the same place", item.span,
                          "give each part one colour")  # fmt: skip
         held.update(zip(places, blocks, strict=True))
+    if not held:
+        return None
     if spec.orders or spec.patterns:
         raise refuse("order-conflict", "the blocks are laid out in two ways", found[0][0].span, "keep one of them")
     ranks = _ranks(held, names, scene, found[0][0])
@@ -231,11 +247,8 @@ def standing(
 ) -> tuple[str, ...]:
     """The blocks among `names` that are said to stand in a part."""
     theme = counted(item.theme, groups, place)
-    if isinstance(theme, Noun) and theme.det == "bare":
-        alike = {t.name for t in matching(theme.traits, scene, False)}
-        inside = tuple(n for n in names if n in alike)
-        if len(inside) >= (amount_of(theme) or 1):
-            return inside[: amount_of(theme)]
+    if inside := so_many(theme, names, scene):
+        return inside
     ref = refer(theme, scene, Scope(pool=names))
     scene.mentions.pop()
     if ref.op != "and" or ref.quant is not None or len({scene.things[n].color for n in ref.names}) > 1:
@@ -243,6 +256,16 @@ def standing(
     if not set(ref.names) <= set(names):
         raise refuse("misplaced", "these are none of the structure's blocks", item.span, "name them among its blocks")
     return ref.names
+
+
+def so_many(theme: Meaning, names: tuple[str, ...], scene: Scene) -> tuple[str, ...]:
+    """ "two red ones", "a red one": as many of `names` as look like this; none where there are not so many."""
+    count = amount_of(theme)
+    if not isinstance(theme, Noun) or theme.det not in ("bare", "a") or count is None or len(theme.traits.colors) > 1:
+        return ()
+    alike = {t.name for t in matching(theme.traits, scene, False)}
+    inside = tuple(n for n in names if n in alike)
+    return inside[:count] if len(inside) >= count and theme.traits != Traits() else ()
 
 
 def _ranks(held: dict[int, str], names: tuple[str, ...], scene: Scene, item: Absolute) -> tuple[tuple[str, ...], ...]:

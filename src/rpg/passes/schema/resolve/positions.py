@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
 from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun
-from rpg.passes.schema.resolve.parts import Groups, chosen, counted, place_of, standing
+from rpg.passes.schema.resolve.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import amount_of, matching, open_to
-from rpg.passes.schema.resolve.world import Scene, Scope, refuse
+from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
 
 SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"),
     "line": ("left", "right", "front", "back"),
@@ -32,10 +32,7 @@ def alternatives(order: Order, scene: Scene) -> list[Order]:
     if len(free) < 2:
         return [order]
     pool = [n for index in free for n in order.ranks[index]]
-    if (
-        len({(t.color, t.label, t.size, t.kind) for t in (scene.things[n] for n in pool)}) == 1
-        and scene.things[pool[0]].color
-    ):
+    if len({looks(scene.things[n]) for n in pool}) == 1 and scene.things[pool[0]].color:
         return [order]
     found = []
     for shares in _share_out(tuple(pool), [len(order.ranks[index]) for index in free]):
@@ -70,6 +67,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     held: dict[int, tuple[str, ...]] = {}
     rest: list[Absolute] = []
     parts: list[At | Places] = []
+    bunches: list[tuple[str, ...]] = []
     last: int | None = None
     ends = any(getattr(place_of(item), "side", "") == "ends" for item in spec.absolutes)
     for item in list(spec.absolutes):
@@ -80,7 +78,8 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
             rest.append(item)
             continue
         groups = _following(item, last) if place.side == "next" and last is not None else None
-        last = _put(item, place, groups, held, names, kind, scene)
+        found, last = _put(item, place, groups, held, names, kind, scene)
+        bunches += [found] if isinstance(item.theme, Noun) and not item.theme.traits.labels else []
         parts.append(place)
         spec.absolutes.remove(item)
     for item in rest:
@@ -91,7 +90,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     symmetric = all(isinstance(p, Places) and p.side in ("ends", "inner", "middle") for p in parts)
     symmetric = symmetric or all(p.side == "middle" or (isinstance(p, Places) and p.side == "ends") for p in parts)
     first = None if symmetric else _side_of(parts, kind)
-    return Placed(tuple(ranks_from(held, names, scene)), first)
+    return Placed(tuple(ranks_from(held, names, scene, bunches)), first)
 
 
 def _side_of(parts: list[At | Places], kind: str) -> str:
@@ -116,12 +115,12 @@ def _put(
     names: tuple[str, ...],
     kind: str,
     scene: Scene,
-) -> int:
-    """Note which blocks stand in a part of the line; its last place."""
+) -> tuple[tuple[str, ...], int]:
+    """Note which blocks stand in a part of the line: the blocks, and its last place."""
     total = len(names)
     theme = item.theme
     if groups is None and isinstance(place, At):
-        found = _refer(_single(theme), names, item, scene)
+        found = _refer(_single(theme), names, held, item, scene)
         indices = places_of(place, total, len(found), SIDES[kind], kind)
     else:
         groups = groups if groups is not None else line_groups(place, total, kind)
@@ -130,7 +129,9 @@ def _put(
                 "count-mismatch", f"{total} blocks in a {kind} have no such part", place.span, "name the blocks"
             )
         indices = [k for group in groups for k in group]
-        found = _refer(counted(theme, groups, place), names, item, scene)
+        found = _refer(counted(theme, groups, place), names, held, item, scene)
+    if len({looks(scene.things[n]) for n in found}) == 1 or isinstance(theme, Noun):
+        indices = sorted(indices)
     if set(found) >= set(names) or len(found) != len(indices) or any(not 0 <= i < total for i in indices):
         raise refuse("contradiction", "so many blocks have no room there", item.span, "name fewer blocks", blocks=total)
     for index, name in zip(indices, found, strict=True):
@@ -139,12 +140,17 @@ def _put(
                 "contradiction", "two blocks are given the same place", item.span, "give each a place of its own"
             )
         held[index] = (name,)
-    return max(indices)
+    return found, max(indices)
 
 
 def _whole(item: Absolute) -> bool:
     """ "white in the middle": all of it, however many."""
     return isinstance(item.theme, Noun) and item.theme.det == "bare" and item.theme.amount is None
+
+
+def looks(thing: Thing) -> tuple[object, ...]:
+    """What a block is told by."""
+    return thing.color, thing.label, thing.size, thing.kind
 
 
 def _single(theme: Meaning) -> Meaning:
@@ -154,7 +160,12 @@ def _single(theme: Meaning) -> Meaning:
     return theme
 
 
-def _refer(theme: Meaning, names: tuple[str, ...], item: Absolute, scene: Scene) -> tuple[str, ...]:
+def _refer(
+    theme: Meaning, names: tuple[str, ...], held: dict[int, tuple[str, ...]], item: Absolute, scene: Scene
+) -> tuple[str, ...]:
+    free = tuple(n for n in names if (n,) not in held.values())
+    if inside := so_many(theme, free, scene):
+        return inside
     ref = refer(theme, scene, Scope(pool=names))
     if ref.op != "and" or ref.quant is not None:
         raise refuse("ambiguous", "it is not clear which block is here", item.span, "name one block for each place")
@@ -177,8 +188,12 @@ def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ..
     held.update({k: (name,) for k, name in zip(left, found, strict=True)})
 
 
-def ranks_from(places: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene) -> list[tuple[str, ...]]:
-    """Ranks from the fixed places of some of `names`; the others fill what is between them."""
+def ranks_from(
+    places: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene, bunches: Sequence[tuple[str, ...]] = ()
+) -> list[tuple[str, ...]]:
+    """Ranks from the fixed places of some of `names`; the others fill what is between them. `bunches`: blocks whose
+    order among themselves is free."""
+    bunch_of = {n: bunch for bunch in bunches for n in bunch}
     taken = {n for rank in places.values() for n in rank}
     remaining = iter([n for n in names if n not in taken])
     ranks: list[tuple[str, ...]] = []
@@ -187,7 +202,11 @@ def ranks_from(places: dict[int, tuple[str, ...]], names: tuple[str, ...], scene
         if index in places:
             ranks += [tuple(run)] if run else []
             run = []
-            ranks.append(places[index])
+            bunch = bunch_of.get(places[index][0])
+            if bunch and index - 1 in places and places[index - 1][0] in bunch:
+                ranks[-1] += places[index]
+            else:
+                ranks.append(places[index])
         else:
             run.append(next(remaining))
     ranks += [tuple(run)] if run else []
@@ -210,8 +229,8 @@ def _belongs(theme: Meaning, names: tuple[str, ...], scene: Scene) -> bool:
 
 def _free_runs(ranks: list[tuple[str, ...]], places: dict[int, tuple[str, ...]], scene: Scene) -> list[tuple[str, ...]]:
     """Remember which ranks are free, so that `alternatives` can share their blocks out."""
-    fixed = set(places.values())
-    scene.free_runs[tuple(ranks)] = tuple(i for i, r in enumerate(ranks) if r not in fixed)
+    fixed = {n for rank in places.values() for n in rank}
+    scene.free_runs[tuple(ranks)] = tuple(i for i, r in enumerate(ranks) if r[0] not in fixed)
     return ranks
 
 

@@ -34,8 +34,8 @@ def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
     dims = shape.dims or (base.dims if base else ())
     if len(dims) >= 2:
         return dims[0], dims[1]
-    layers = _layers(spec)
     total = said_count(shape, theme, scene)
+    layers = _layers(spec, total is not None or shape.extent("base", "layers", "high") is not None)
     size = shape.extent("base", "layers", "high")
     if layers:
         bottom = shape.extent("base")
@@ -95,15 +95,18 @@ def _within(few: list[int], many: list[int]) -> bool:
     return all(few.count(n) <= many.count(n) for n in few)
 
 
-def _layers(spec: Spec) -> list[int]:
-    """ "four blocks at the bottom and one on top": how many blocks each layer has."""
+_LEVELS = ("top", "bottom", "middle", "next")
+
+
+def _layers(spec: Spec, known: bool) -> list[int]:
+    """ "four blocks at the bottom and one on top": how many blocks each layer has. `known`: the size is said apart."""
     found: list[int] = []
     for item in list(spec.absolutes):
         at_ = item.adjuncts[0]
         single = isinstance(item.theme, Pronoun) and item.theme.word == "one"
         count = 1 if single else amount_of(item.theme)
         plain = single or (isinstance(item.theme, Noun) and item.theme.traits in (Traits(), Traits(kind="letter")))
-        if isinstance(at_, At) and at_.side in ("top", "bottom", "middle", "next") and count is not None:
+        if isinstance(at_, At) and at_.side in _LEVELS and count is not None and (plain or not known):
             found.append(count)
             if plain:
                 spec.absolutes.remove(item)

@@ -75,6 +75,8 @@ def _known(shape: Structure, scene: Scene) -> list[Built]:
 
 def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Build a structure (or several) from `theme`, its own members, or new blocks."""
+    if shape.det == "other" and theme is None:
+        raise refuse("no-referent", "it is not clear what this is one of", shape.span, "say what the others are")
     shape = replace(
         shape,
         sizes=(*shape.sizes, *spec.sizes),

@@ -1,0 +1,23 @@
+"""Clauses about the parts of a structure that was spoken of before: "the middle row is red and the others are white"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.absolutes import more_parts
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.parts import part_statement
+from rpg.language.meaning import Absolute, Clause, Coord, Meaning
+
+
+@rule
+def part_clause(p: Parser, i: int) -> Results[Meaning]:
+    """ "its top is red", "make the middle one blue", "the two ends should be white"."""
+    start = p.any_of(i, ("make", "let", "have", "keep")) or i
+    for first, j in part_statement(p, start):
+        yield _said(p, i, j, first), j
+        for whole, k in more_parts(p, start, j, first):
+            if isinstance(whole, Coord):
+                yield _said(p, i, k, whole), k
+
+
+def _said(p: Parser, i: int, j: int, found: Absolute | Coord) -> Clause:
+    return Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j), cost=1)

@@ -28,8 +28,8 @@ def content_of(outcome: Outcome, steering: SteeringMeta | None = None) -> Conten
     if program is None:
         raise ValueError("only a compile that yielded a program has content")
     return Content(
-        files=_files(outcome),
-        description=steering.request if steering else outcome.instruction,
+        files=files_of(outcome),
+        description=" ".join((steering.request if steering else outcome.instruction).split()),
         assets_used=tuple(asset.name for asset in program.task.assets),
         goal_summary=outcome.goal_text,
         pictures=outcome.pictures,
@@ -46,14 +46,14 @@ def publish(outcome: Outcome, workspace: Workspace, *, explicit: bool = False) -
         return None
     name = outcome.program.task.name
     if outcome.status == "failed":
-        return write_rejected(workspace, name, _files(outcome))
+        return write_rejected(workspace, name, files_of(outcome))
     return write_base(workspace, name, content_of(outcome), explicit=explicit)
 
 
 def publish_version(outcome: Outcome, family: Family, content: Content) -> Written | Path:
     """Write an admitted task as the next version of `family`, a failed one below .rejected/."""
     if outcome.status == "failed":
-        return write_rejected(Workspace(family.directory.parent), family.name, _files(outcome))
+        return write_rejected(Workspace(family.directory.parent), family.name, files_of(outcome))
     return write_version(family, content)
 
 
@@ -91,7 +91,8 @@ def gate_data(gate: GateReport) -> dict[str, Any]:
     return {"name": gate.name, "passed": gate.passed, **gate.model_dump(mode="json")["figures"]}
 
 
-def _files(outcome: Outcome) -> dict[str, bytes]:
+def files_of(outcome: Outcome) -> dict[str, bytes]:
+    """The hashed files of a compile that yielded a program, by name."""
     program = outcome.program
     assert program is not None
     texts = {

@@ -69,12 +69,35 @@ def test_globs_are_expanded_in_order(tmp_path: Path) -> None:
         ("a.yaml", "just words\n", "a.yaml:1: a list of entries"),
         ("a.jsonl", '{"instruction": "x"}\n{oops\n', "a.jsonl:2: not JSON"),
         ("a.jsonl", "[1]\n", "a.jsonl:1"),
+        ("a.yaml", "- instruction: x\n  seed: 1\n  instruction: y\n", "a.yaml:3: `instruction` is there twice"),
+        ("a.yaml", "- [x, y]\n", "a.yaml:1: an entry is a sentence"),
+        ("a.txt", "", "no instruction in"),
+        ("a.txt", "# nothing yet\n\n", "no instruction in"),
+        ("a.yaml", "tasks: []\n", "no instruction in"),
+        ("a.jsonl", "\n", "no instruction in"),
     ],
 )
 def test_what_is_wrong_is_said_with_its_line(tmp_path: Path, name: str, text: str, said: str) -> None:
     with pytest.raises(UsageError) as caught:
         read(tmp_path, name, text)
     assert said in str(caught.value)
+
+
+def test_what_is_no_text_is_said_with_its_line(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_bytes(b"Stack two blocks\n\xff\n")
+    with pytest.raises(UsageError, match=r"a\.txt:2: not UTF-8"):
+        read_entries([str(tmp_path / "a.txt")])
+
+
+def test_an_empty_list_beside_others_is_no_error(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_text("# none yet\n")
+    (tmp_path / "b.txt").write_text("Stack two blocks\n")
+    assert len(read_entries([str(tmp_path / "*.txt")])) == 1
+
+
+def test_lines_are_counted_as_editors_count_them(tmp_path: Path) -> None:
+    (tmp_path / "a.txt").write_bytes("Stack two\x0cblocks\r\nMake a row\u2028of blocks\n".encode())
+    assert [entry.place.rsplit(":")[-1] for entry in read_entries([str(tmp_path / "a.txt")])] == ["1", "2"]
 
 
 def test_missing_files_are_named(tmp_path: Path) -> None:

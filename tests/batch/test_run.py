@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from rpg import pipeline
 from rpg.batch import ledger as ledger_module
 from rpg.batch.entries import Entry
 from rpg.batch.ledger import LOCKFILE
@@ -17,6 +18,8 @@ from rpg.batch.reports import as_data, as_junit, as_markdown
 from rpg.batch.run import run_batch
 from rpg.batch.work import Result, build
 from rpg.core.diagnostics import UsageError
+from rpg.ir.artifact import GateReport, Program
+from rpg.passes.validate.findings import failure
 from rpg.store import Workspace
 
 STACK = "Stack the red block on the yellow block"
@@ -142,6 +145,48 @@ def test_a_session_becomes_one_family(tmp_path: Path) -> None:
     family = tmp_path / report.lines[0].family
     assert len(list(family.glob("v*"))) == 2
     assert (family / "HEAD").read_text().startswith("v1-")
+
+
+def test_entries_on_one_line_are_told_apart(tmp_path: Path) -> None:
+    (first,) = entries(STACK)
+    assert batch(tmp_path, (first,))[1] == [STACK]
+    second = Entry(first.place, ROW)
+    report, built = batch(tmp_path, (first, second))
+    assert [line.outcome for line in report.lines] == ["current", "built"] and built == [ROW]
+
+
+def test_what_failed_is_kept_for_looking_into(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def validate(program: Program, **_: object) -> tuple[GateReport, ...]:
+        return (GateReport.of("goal-state", [failure("goal-state", "goal-not-kept", "goal", "the stack falls")]),)
+
+    monkeypatch.setattr(pipeline, "validate", validate)
+    report, _ = batch(tmp_path, entries(STACK))
+    monkeypatch.undo()
+    (line,) = report.lines
+    assert line.outcome == "failed" and line.rejected.startswith(".rejected/red-on-yellow-")
+    assert "the stack falls" in line.detail and line.rejected in line.detail
+    kept = tmp_path / line.rejected
+    assert sorted(path.name for path in kept.iterdir()) == [
+        "code.py",
+        "goal_state_code.py",
+        "task.yaml",
+        "validation.log",
+    ]
+    assert "the stack falls" in (kept / "validation.log").read_text()
+    assert not list(tmp_path.glob("*/HEAD"))
+    again, built = batch(tmp_path, entries(STACK))
+    assert built == [] and again.lines[0] == line
+    assert as_data(again)["entries"][0]["rejected"] == line.rejected
+
+
+def test_a_refused_edit_is_named(tmp_path: Path) -> None:
+    session = Entry("list:1", "Stack the blue block on the red block", edits=("Add a green block on top", NONSENSE))
+    for _ in range(2):
+        report, _ = batch(tmp_path, (session,))
+        assert report.lines[0].outcome == "refused"
+        assert report.lines[0].detail.startswith(f"edit 2, {NONSENSE!r}: ")
+        assert "hint:" in report.lines[0].detail
+    assert not list(tmp_path.glob("*/HEAD"))
 
 
 def test_reports_say_what_is_not_in_order(tmp_path: Path) -> None:

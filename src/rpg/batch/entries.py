@@ -69,8 +69,15 @@ class Entry:
 
 
 def read_entries(sources: Iterable[str]) -> tuple[Entry, ...]:
-    """The entries of every file, each once; `-` is stdin, and globs are expanded. UsageError names file and line."""
-    entries = [entry for path in dict.fromkeys(_expanded(sources)) for entry in _read(path)]
+    """The entries of every file, each once; `-` is stdin, and globs are expanded. UsageError names file and line.
+
+    Lists without any entry are an error too: most likely another file was meant.
+    """
+    paths = list(dict.fromkeys(_expanded(sources)))
+    entries = [entry for path in paths for entry in _read(path)]
+    if not entries:
+        names = ", ".join("stdin" if path == "-" else path for path in paths)
+        raise UsageError(f"no instruction in {names}: an entry is a line of text, or an item of a YAML list")
     named: dict[str, Entry] = {}
     for entry in entries:
         if entry.name is None:
@@ -108,7 +115,8 @@ def _read(source: str) -> Iterator[Entry]:
     except OSError as error:
         raise UsageError(f"cannot read {source}: {error.strerror}") from error
     except UnicodeDecodeError as error:
-        raise UsageError(f"{source} is not UTF-8 text (byte {error.start})") from error
+        line = error.object.count(b"\n", 0, error.start) + 1
+        raise UsageError(f"{'stdin' if source == '-' else source}:{line}: not UTF-8 text") from error
     origin = "stdin" if source == "-" else source
     match Path(source).suffix.lower():
         case ".yaml" | ".yml":
@@ -127,7 +135,7 @@ def _stream_items(origin: str, text: str) -> Iterator[tuple[int, Any]]:
 
 
 def _text_items(text: str) -> Iterator[tuple[int, Any]]:
-    for number, line in enumerate(text.splitlines(), 1):
+    for number, line in enumerate(text.split("\n"), 1):
         if line.strip() and not line.lstrip().startswith("#"):
             yield number, line.strip()
 
@@ -145,6 +153,7 @@ def _yaml_items(origin: str, text: str) -> Iterator[tuple[int, Any]]:
     try:
         node = loader.get_single_node()
         for child in _entry_nodes(origin, node):
+            _no_key_twice(origin, child)
             yield child.start_mark.line + 1, loader.construct_object(child, deep=True)
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
@@ -167,6 +176,16 @@ def _entry_nodes(origin: str, node: yaml.Node | None) -> Iterator[yaml.Node]:
             yield from value.value
     elif node is not None:
         raise UsageError(f"{origin}:{node.start_mark.line + 1}: a list of entries is wanted")
+
+
+def _no_key_twice(origin: str, node: yaml.Node) -> None:
+    """YAML readers take the last of equal keys, and would drop an instruction without a word."""
+    if isinstance(node, yaml.MappingNode):
+        seen: set[str] = set()
+        for key, _ in node.value:
+            if key.value in seen:
+                raise UsageError(f"{origin}:{key.start_mark.line + 1}: `{key.value}` is there twice in one entry")
+            seen.add(key.value)
 
 
 def _entry(place: str, item: Any) -> Entry:

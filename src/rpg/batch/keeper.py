@@ -8,10 +8,11 @@ from concurrent.futures import Future, ThreadPoolExecutor
 
 from rpg.batch.entries import Entry
 from rpg.batch.ledger import Ledger, Made, record
-from rpg.batch.lines import Line, reason
+from rpg.batch.lines import Line, ended
+from rpg.batch.signals import undisturbed
 from rpg.batch.work import Result
 from rpg.core.diagnostics import UsageError
-from rpg.store import Workspace
+from rpg.store import Workspace, write_rejected
 from rpg.store.adopt import Draft
 
 SAVE_EVERY = 25
@@ -38,8 +39,9 @@ class Keeper:
 
     def keep(self, entry: Entry, result: Result) -> Iterator[Line]:
         """Take an entry's result; yields the lines of entries that are done by now, in order."""
-        draft = self._writers.submit(Draft, self.workspace, result.tree) if result.status == "admitted" else None
-        self._under_way.append(self._placer.submit(self._kept, entry, result, draft))
+        with undisturbed():
+            draft = self._writers.submit(Draft, self.workspace, result.tree) if result.status == "admitted" else None
+            self._under_way.append(self._placer.submit(self._kept, entry, result, draft))
         while self._under_way and (self._under_way[0].done() or len(self._under_way) > WAITING):
             yield self._under_way.popleft().result()
 
@@ -73,11 +75,15 @@ class Keeper:
         return line
 
     def _not_admitted(self, entry: Entry, result: Result) -> tuple[Line, Made | None]:
-        found = result.diagnostics
-        line = Line(entry, result.status, detail=reason(found), diagnostics=found)
-        if result.status == "admitted" or not result.lasting:
+        found, rejected = result.diagnostics, ""
+        if result.tree:
+            directory = write_rejected(self.workspace, result.family, result.tree)
+            rejected = directory.relative_to(self.workspace.root).as_posix()
+        line = ended(entry, result.status, found, result.turn, rejected)
+        if not result.lasting:
             return line, None
-        return line, Made(status=result.status, title=entry.title, diagnostics=found)
+        made = Made(status=result.status, title=entry.title, diagnostics=found, turn=result.turn, rejected=rejected)
+        return line, made
 
     def _placed(self, entry: Entry, result: Result, draft: Draft) -> tuple[Line, Made | None]:
         name = entry.name or result.family

@@ -18,9 +18,10 @@ LOCKFILE = "rpg.lock"
 
 
 class Made(Record):
-    """What an entry became: the family and its version directories, or the diagnostics of a refusal.
+    """What an entry became: the family and its version directories, or the diagnostics of a refusal or failure.
 
-    `pictures`: whether its pictures were drawn.
+    `pictures`: whether its pictures were drawn. `turn`: the sentence at which it was refused or failed, 0 the first.
+    `rejected`: where in the workspace the files are that did not pass.
     """
 
     status: Literal["admitted", "refused", "failed"]
@@ -29,6 +30,8 @@ class Made(Record):
     versions: tuple[str, ...] = ()
     pictures: bool = False
     diagnostics: tuple[dict[str, Any], ...] = ()
+    turn: int = 0
+    rejected: str = ""
 
 
 class Ledger(Record):

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import os
-import signal
 from collections import deque
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Generator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context, resource_tracker
 from multiprocessing.forkserver import ensure_running
-from threading import current_thread, main_thread
 from typing import Protocol
 
 from rpg.batch.entries import Entry
+from rpg.batch.signals import undisturbed
 from rpg.batch.work import Result, build, lost, warm
 
 Job = tuple[Entry, bool]
@@ -58,7 +56,7 @@ class LocalPool:
         waiting: deque[Future[Result]] = deque()
         try:
             for job in jobs:
-                with _undisturbed():
+                with undisturbed():
                     waiting.append(pool.submit(build, *job))
                 if len(waiting) >= AHEAD * workers:
                     yield waiting.popleft().result()
@@ -79,24 +77,6 @@ class LocalPool:
         context = get_context("forkserver")
         context.set_forkserver_preload(["rpg.batch.preload"])
         resource_tracker.ensure_running()  # which changes the mask of signals itself
-        with _undisturbed():
+        with undisturbed():
             ensure_running()
         return ProcessPoolExecutor(workers, mp_context=context, initializer=warm)
-
-
-@contextmanager
-def _undisturbed() -> Iterator[None]:
-    """While processes are started Ctrl-C waits, and they inherit that it is none of their business."""
-    if current_thread() is not main_thread():
-        yield
-        return
-    caught: list[int] = []
-    handler = signal.signal(signal.SIGINT, lambda number, frame: caught.append(number))
-    mask = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
-        signal.signal(signal.SIGINT, handler)
-    if caught:
-        raise KeyboardInterrupt

@@ -29,6 +29,7 @@ def _line_data(line: Line) -> dict[str, Any]:
         "family": line.family or None,
         "detail": line.detail or None,
         "diagnostics": list(line.diagnostics),
+        "rejected": line.rejected or None,
     }
 
 

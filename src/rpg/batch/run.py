@@ -9,7 +9,7 @@ from rpg.batch.compare import differences
 from rpg.batch.entries import Entry
 from rpg.batch.keeper import Keeper
 from rpg.batch.ledger import Ledger, Made, read_ledger, up_to_date, upgraded
-from rpg.batch.lines import Line, Report, reason
+from rpg.batch.lines import Line, Report, ended
 from rpg.batch.pool import Executor
 from rpg.batch.work import Result
 from rpg.core.diagnostics import UsageError
@@ -38,8 +38,9 @@ def run_batch(
     ledger = read_ledger(workspace)
     news = upgraded(ledger)
     trusted = not (check or news)
-    current = {e.place for e in entries if trusted and up_to_date(workspace, ledger.entries.get(e.digest), pictures)}
-    results = executor.map([(entry, pictures and not check) for entry in entries if entry.place not in current])
+    current = [trusted and up_to_date(workspace, ledger.entries.get(e.digest), pictures) for e in entries]
+    stale = [entry for entry, done in zip(entries, current, strict=True) if not done]
+    results = executor.map([(entry, pictures and not check) for entry in stale])
     report = Report(upgraded=news)
     lines = (
         _checked(entries, results, workspace, ledger)
@@ -62,15 +63,15 @@ def _checked(
 def _kept(
     entries: tuple[Entry, ...],
     results: Generator[Result, None, None],
-    current: set[str],
+    current: list[bool],
     workspace: Workspace,
     ledger: Ledger,
     pictures: bool,
 ) -> Generator[Line, None, None]:
     keeper = Keeper(workspace, ledger, pictures)
     try:
-        for entry in entries:
-            if entry.place in current:
+        for entry, done in zip(entries, current, strict=True):
+            if done:
                 yield from keeper.say(_unchanged(entry, ledger.entries[entry.digest]))
             else:
                 yield from keeper.keep(entry, next(results))
@@ -85,8 +86,9 @@ def _kept(
 
 
 def _unchanged(entry: Entry, made: Made) -> Line:
-    outcome = "current" if made.status == "admitted" else made.status
-    return Line(entry, outcome, made.family, reason(made.diagnostics), made.diagnostics)
+    if made.status != "admitted":
+        return ended(entry, made.status, made.diagnostics, made.turn, made.rejected)
+    return Line(entry, "current", made.family)
 
 
 def _compared(entry: Entry, result: Result, workspace: Workspace, ledger: Ledger) -> Line:
@@ -94,7 +96,7 @@ def _compared(entry: Entry, result: Result, workspace: Workspace, ledger: Ledger
     before = ledger.entries.get(entry.digest)
     if result.status != "admitted":
         if before is None or before.status == result.status:
-            return Line(entry, result.status, detail=reason(result.diagnostics), diagnostics=result.diagnostics)
+            return ended(entry, result.status, result.diagnostics, result.turn)
         return Line(entry, "differs", before.family, f"was {before.status}, is {result.status} now")
     name = before.family if before and before.family else entry.name or result.family
     found = differences(workspace.family(name), result.tree)

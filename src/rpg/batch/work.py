@@ -28,10 +28,11 @@ GRACE = 5.0
 
 @dataclass(frozen=True)
 class Result:
-    """What became of an entry. `tree`: the family's files by path, empty unless admitted; `diagnostics` as data.
+    """What became of an entry. `diagnostics` as data; `turn`: at which of its sentences it ended, 0 the first.
 
-    `verdicts`: of its versions' goals, by snapshot hash, for the record. `lasting`: the next build would end alike;
-    what a crash or a full disk ended is tried again.
+    `tree`: the family's files by path; of an entry that failed, the files that did not pass; else empty. `verdicts`:
+    of its versions' goals, by snapshot hash, for the record. `lasting`: the next build would end alike; what a crash
+    or a full disk ended is tried again.
     """
 
     status: Status
@@ -39,6 +40,7 @@ class Result:
     tree: dict[str, bytes] = field(default_factory=dict, repr=False)
     diagnostics: tuple[dict[str, Any], ...] = ()
     verdicts: dict[str, str] = field(default_factory=dict)
+    turn: int = 0
     lasting: bool = True
 
 
@@ -96,7 +98,7 @@ def _built(entry: Entry, pictures: bool) -> Result:
     options = CompileOptions(name=entry.name, seed=entry.seed, author=entry.author, pictures=pictures)
     outcome = compile_instruction(entry.instruction, options)
     if outcome.status != "admitted" or outcome.schema is None:
-        return Result(outcome.status, diagnostics=_data(outcome.diagnostics))
+        return _not_admitted(outcome.status, outcome, outcome.diagnostics)
     if entry.edits:
         return _steered(entry, outcome, options)
     content = content_of(outcome)
@@ -116,15 +118,25 @@ def _steered(entry: Entry, outcome: Outcome, options: CompileOptions) -> Result:
         place = publish(outcome, Workspace(Path(root)))
         assert isinstance(place, Written)
         version, found = place.version, list(outcome.diagnostics)
-        for edit in entry.edits:
+        for turn, edit in enumerate(entry.edits, 1):
             done = steer(version, edit, options)
-            found += done.diagnostics
             if done.version is None:
-                return Result("refused" if done.status == "refused" else "failed", diagnostics=_data(found))
+                status: Status = "refused" if done.status == "refused" else "failed"
+                return _not_admitted(status, done.outcome, done.diagnostics, turn)
+            found += done.diagnostics
             version = done.version
         family = Family(version.directory.parent)
         record = {version.hash: recorded(version) for version in family.versions()}
         return Result("admitted", family.name, _tree(family.directory), _data(found), record)
+
+
+def _not_admitted(status: Status, outcome: Outcome | None, found: Iterable[Diagnostic], turn: int = 0) -> Result:
+    """A result without a family; what failed comes with its files, to be looked into."""
+    from rpg.publishing import files_of
+
+    if status != "failed" or outcome is None or outcome.program is None:
+        return Result(status, diagnostics=_data(found), turn=turn)
+    return Result(status, outcome.program.task.name, files_of(outcome), _data(found), turn=turn)
 
 
 def _data(diagnostics: Iterable[Diagnostic]) -> tuple[dict[str, Any], ...]:

@@ -59,6 +59,8 @@ def run(
     from rpg.cli.output import Output
 
     out = Output(as_json, quiet)
+    for report_file in (junit, markdown):
+        _require_place(report_file)
     entries = read_entries(files)
     if shard is not None:
         entries = part_of(entries, shard)
@@ -83,6 +85,16 @@ def _executor(where: Where, jobs: int) -> Executor:
     from rpg.batch.pool import LocalPool
 
     return LocalPool(jobs)
+
+
+def _require_place(path: Path | None) -> None:
+    """A report that has no place to go is said to have none before anything is built."""
+    from rpg.core.diagnostics import UsageError
+
+    if path is not None and not path.absolute().parent.is_dir():
+        raise UsageError(f"cannot write {path}: there is no directory {path.parent}")
+    if path is not None and path.is_dir():
+        raise UsageError(f"cannot write {path}: it is a directory")
 
 
 def _write(path: Path, data: bytes) -> None:

@@ -94,7 +94,7 @@ class Outcome:
 
 def compile_instruction(text: str, options: CompileOptions | None = None) -> Outcome:
     """All four passes over an instruction."""
-    options = options or CompileOptions()
+    options, text = options or CompileOptions(), text.replace("\r", " ")
     return _run(text, text, (SchemaPass(options), *_PASSES), options)
 
 
@@ -149,6 +149,23 @@ class SchemaPass:
 
 
 @dataclass(frozen=True)
+class FeasibilityPass:
+    """Can the task be at all? The built-in front end asks that of each of its readings, a file of nobody."""
+
+    name: str = "feasibility"
+
+    def run(self, item: TaskSchema, context: Context) -> tuple[TaskSchema | None, Report]:
+        """The task, adapted where that changes nothing asked for; or nothing, with what would make it possible."""
+        from rpg.passes.schema.feasibility import Repairable, examine, suggestions
+
+        try:
+            found = examine(item)
+        except Repairable as refusal:
+            return None, Report(suggestions(refusal, _read_plainly))
+        return found.task, Report(found.notes, found)
+
+
+@dataclass(frozen=True)
 class ArrangePass:
     """What the compiler decides where the instruction leaves it open: places of patches, and a goal state."""
 
@@ -195,7 +212,7 @@ class ValidatePass:
         return mended.program, Report((*mended.diagnostics, *found), mended)
 
 
-_PASSES: tuple[Pass, ...] = (ArrangePass(), CodegenPass(), ValidatePass(lowered=True))
+_PASSES: tuple[Pass, ...] = (FeasibilityPass(), ArrangePass(), CodegenPass(), ValidatePass(lowered=True))
 
 
 def verify(name: str, item: object) -> None:
@@ -265,6 +282,10 @@ def validate_program(
 
 def _validator(context: Context) -> Callable[[Program], tuple[GateReport, ...]]:
     return lambda program: validate_program(program, context.options, context.listen)
+
+
+def _read_plainly(text: str) -> TaskSchema | None:
+    return _builtin().read(text, name=None, seed=0, author=None)[0]
 
 
 def _builtin() -> FrontEnd:

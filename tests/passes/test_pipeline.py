@@ -52,7 +52,7 @@ def test_an_outcome_says_everything() -> None:
     assert "red block" in outcome.goal_text
     assert outcome.log.endswith("\nadmitted\n")
     assert [gate.name for gate in outcome.gates if not gate.passed] == []
-    assert heard[:3] == ["arrange start", "codegen start", "validate start"]
+    assert heard[:3] == ["feasibility start", "arrange start", "codegen start"]
     assert outcome.attempts == () and outcome.pictures == {}
 
 

@@ -21,6 +21,9 @@ REST_SPEED = 0.05
 SUPPORT_GAP = 0.01
 """A block whose bottom is within this of what is under it rests on it."""
 
+HAND = 0.08
+"""The widest block that the arm's hand can reach around, and so the widest that can be lifted."""
+
 TABLE_X = 0.55
 TABLE_SIZE = (0.84, 1.30, 0.04)
 """The table's centre along x, and its extents."""

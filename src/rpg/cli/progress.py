@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 WORDS = {
     "schema": "reading the instruction",
+    "feasibility": "checking that it can be done",
     "arrange": "looking for a goal state",
     "codegen": "writing code",
     "pictures": "drawing",

@@ -125,6 +125,25 @@ CODES: tuple[Code, ...] = (
         "put the red block in the far half of the table",
     ),
     Code(
+        "covered-face",
+        "a face that cannot be seen is asked to show something",
+        "Another block lies on the face that is to be seen from above.",
+        "Put the block A on the block B, and the letter of the block B faces up",
+        "Put the block A on the block B, and the letter of the block A faces up",
+    ),
+    Code(
+        "too-wide",
+        "a block cannot be lifted",
+        "The hand opens 8 cm wide, so that a wider block can neither go on another one nor into a tower.",
+        "put a 10 cm red block on a blue block",
+        "put a blue block on a 10 cm red block",
+    ),
+    Code(
+        "adapted",
+        "a task was adapted so that it is possible",
+        "Nothing that was asked for has changed: an order has another name, a symbol was open, a face cannot be seen.",
+    ),
+    Code(
         "size-out-of-range",
         "a block of this size cannot be made",
         "Edges are from 1 to 12 cm.",

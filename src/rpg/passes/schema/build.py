@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import suppress
 from itertools import product
 from typing import Any
 
@@ -14,11 +16,13 @@ from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Structure, cost_of, parts_of
 from rpg.language.read import Sentence
-from rpg.passes.schema import feasibility
+from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.resolve import finish
+from rpg.passes.schema.resolve.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
+from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.tidy import tidy
@@ -29,7 +33,7 @@ MAX_COMBINATIONS = 48
 
 FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors",
     "does-not-fit", "unknown-symbol", "size-out-of-range",
-                   "out-of-reach", "too-many-asked"})  # fmt: skip
+                   "out-of-reach", "too-many-asked", "covered-face", "too-wide"})  # fmt: skip
 """Refusals that no other reading mends: the words are understood, and what they say cannot be done."""
 SENSIBLE = frozenset(
     {
@@ -51,31 +55,46 @@ PATIENCE = 0
 
 def build(
     sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None
-) -> TaskSchema:
-    """The task that the sentences state."""
-    first: Refusal | None = None
-    best: tuple[int, TaskSchema] | None = None
+) -> Feasibility:
+    """The task that the sentences state, and what made it possible."""
+    first: tuple[Refusal, tuple[Chain, ...]] | None = None
+    best: tuple[int, Feasibility] | None = None
     limit: int | None = None
     for cost, chosen in _combinations(sentences):
         if (best is not None and cost > best[0]) or (limit is not None and cost > limit):
             break
         try:
-            schema = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
+            found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
         except Refusal as refusal:
             code = refusal.diagnostics[0].code
             if code in FINAL and best is None:
                 raise
             if code in SENSIBLE and limit is None:
-                limit, first = cost + PATIENCE, refusal
-            first = first or refusal
+                limit, first = cost + PATIENCE, (refusal, chosen)
+            first = first or (refusal, chosen)
             continue
         if best is None:
-            best = (cost, schema)
-        elif not _same(best[1], schema):
-            raise _ambiguous(best[1], schema, text)
-    if best is None:
-        raise first or refuse("incomplete", "nothing is said that could be done", (0, len(text)))
-    return best[1]
+            best = (cost, found)
+        elif not _same(best[1].task, found.task):
+            raise _ambiguous(best[1].task, found.task, text)
+    if best is not None:
+        return best[1]
+    if first is None:
+        raise refuse("incomplete", "nothing is said that could be done", (0, len(text)))
+    failure, chosen = first
+    if failure.diagnostics[0].code != "order-conflict":
+        raise failure
+    links = [s.link for s in sentences]
+    raise Repairable(
+        failure.diagnostics,
+        [_one_order(lambda: resolve(links, chosen, text, notes, name, seed, author, lenient=True))],
+    )
+
+
+def _one_order(resolved: Callable[[], Feasibility]) -> Iterator[Repair]:
+    """The task under the first of two orders."""
+    with suppress(Refusal):
+        yield Repair("SWITCH_ORDERING_PATTERN", resolved().task, "the first of the two orders")
 
 
 def _combinations(sentences: list[Sentence]) -> list[tuple[int, tuple[Chain, ...]]]:
@@ -97,11 +116,17 @@ def _bare(schema: TaskSchema) -> str:
     return repr(_unspanned(data, len(schema.blocks)))
 
 
+_UNORDERED = frozenset({"blocks", "assets"})
+"""Lists of which it does not matter in what order they are given."""
+
+
 def _unspanned(data: object, blocks: int) -> object:
-    """Without spans, and without "exact" for a stack of every block there is: nothing else could be in it."""
+    """Without spans, without what has no order, and without "exact" for a stack of every block there is: nothing else
+    could be in it."""
     if isinstance(data, dict):
         whole = data.get("kind") == "stack" and len(data["blocks"]) == blocks
-        return {k: _unspanned(v, blocks) for k, v in data.items() if k != "span" and not (whole and k == "exact")}
+        kept = {k: _unspanned(v, blocks) for k, v in data.items() if k != "span" and not (whole and k == "exact")}
+        return {k: sorted(v, key=repr) if k in _UNORDERED and v else v for k, v in kept.items()}
     if isinstance(data, list):
         return [_unspanned(v, blocks) for v in data]
     return data
@@ -125,9 +150,32 @@ def resolve(
     name: str | None,
     seed: int,
     author: str | None,
-) -> TaskSchema:
-    """One reading of every sentence -> the task, or a refusal."""
-    scene = Scene()
+    *,
+    lenient: bool = False,
+) -> Feasibility:
+    """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
+    links, chains = hoisted(links, chains)
+    facts, bold = begun(chains), begun(chains, bold=True)
+    try:
+        return _resolved(links, facts, text, notes, name, seed, author, lenient)
+    except Refusal as refusal:
+        if bold != facts and refusal.diagnostics[0].code in UNMEANT:
+            with suppress(Refusal):
+                return _resolved(links, bold, text, notes, name, seed, author, lenient)
+        raise
+
+
+def _resolved(
+    links: list[str],
+    chains: tuple[Chain, ...],
+    text: str,
+    notes: list[str],
+    name: str | None,
+    seed: int,
+    author: str | None,
+    lenient: bool,
+) -> Feasibility:
+    scene = Scene(lenient=lenient)
     for note in notes:
         scene.assume(note)
     scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
@@ -153,12 +201,12 @@ def resolve(
     return _schema(
         name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start,
         goal=final,
-        assumptions=tuple(scene.assumptions),
+        assumptions=tuple(scene.assumptions), open_={names[t.name]: t.open for t in scene.blocks() if t.open},
     )  # fmt: skip
 
 
-def _schema(**fields: Any) -> TaskSchema:
-    """The task, if its parts fit together: a reading that leaves something dangling is none."""
+def _schema(open_: dict[str, str], **fields: Any) -> Feasibility:
+    """The task, if its parts fit together and it is feasible: a reading that leaves something dangling is none."""
     try:
         schema = TaskSchema(**fields)
     except ValidationError:
@@ -168,9 +216,7 @@ def _schema(**fields: Any) -> TaskSchema:
             (0, len(fields["instruction"])),
             "say it in several short sentences",
         ) from None
-    if problems := feasibility.check(schema):
-        raise Refusal(problems)
-    return schema
+    return examine(schema, open_)
 
 
 def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:

@@ -10,7 +10,7 @@ from rpg.language.read import read_sentences
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 from rpg.passes.schema.build import build
-from rpg.passes.schema.feasibility import with_repairs
+from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
 
 Reading = tuple[TaskSchema | None, tuple[Diagnostic, ...]]
@@ -24,20 +24,16 @@ class FrontEnd(Protocol):
 
 
 class BuiltinFrontEnd:
-    """Words, grammar, resolution: deterministic, bounded, and silent about nothing."""
+    """Words, grammar, resolution, feasibility: deterministic, bounded, and silent about nothing."""
 
     def read(self, text: str, *, name: str | None = None, seed: int = 0, author: str | None = None) -> Reading:
-        """The task, or None with the diagnostics that say why not."""
+        """The task with notes of how it was adapted, or None with the diagnostics that say why not."""
         try:
-            guard(text)
-            tokens, strays = tokenize(text)
-            words, notes, wrong = read_words(tokens)
-            if wrong or strays:
-                return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
-            texts = read_sentences(words)
-            return build(texts, text, notes, name=name, seed=seed, author=author), ()
+            return self._read(text, name, seed, author)
+        except Repairable as refusal:
+            return None, suggestions(refusal, lambda other: self._again(other, name, seed, author))
         except Refusal as refusal:
-            return None, with_repairs(refusal.diagnostics)
+            return None, refusal.diagnostics
         except RecursionError:
             message = "this is too tangled to be read"
             return None, (
@@ -49,6 +45,22 @@ class BuiltinFrontEnd:
                     origin="schema",
                 ),
             )
+
+    def _read(self, text: str, name: str | None, seed: int, author: str | None) -> Reading:
+        guard(text)
+        tokens, strays = tokenize(text)
+        words, notes, wrong = read_words(tokens)
+        if wrong or strays:
+            return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
+        found = build(read_sentences(words), text, notes, name=name, seed=seed, author=author)
+        return found.task, found.notes
+
+    def _again(self, text: str, name: str | None, seed: int, author: str | None) -> TaskSchema | None:
+        """How a text that was made up here is read, if it is."""
+        try:
+            return self._read(text, name, seed, author)[0]
+        except Refusal:
+            return None
 
 
 def _stray(text: str, span: tuple[int, int]) -> Diagnostic:

@@ -3,46 +3,57 @@
 from __future__ import annotations
 
 import string
+from collections import Counter
 
 from rpg.ir import goal as g
 from rpg.ir.assets import PATCH_SIDE, Asset, ColoredCube, Faces, GoalPatch, SemanticCube
 from rpg.ir.goal import Goal
-from rpg.ir.schema import MAX_BLOCKS, MAX_DIGITS, MAX_LETTERS
 from rpg.ir.walk import rename
-from rpg.passes.schema.resolve.things import EDGES
+from rpg.passes.schema.resolve.things import EDGES, VOWELS
 from rpg.passes.schema.resolve.world import Scene, Thing, refuse
 
 BLOCK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink", "brown", "white", "black", "gray")
 PATCH_COLORS = ("gray", "blue", "yellow", "red", "purple", "orange", "cyan", "pink", "green")
 _SIGNS = {"+": "plus", "-": "minus", "*": "times", "/": "divide", "=": "equals"}
 LONG = 2.5
+DIGITS = "1234567890"
+"""In the order in which they are chosen."""
 
 
 def label_of(thing: Thing, scene: Scene) -> str:
     """The symbol of a block that shows one; the next free one where it was left open."""
     if thing.label is None:
-        taken = {t.label for t in scene.blocks()}
-        row = {"digit": "123456789", "symbol": string.ascii_uppercase}.get(thing.kind or "", string.ascii_uppercase)
-        if thing.quality == "vowel":
-            row = "AEIOU"
-        elif thing.quality == "consonant":
-            row = "BCDFGHJKLMNPQRSTVWXYZ"
-        elif thing.quality in ("even", "odd"):
-            row = "2468" if thing.quality == "even" else "13579"
-        free = [x for x in row if x not in taken]
-        if thing.kind == "digit" and not free and "0" not in taken:
-            free = ["0"]
-        if not free:
+        taken = Counter(t.label for t in scene.blocks())
+        choice = _symbols_for(thing)
+        fresh = min(choice, key=lambda symbol: taken[symbol])
+        if taken[fresh] and thing.scheme == "different":
             raise refuse(
                 "too-many-labels",
                 "there are not enough different symbols for so many blocks",
                 None,
-                "use fewer blocks",
-                symbols=len(row),
+                f"use at most {len(choice)} blocks of different symbols",
+                symbols=len(choice),
             )
-        thing.label = free[0]
+        thing.label = fresh
+        thing.open = string.ascii_uppercase + DIGITS if thing.kind == "symbol" else choice
         scene.assume("the symbols are not said: chosen in order")
+        if taken[fresh] and thing.kind != "symbol":
+            scene.assume("there are more blocks than symbols of their sort: some show the same")
     return thing.label
+
+
+def _symbols_for(thing: Thing) -> str:
+    """The symbols that a block may show, in the order in which they are chosen."""
+    match thing.quality:
+        case "vowel":
+            return VOWELS
+        case "consonant":
+            return "".join(letter for letter in string.ascii_uppercase if letter not in VOWELS)
+        case "even":
+            return "24680"
+        case "odd":
+            return "13579"
+    return DIGITS if thing.kind == "digit" else string.ascii_uppercase
 
 
 def choose(scene: Scene) -> None:
@@ -153,29 +164,7 @@ def assets(scene: Scene, names: dict[str, str]) -> tuple[Asset, ...]:
     made: list[Asset] = []
     for thing in scene.things.values():
         made.append(_asset(thing, names[thing.name]))
-    blocks = [a for a in made if not isinstance(a, GoalPatch)]
-    if len(blocks) > MAX_BLOCKS:
-        raise refuse(
-            "too-many-blocks",
-            f"this takes {len(blocks)} blocks; a task has at most {MAX_BLOCKS}",
-            None,
-            f"use at most {MAX_BLOCKS} blocks",
-            blocks=len(blocks),
-            limit=MAX_BLOCKS,
-        )
-    labels = [t.label or "" for t in scene.blocks()]
-    for row, limit, what in ((string.ascii_uppercase, MAX_LETTERS, "letter"), (string.digits, MAX_DIGITS, "digit")):
-        count = sum(1 for label in labels if label and label in row)
-        if count > limit:
-            raise refuse(
-                "too-many-labels",
-                f"this takes {count} {what} cubes; a task has at most {limit}",
-                None,
-                f"use at most {limit}",
-                cubes=count,
-                limit=limit,
-            )
-    if not blocks:
+    if all(isinstance(asset, GoalPatch) for asset in made):
         raise refuse("no-goal", "there is no block in this task", None, "name a block and say where it should be")
     return tuple(made)
 

@@ -66,7 +66,7 @@ def _along(spec: Spec) -> bool:
 
 
 def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope, span: Span) -> tuple[str, ...]:
-    """One cube for every symbol of the text, those that are there already first."""
+    """One cube for every symbol of the text, those that are there already first; all that are named if one lacks."""
     source = spec.usings.pop(0).members if spec.usings else None
     traits = Traits()
     if theme is None and isinstance(source, Noun):
@@ -102,13 +102,7 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
             if found is not None:
                 _label(found, symbol)
         if found is None and theme is not None and any(t.label for t in pool):
-            raise refuse(
-                "missing-symbol",
-                f"{text} needs a further {symbol} than the blocks named show",
-                span,
-                f"add a block {symbol}",
-                symbol=symbol,
-            )
+            return theme.names
         if found is None:
             if traits.kind == "plain":
                 raise refuse("order-misfit", "plain blocks spell nothing", span, "use letter blocks")

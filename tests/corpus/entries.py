@@ -10,7 +10,7 @@ from typing import Any
 import yaml
 
 FOLDER = Path(__file__).parent
-SPLITS = ("dev", "heldout", "fresh")
+SPLITS = ("dev", "heldout", "fresh", "strangers")
 KEYS = {"say", "assets", "hold", "miss", "refuse", "may_refuse", "start", "start_miss", "heap"}
 
 

@@ -8,8 +8,12 @@ from typing import Any
 
 from rpg.core.diagnostics import Diagnostic, Label, Refusal, Span
 from rpg.ir.goal import Goal
+from rpg.ir.schema import MAX_BLOCKS
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Amount, Meaning, Traits
+
+BEYOND = 4 * MAX_BLOCKS
+"""How many objects are counted out before an instruction is refused for their number."""
 
 
 @dataclass
@@ -139,6 +143,9 @@ class Scene:
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     denied: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
+    only: list[str] = field(default_factory=list)
+    returned: set[str] = field(default_factory=set)
+    unstacked: set[str] = field(default_factory=set)
     lenient: bool = False
 
     def assume(self, text: str) -> None:
@@ -148,6 +155,14 @@ class Scene:
     def fresh(self, **traits: Any) -> Thing:
         """A new object."""
         self.counter += 1
+        if self.counter > BEYOND:
+            raise refuse(
+                "too-many-blocks",
+                f"this takes more than {BEYOND} blocks; a task has at most {MAX_BLOCKS}",
+                None,
+                f"use at most {MAX_BLOCKS} blocks",
+                limit=MAX_BLOCKS,
+            )
         thing = Thing(name=f"_{self.counter}", batch=self.batch, **traits)
         self.things[thing.name] = thing
         return thing

@@ -7,13 +7,13 @@ x is away from the viewer, y to the left; row 0 is the farthest, column 0 the le
 from __future__ import annotations
 
 import cmath
-import itertools
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from typing import NamedTuple
 
+from rpg.blocks.layers import by_layers
 from rpg.ir.node import Direction
 from rpg.ir.structures import Cells, Figure, Grid, Pyramid, Staircase
 
@@ -72,7 +72,7 @@ class _Form:
     """A node, equal to every other one that asks for the same figures."""
 
     def __init__(self, node: Cells) -> None:
-        lines = (node.pattern.kind, _by_levels(node)) if node.pattern is not None else None
+        lines = (node.pattern.kind, by_layers(node)) if node.pattern is not None else None
         self.node = node
         self.key = type(node), node.readable, lines, *[getattr(node, field) for field in _form_fields(type(node))]
 
@@ -123,29 +123,7 @@ def upright(node: Cells) -> bool:
 
 
 def _reads_lines(node: Cells, kinds: tuple[str, ...] = ("row", "column", "reading")) -> bool:
-    return node.pattern is not None and node.pattern.kind in kinds and not _by_levels(node)
-
-
-def _by_levels(node: Cells) -> bool:
-    """Does the order of reading tell whole layers apart and no more, so that the figure may be turned in any way?"""
-    pattern = node.pattern
-    if pattern is None or pattern.kind != "reading" or pattern.order.by != "given":
-        return False
-    levels = _level_sizes(node)
-    whole = set(itertools.accumulate(levels if pattern.upward else levels[::-1]))
-    return len(levels) > 1 and whole.issuperset(itertools.accumulate(len(rank) for rank in pattern.order.ranks))
-
-
-def _level_sizes(node: Cells) -> list[int]:
-    """How many blocks each layer of a grid or a pyramid has, the lowest first."""
-    match node:
-        case Grid():
-            return [node.rows * node.columns] * node.layers
-        case Pyramid():
-            n, m = max(node.base), min(node.base)
-            return [*range(n, 0, -1)] if m == 1 else [(n - k) * (m - k) for k in range(m)]
-        case _:
-            return []
+    return node.pattern is not None and node.pattern.kind in kinds and not by_layers(node)
 
 
 def _side_limit(node: Cells) -> float | None:

@@ -117,7 +117,7 @@ CODES: tuple[Code, ...] = (
         "unsupported-structure",
         "a structure is not understood",
         "The structure is known, but not in this number or form.",
-        "build three pyramids",
+        "build ten pyramids",
         "build a pyramid",
     ),
     Code(

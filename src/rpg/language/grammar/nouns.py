@@ -110,11 +110,11 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
             yield Coord(op="xor", items=whole, span=p.span(i, k)), k
         if joined:
-            cost = 2 if now == "then" or _shares_head(items[-1], item) or retold(whole) else 0
+            cost = 6 if retold(whole) else 2 if now == "then" or _shares_head(items[-1], item) else 0
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from _list(p, i, whole, j, now)
         else:
-            yield Coord(op="and", items=whole, span=p.span(i, j), cost=3 if retold(whole) else 1), j
+            yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from _list(p, i, whole, j, op or "comma")
 
 

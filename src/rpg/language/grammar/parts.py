@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, At, Meaning, Noun, Places, Traits
+from rpg.language.meaning import Absolute, At, Coord, Meaning, Noun, Places, Traits
 
 _SIDES = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
@@ -27,7 +27,8 @@ _UNITS = {
     "level": "layer", "levels": "layer", "tier": "layer", "tiers": "layer", "floor": "layer", "floors": "layer",
     "story": "layer", "stories": "layer", "course": "layer", "block": "block", "blocks": "block", "cube": "block",
     "cubes": "block", "brick": "block", "bricks": "block", "one": "block", "ones": "block", "cell": "block",
-    "cells": "block", "half": "half", "third": "third",
+    "cells": "block", "half": "half", "third": "third", "tower": "whole", "towers": "whole", "stack": "whole",
+    "stacks": "whole", "pyramid": "whole", "wall": "whole", "staircase": "whole", "square": "whole", "circle": "whole",
 }  # fmt: skip
 _NOUNS = {
     "corners": "corners", "ends": "ends", "edges": "edge", "border": "edge", "rim": "edge", "perimeter": "edge",
@@ -158,3 +159,44 @@ def unit_of(found: Absolute) -> str:
     """The unit that a further statement in the list may leave unsaid."""
     place = found.adjuncts[0]
     return place.unit if isinstance(place, Places) else "block" if isinstance(place, At) else ""
+
+
+_ONES = ("one of them", "one", "the other one", "the other", "another one", "another", "a second one", "a third one")
+
+
+@rule
+def wholes(p: Parser, i: int) -> Results[Coord]:
+    """ ", one red and one blue": how each of several structures looks; "the left one red and the right one blue"."""
+    start = p.any_of(i, (",", ":", "with", "where", ", with", ", where", "of which", ", of which"))
+    if start:
+        yield from _wholes(p, i, start, ())
+
+
+def _whole(place: Meaning) -> Places | None:
+    """The one of several structures that a place names."""
+    if isinstance(place, At):
+        return Places(side=place.side, unit="whole", span=place.span)
+    return place if isinstance(place, Places) and place.unit == "whole" else None
+
+
+def _kind_of(p: Parser, j: int) -> Results[Noun]:
+    """What one of several structures is made of: a colour, or a number of blocks."""
+    for theme, k in simple(p, j):
+        if not isinstance(theme, Noun) or theme.part_of is not None or theme.head == "patch" or theme.conditions:
+            continue
+        colored = theme.amount is None and len(theme.traits.colors) == 1
+        if colored or (theme.amount is not None and theme.det == "bare" and theme.traits == Traits()):
+            yield theme, k
+
+
+def _wholes(p: Parser, i: int, at: int, had: tuple[Absolute, ...]) -> Results[Coord]:
+    ones = [(Places(side="one", unit="whole", span=p.span(at, k)), k) for _, k in p.standing(at, _ONES)]
+    named = [(whole, k) for x, k in part(p, at, "whole") if (whole := _whole(x)) is not None]
+    for place, j in [*ones, *named]:
+        for theme, k in _kind_of(p, p.any_of(j, _IS) or j):
+            whole = (*had, Absolute(theme=theme, adjuncts=(place,), span=p.span(at, k)))
+            if len(whole) > 1:
+                yield Coord(op="absolutes", items=whole, span=p.span(i, k)), k
+            again = p.any_of(k, (", and", ",", "and", ";", "but")) or k
+            if len(whole) < 9:
+                yield from _wholes(p, i, again, whole)

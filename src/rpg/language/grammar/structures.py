@@ -17,6 +17,7 @@ from rpg.language.grammar.lists import listed
 from rpg.language.grammar.shapes import noun
 from rpg.language.grammar.sizes import IN_TOTAL, dimensions, size_phrase
 from rpg.language.meaning import (
+    Absolute,
     Amount,
     Coord,
     Manner,
@@ -24,6 +25,7 @@ from rpg.language.meaning import (
     Noun,
     OrderBy,
     Pattern,
+    Places,
     Pronoun,
     Size,
     Spacing,
@@ -155,6 +157,9 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             continue
         if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
             continue
+        if p.words[k - 1] in ("stairs", "steps") and quantity.amount is not None:
+            steps = Size(what="steps", amount=quantity.amount, span=p.span(i, k))
+            plural, quantity, before = False, Quantity("a"), replace(before, sizes=(*before.sizes, steps))
         operator = before.operator or (_OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
         base = Structure(
             kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
@@ -190,6 +195,7 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
 def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     for sized, k in _sized(p, i, j, base):
         yield sized, k
+        yield from _one_each(p, i, k, sized)
         for whole, end in _members(p, i, k, sized):
             yield whole, end
             yield from _one_each(p, i, end, whole)
@@ -216,19 +222,18 @@ def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
 
 
 def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
-    """ "two towers ..., one red and one blue"."""
-    if not base.plural or not p.one(k, ","):
-        return
-    found: list[str] = []
-    at = p.one(k + 1, "one")
-    while at and at < p.end and p.words[at] in lexicon.COLOR:
-        found.append(lexicon.COLOR[p.words[at]])
-        after = p.reach(at + 1)
-        if len(found) > 1:
-            pattern = Pattern(unit="stack", span=p.span(k, after))
-            yield _painted(base, tuple(found), pattern, p.span(i, after)), after
-        nxt = p.opt(p.opt(after, ","), "and")
-        at = p.any_of(nxt, ("one", "the other", "another", "the third")) if nxt > after else 0
+    """ "two towers ..., one red and one blue", "... the left one red and the right one blue"."""
+    from rpg.language.grammar.parts import wholes
+
+    for found, end in wholes(p, k) if base.plural else ():
+        places = [x.adjuncts[0] for x in found.items if isinstance(x, Absolute)]
+        themes = [x.theme for x in found.items if isinstance(x, Absolute)]
+        colors = tuple(c for theme in themes if isinstance(theme, Noun) for c in theme.traits.colors)
+        alike = len(colors) == len(themes) and all(isinstance(x, Places) and x.side == "one" for x in places)
+        if base.kind == "stack" and alike:
+            yield _painted(base, colors, Pattern(unit="stack", span=found.span), p.span(i, end)), end
+        else:
+            yield replace(base, details=(*base.details, found), span=p.span(i, end)), end
 
 
 def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: Span) -> Structure:
@@ -305,6 +310,8 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 )
             )
             end = end if base.plural else p.any_of(end, IN_TOTAL) or end
+            if base.plural and isinstance(members, Coord) and members.items[0].span[0] > p.tokens[start].span[0]:
+                continue
             listed_ = replace(base, members=members, span=p.span(i, end), each_size=counted)
             yield (
                 listed_,
@@ -331,10 +338,11 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                     else end
                 ),
             )
-    if not base.sizes and not base.plural:
+    if not base.sizes:
         for found, end in amounts.amount(p, k):
             size = Size(what="size", amount=found, span=p.span(k, end))
-            yield replace(base, sizes=(size,), span=p.span(i, end), cost=base.cost + 1), end
+            cost = base.cost + (0 if base.plural else 1)
+            yield replace(base, sizes=(size,), span=p.span(i, end), cost=cost), p.opt(end, "each", "apiece")
 
 
 def members_amount(members: Meaning) -> Amount | None:

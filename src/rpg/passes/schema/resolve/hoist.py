@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Chain, Clause, Into, Structure
+from rpg.language.meaning import Absolute, Chain, Clause, Coord, Into, Structure
 
 _LINES = ("stack", "arrange")
 
@@ -17,7 +17,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
         found.append(kept)
         for link, clause in zip(chain.links, chain.clauses, strict=True):
             assert isinstance(clause, Clause)
-            host = _host(found) if clause.verb == "part" and link != "then" else None
+            host = _host(found, _of_wholes(clause)) if clause.verb == "part" and link != "then" else None
             if host is None:
                 kept.append((link, clause))
                 continue
@@ -31,23 +31,29 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
     )
 
 
-def _host(found: list[list[tuple[str, Clause]]]) -> tuple[int, int] | None:
-    """Where the structure was built that is spoken of: the clause before, if it builds a single one."""
+def _of_wholes(clause: Clause) -> bool:
+    """ "the left tower is red": of one of several structures."""
+    parts = [x for a in clause.adjuncts for x in (a.items if isinstance(a, Coord) else (a,))]
+    return all(isinstance(x, Absolute) and getattr(x.adjuncts[0], "unit", "") == "whole" for x in parts)
+
+
+def _host(found: list[list[tuple[str, Clause]]], several: bool) -> tuple[int, int] | None:
+    """Where the structure was built that is spoken of: the clause before, if it builds a single one (or several)."""
     for line in range(len(found) - 1, -1, -1):
         for place in range(len(found[line]) - 1, -1, -1):
             clause = found[line][place][1]
             if clause.verb == "exist" and clause.mode == "given":
                 continue
-            return (line, place) if _builds_one(clause) else None
+            return (line, place) if _builds(clause, several) else None
     return None
 
 
-def _builds_one(clause: Clause) -> bool:
+def _builds(clause: Clause, several: bool) -> bool:
     shapes = [a.structure for a in clause.adjuncts if isinstance(a, Into)]
     if isinstance(clause.theme, Structure):
         shapes.append(clause.theme)
     if clause.negated or clause.mode == "start" or len(shapes) > 1:
         return False
     if not shapes:
-        return clause.verb in _LINES
-    return isinstance(shapes[0], Structure) and not shapes[0].plural
+        return clause.verb in _LINES and not several
+    return isinstance(shapes[0], Structure) and shapes[0].plural == several

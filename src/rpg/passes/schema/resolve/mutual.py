@@ -45,7 +45,7 @@ def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:
 
 def _units(theme: Ref) -> list[Operand]:
     """What stands to each other: towers, groups, or single blocks."""
-    if len(theme.built) > 1:
+    if len(theme.built) > 1 and len({n for b in theme.built for n in b.members}) == len(theme.names):
         return [foot(Ref(names=b.members, built=(b,))) for b in theme.built]
     if len(theme.parts) > 1 and any(len(p.names) > 1 for p in theme.parts):
         return [foot(p) for p in theme.parts]
@@ -81,7 +81,9 @@ def _close(names: tuple[str, ...], units: list[Operand], loc: Loc, span: Span) -
             return s.GroupBy(groups=(names,), inner_edges=0.05, span=span)
         case "together":
             return s.GroupBy(groups=(names,), span=span)
-        case "one_behind":
+        case "one_behind" if two and len(names) > 2:
+            return g.Any(goals=tuple(r.Behind(a=a, b=b, span=span) for a, b in (units, units[::-1])), span=span)
+        case "one_behind" if len(units) == len(names):
             return s.Row(blocks=names, axis="x", span=span)
         case "off":
             apart = [r.Above(a=(a,), b=(b,), span=span) for a in names for b in names if a != b]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language.grammar.retold import retold
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
 from rpg.passes.schema.resolve.listing import listed, quantified
 from rpg.passes.schema.resolve.pronouns import others, pronoun
@@ -43,6 +44,9 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
 def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "except":
         return _except(meaning, scene, scope)
+    if retold(meaning.items):
+        raise refuse("ambiguous", "these could be further blocks, or what was counted before told apart", meaning.span,
+                     "say 'and' between further blocks, or leave the number out")  # fmt: skip
     parts: list[Ref] = []
     seen: list[Traits] = []
     last = meaning.items[-1]

@@ -115,8 +115,6 @@ def _layers(spec: Spec, known: bool) -> list[int]:
 
 def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a staircase with four steps, going up to the left"."""
-    if shape.plural and shape.amount and shape.amount.low > 1:
-        shape = _steps(shape)
     steps = shape.extent("steps", "high", "layers")
     total = said_count(shape, theme, scene)
     if steps is None and total is not None:
@@ -142,10 +140,3 @@ def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sco
     pattern, readable = pattern_of(shape, spec, names, None, scene, scope, form)
     node = s.Staircase(blocks=names, steps=steps, up=up, pattern=pattern, readable=readable, span=shape.span)  # type: ignore[arg-type]
     return made("staircase", node, names, shape.span, scene)
-
-
-def _steps(shape: Structure) -> Structure:
-    from dataclasses import replace
-
-    steps = Size(what="steps", amount=shape.amount, span=shape.span)
-    return replace(shape, sizes=(steps,), amount=None, plural=False)

@@ -9,11 +9,13 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
+from rpg.ir.schema import MAX_BLOCKS
 from rpg.language.meaning import Amount, Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve import figures, grids, groups, stepped, symbols, towers
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.positions import alternatives
+from rpg.passes.schema.resolve.several import each_of, one_by_one
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.things import amount_of
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
@@ -99,6 +101,8 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     maker = MAKERS.get(shape.kind)
     if maker is None:
         raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)
+    if one_by_one(shape, spec):
+        return each_of(shape, spec, theme, maker, scene, scope)
     return maker(shape, spec, theme, scene, scope)
 
 
@@ -126,7 +130,17 @@ _SIZES = {
 
 
 def _known_sizes(shape: Structure) -> None:
-    """Refuse sizes that the structure has no use for."""
+    """Refuse sizes that the structure has no use for, and those that are beyond every table."""
+    most = max((*shape.dims, *(size.amount.low for size in shape.sizes if size.amount is not None)), default=0)
+    if most > MAX_BLOCKS:
+        raise refuse(
+            "too-many-blocks",
+            f"this takes at least {most} blocks; a task has at most {MAX_BLOCKS}",
+            shape.span,
+            f"use at most {MAX_BLOCKS} blocks",
+            blocks=most,
+            limit=MAX_BLOCKS,
+        )
     allowed = _SIZES.get(shape.kind, {"size"})
     for size in shape.sizes:
         if size.what not in allowed:
@@ -240,12 +254,6 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             shape.span,
             "say 'tower' or 'column'",
         )
-    if (shape.plural or (shape.amount and shape.amount.low > 1)) and theme is None:
-        return _several_rows(shape, spec, scene, scope)
-    if shape.plural:
-        raise refuse(
-            "ambiguous", "it is not said which blocks go into which row", shape.span, "say how many blocks each row has"
-        )
     if any(t.axis == "z" for t in spec.toward) and (shape.kind == "line" or shape.kind == "column"):
         return _stack(replace(shape, kind="stack"), spec, theme, scene, scope)
     names = members_of(shape, spec, theme, exact_size(shape), amount_of(shape.members) or 4, scene, scope)
@@ -311,37 +319,6 @@ def _spaced(place: object) -> dict[str, object]:
         )
     key = "gap" if getattr(place, "measure", "") == "faces" else "spacing"
     return {key: round((low + high) / 2, 6), "tolerance": round((high - low) / 2, 6)}
-
-
-def _several_rows(shape: Structure, spec: Spec, scene: Scene, scope: Scope) -> Made:
-    """ "two rows of three blocks": each its own line."""
-    count = shape.amount.low if shape.amount else 2
-    if not shape.amount:
-        scene.assume(f"the number of rows is not said: {count}")
-    built: list[Built] = []
-    goals: list[g.Goal] = []
-    per = amount_of(shape.members) or exact_size(shape)
-    if per is None:
-        per = 3
-        scene.assume("the length of the rows is not said: 3 blocks each")
-    for index in range(count):
-        members = (
-            replace(shape.members, amount=Amount(per, per), det="bare", plural=True)
-            if isinstance(shape.members, Noun)
-            else None
-        )
-        single = replace(
-            shape,
-            plural=False,
-            amount=Amount(1, 1),
-            members=members,
-            sizes=(Size(what="size", amount=Amount(per, per), span=shape.span),),
-        )
-        one = Spec(**vars(spec)) if index else spec
-        more, atoms = _row(single, one, None, scene, scope)
-        built += more
-        goals += atoms
-    return built, goals
 
 
 MAKERS: dict[str, Maker] = {

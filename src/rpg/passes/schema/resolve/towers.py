@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.language.meaning import Meaning, Noun, Structure, Traits
+from rpg.language.meaning import Meaning, Noun, Pattern, Structure, Traits
 from rpg.passes.schema.resolve.members import certain, declared, new_members
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -20,6 +20,7 @@ Made = tuple[list[Built], list[g.Goal]]
 
 def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
+    shape = _told_apart(shape, spec)
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
     spec.patterns = [p for p in spec.patterns if p.unit not in ("stack", "pile")]
     by_color = (
@@ -50,6 +51,26 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         separate=by_color, span=shape.span
     )  # fmt: skip
     return _remember(node, by_color, scene), [node]
+
+
+def _told_apart(shape: Structure, spec: Spec) -> Structure:
+    """ "two towers, red and blue": one of each colour; no other order goes with several towers."""
+    for order in list(spec.orders):
+        if order.by == "attribute" or not order.items:
+            continue
+        colors = tuple(c for item in order.items if isinstance(item, Noun) for c in item.traits.colors)
+        plain = all(isinstance(i, Noun) and i.amount is None and len(i.traits.colors) == 1 for i in order.items)
+        if not plain or shape.amount is None or shape.amount.low != len(colors) or shape.traits.colors:
+            raise refuse("order-conflict", "this order is not one of several towers", order.span,
+                         "say what each tower is made of")  # fmt: skip
+        spec.orders.remove(order)
+        spec.patterns.append(Pattern(unit="stack", span=order.span))
+        members = shape.members
+        if isinstance(members, Noun) and not members.traits.colors:
+            shape = replace(shape, members=replace(members, traits=replace(members.traits, colors=colors)))
+        else:
+            shape = replace(shape, traits=replace(shape.traits, colors=colors))
+    return shape
 
 
 def _matching(place: object) -> bool:

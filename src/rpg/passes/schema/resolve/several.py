@@ -1,0 +1,185 @@
+"""Several structures of one kind at once: "two pyramids", "two rows of three, the left one red"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from copy import copy
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Absolute, Amount, At, Noun, Places, Size, Structure, Traits
+from rpg.passes.schema.resolve.members import declared
+from rpg.passes.schema.resolve.operands import foot
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import amount_of
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
+
+Made = tuple[list[Built], list[g.Goal]]
+Maker = Callable[[Structure, Spec, Ref | None, Scene, Scope], Made]
+APART = ("stack", "pile", "word", "equation")
+"""Kinds that have a way of their own with several at once."""
+COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink", "brown", "white", "black", "gray")
+MOST = 6
+LENGTH = 3
+"""Blocks in each of several rows of which nothing is said."""
+
+
+def one_by_one(shape: Structure, spec: Spec) -> bool:
+    """Whether each of several structures is made by itself."""
+    if not shape.plural and not (shape.amount and shape.amount.low > 1):
+        return False
+    return shape.kind not in APART or (shape.kind == "stack" and any(_whole(a) for a in spec.absolutes))
+
+
+def _whole(item: Absolute) -> Places | None:
+    """Which of the structures an absolute speaks of, if it speaks of one as a whole."""
+    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    if isinstance(place, At) and place.side in ("left", "right", "front", "back") and place.index is None:
+        return Places(side=place.side, unit="whole", span=place.span)
+    return place if isinstance(place, Places) and place.unit in ("whole", "row", "column") else None
+
+
+def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene: Scene, scope: Scope) -> Made:
+    """So many structures, each with its own blocks."""
+    count = shape.amount.low if shape.amount else 2
+    if shape.amount is None:
+        scene.assume(f"the number of {shape.kind}s is not said: {count}")
+    if count > MOST or (shape.amount is not None and shape.amount.low != shape.amount.high):
+        raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
+                     f"name each {shape.kind} by itself")  # fmt: skip
+    looks, axis = _looks(spec, count)
+    shape = _fresh(shape, scene)
+    lots = _lots(theme, count, shape, scene)
+    built: list[Built] = []
+    goals: list[g.Goal] = []
+    for index in range(count):
+        single = _single(shape, looks[index], _color(shape, spec, theme, looks, index, scene))
+        own = copy(spec)
+        own.usings = list(spec.usings)
+        more, atoms = maker(single, own, lots[index], scene, scope)
+        built += more
+        goals += atoms
+    members = [n for b in built for n in b.members]
+    if len(set(members)) < len(members):
+        raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
+                     f"say how many blocks each {shape.kind} has")  # fmt: skip
+    spec.orders, spec.patterns, spec.spacings, spec.toward, spec.usings = [], [], [], [], []
+    spec.absolutes = own.absolutes
+    if axis is not None:
+        node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if axis == "y" else r.InFrontOf
+        feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
+        goals += [node(a=a, b=b, span=shape.span) for a, b in zip(feet, feet[1:], strict=False)]
+    return built, goals
+
+
+def _fresh(shape: Structure, scene: Scene) -> Structure:
+    """ "two rows of red blocks": blocks of which no number is said are others for each."""
+    source = shape.members
+    if isinstance(source, Noun) and source.amount is None and source.det in ("bare", "some") and not source.conditions:
+        if shape.traits in (Traits(), source.traits) and not source.traits.labels and source.part_of is None:
+            shape = replace(shape, members=None, traits=source.traits)
+    if shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes:
+        scene.assume(f"the length of the {shape.kind}s is not said: {LENGTH} blocks each")
+        shape = replace(shape, sizes=(Size(what="size", amount=Amount(LENGTH, LENGTH), span=shape.span),))
+    return shape
+
+
+def _lots(theme: Ref | None, count: int, shape: Structure, scene: Scene) -> list[Ref | None]:
+    """The blocks of each, where they were named one lot after the other, or all look alike."""
+    if theme is None:
+        return [None] * count
+    if len(theme.parts) == count and all(len(p.names) > 1 for p in theme.parts) and theme.op == "and":
+        return list(theme.parts)
+    things = [scene.things[n] for n in theme.names]
+    share, left = divmod(len(things), count)
+    same = len({(t.color, t.label, t.kind, t.size) for t in things}) == 1 and theme.quant is None and not left
+    if same and share > 1 and not any(t.elastic for t in things):
+        for thing in things:
+            thing.scheme = thing.scheme or "same"
+        return [Ref(names=theme.names[k * share : (k + 1) * share], span=theme.span) for k in range(count)]
+    raise refuse(
+        "ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
+        f"say how many blocks each {shape.kind} has",
+    )  # fmt: skip
+
+
+def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Structure:
+    members = shape.members
+    colors = look.traits.colors if look is not None and look.traits.colors else color
+    if look is not None and look.amount is not None:
+        if members is not None or shape.sizes:
+            raise refuse("contradiction", "two sizes are given", look.span, "keep one of them")
+        shape = replace(shape, sizes=(Size(what="size", amount=look.amount, span=look.span),))
+    if isinstance(members, Noun):
+        own = members.traits.colors
+        if look is not None and own and colors and own != colors:
+            raise refuse("contradiction", "two colours are given for the same blocks", look.span, "keep one of them")
+        amount = amount_of(members)
+        fixed = Amount(amount, amount) if amount is not None else None
+        members = replace(members, amount=fixed, det="bare", traits=replace(members.traits, colors=own or colors))
+        return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=members)
+    traits = replace(shape.traits, colors=shape.traits.colors or colors)
+    if look is not None and colors and shape.traits.colors not in ((), colors):
+        raise refuse("contradiction", "two colours are given for the same blocks", look.span, "keep one of them")
+    return replace(shape, plural=False, amount=Amount(1, 1), det="a", traits=traits)
+
+
+def _color(
+    shape: Structure, spec: Spec, theme: Ref | None, looks: list[Noun | None], index: int, scene: Scene
+) -> tuple[str, ...]:
+    """A colour of its own for each, where nothing is said of the blocks' looks."""
+    members = shape.members
+    said = members.traits if isinstance(members, Noun) else Traits()
+    plain = (
+        replace(said, scheme=None) == Traits() and shape.traits == Traits() and (members is None or said == Traits())
+    )
+    if not plain or theme is not None or spec.usings or spec.orders or spec.patterns or any(looks) or _there(scene):
+        return ()
+    taken = {t.color for t in scene.blocks()}
+    free = [c for c in COLORS if c not in taken]
+    scene.assume(f"the colours are not said: one for each {shape.kind}")
+    return (free[0],) if free else ()
+
+
+def _there(scene: Scene) -> bool:
+    return bool(declared(Traits(), scene))
+
+
+def _looks(spec: Spec, count: int) -> tuple[list[Noun | None], str | None]:
+    """What is said of each, and the axis along which they are then told apart."""
+    found: list[Noun | None] = [None] * count
+    axis: str | None = None
+    said = [(a, w) for a in spec.absolutes if (w := _whole(a)) is not None]
+    spec.absolutes = [a for a in spec.absolutes if all(a is not b for b, _ in said)]
+    for number, (item, place) in enumerate(said):
+        theme = item.theme
+        index = number if place.side == "one" else _index(place, count)
+        if not isinstance(theme, Noun) or index is None or index >= count or found[index] is not None:
+            raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
+        found[index] = theme
+        if place.side not in ("one", "first", "last"):
+            along = "x" if place.side in ("front", "back") else "y"
+            if axis not in (None, along):
+                raise refuse("misplaced", "they lie in one line", item.span, "say 'left' and 'right'")
+            axis = along
+    if said and None in found:
+        raise refuse("ambiguous", "it is not said of each of them", said[0][0].span, "say one thing of each")
+    if axis is not None and any(place.side in ("one", "first", "last") for _, place in said):
+        raise refuse("misplaced", "it is not clear which one this is", said[0][0].span, "say 'left' and 'right'")
+    return found, axis
+
+
+def _index(place: Places, count: int) -> int | None:
+    match place.side:
+        case "left" | "front":
+            return 0
+        case "right" | "back" | "last":
+            return count - 1
+        case "first":
+            return (place.index or 1) - 1
+        case "middle" if count % 2:
+            return count // 2
+        case "rest" if count == 2:
+            return 1
+    return None

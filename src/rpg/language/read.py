@@ -30,6 +30,9 @@ _THEN = (
     "after this",
 )
 
+_FIRST = ("first ,", "firstly", "first put", "first place", "first stack", "first build", "first make", "first move",
+          "first the", "start by", "begin by")  # fmt: skip
+"""Words that a following sentence comes after, even if it does not say so."""
 _EARLIER = (
     "before that",
     "but before that",
@@ -72,7 +75,11 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    sentences = [read_sentence(part) for part in split(tokens)]
+    parts = split(tokens)
+    sentences = [read_sentence(part) for part in parts]
+    for n in range(1, len(parts)):
+        if sentences[n].link == "and" and sentences[n - 1].link == "and" and Parser(parts[n - 1]).any_of(0, _FIRST):
+            sentences[n] = Sentence("then", sentences[n].readings)
     if not sentences:
         raise Refusal(
             [

@@ -30,6 +30,7 @@ _FRESH = re.compile(
     r"\s*(?:[:.,;!-]|and|with|then)*\s+(?:(?:and|then|instead|now)\s+)?",
     re.IGNORECASE,
 )
+_COMPARED = re.compile(r"[\s,]+(?:instead|again)[\s.!]*$", re.IGNORECASE)
 _ADDS = re.compile(
     r"\b(?:also|too|as well|must|should|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning"
     r"|still|in addition)\b",
@@ -48,6 +49,11 @@ class Fresh:
     def adds(request: str) -> bool:
         """Whether a sentence says something more about the task at hand rather than giving another one."""
         return bool(_ADDS.search(request))
+
+
+def by_itself(request: str) -> str:
+    """The request without a closing word that only compares it with the task at hand ("spell CAT instead")."""
+    return _COMPARED.sub("", request)
 
 
 def fresh_start(request: str) -> Fresh | None:

@@ -14,7 +14,7 @@ from rpg.ir.edits import AddCondition, Edit, Overwrite, SetText, apply
 from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.steer import requests as r
-from rpg.steer.afresh import Fresh, extended, fresh_start, mentions_known, only_known
+from rpg.steer.afresh import Fresh, by_itself, extended, fresh_start, mentions_known, only_known
 from rpg.steer.backrefs import Reference
 from rpg.steer.classify import Category
 from rpg.steer.draft import Draft
@@ -212,7 +212,7 @@ def _otherwise(
 
 def _about_new_things(request: str, history: History, read: Reader) -> bool:
     """Whether a request that failed as an edit is an instruction of its own, about blocks the task does not have."""
-    schema, _ = read(request)
+    schema, _ = read(by_itself(request))
     if schema is None:
         return False
     known = [look(asset) for asset in history.current.schema.blocks]
@@ -244,7 +244,7 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     draft = Draft(history.current.schema, history.current.focus)
     if mentions_known(draft, request):
         only_known(draft, request, 0)
-    return _whole(request, request, 0, history, read, "PIVOT")
+    return _whole(request, by_itself(request), 0, history, read, "PIVOT")
 
 
 def _whole(request: str, text: str, offset: int, history: History, read: Reader, intent: Category) -> Interpretation:

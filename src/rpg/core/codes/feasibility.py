@@ -51,7 +51,7 @@ CODES: tuple[Code, ...] = (
         "too-many-labels",
         "there are more symbols than cubes that show them",
         "A task has at most 26 letter cubes and 10 digit cubes.",
-        "sort 27 letter cubes alphabetically in a pile",
+        "arrange 27 letter cubes in alphabetical order",
         "line up 10 letter cubes in alphabetical order",
     ),
     Code(

@@ -105,7 +105,8 @@ def adjectives(p: Parser, i: int) -> Results[Marks]:
         runs = [(rest, k) for rest, k in adjectives(p, comma) if rest] if comma > j else list(adjectives(p, j))
         runs += [(EMPTY, j)] if comma > j else []
         for rest, k in runs:
-            both = merge(update, rest) if not (update.get("colors") and rest.get("colors")) else None
+            after = rest.keys() & ({"colors", "rank", "scheme"} if update.get("colors") else ())
+            both = merge(update, rest) if not after else None
             if both is not None:
                 yield both, k
     yield EMPTY, i

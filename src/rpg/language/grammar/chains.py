@@ -25,6 +25,8 @@ def chain(p: Parser, i: int) -> Results[Chain]:
                     clauses = (*both[0].clauses, *both[1].clauses)
                     links = (*both[0].links, "then", *both[1].links[1:])
                     yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
+    if j := p.one(i, "either"):
+        yield from ((found, k) for found, k in chain(p, j) if "or" in found.links)
     for first, j in clause(p, i):
         yield Chain(clauses=(first,), links=("and",), span=p.span(i, j)), j
         yield from _more(p, i, (first,), ("and",), j)

@@ -44,12 +44,12 @@ COMMAND_FRAMES = Phrases(
     "hey", "hi", "hello", "ok", "okay", "so", "well", "alright", "hey robot", "task", "goal", "instruction", "also",
     "additionally", "first of all", "to start",
     "the aim is to", "see if you can", "i will need you to", "proceed to", "you will", "you will need to",
-    "how about you", "attempt to", "carefully", "again", "remember to",
+    "how about you", "attempt to", "remember to",
     "task :", "goal :", "instruction :", "is it possible to", "can we", "could we", "shall we", "should we",
     "we should", "we must", "the challenge is to", "it should be possible to",
     "in the end", "at the end", "in the end ,", "at the end ,", "i 'd like to", "do", "want you to", "need you to",
-    "gently", "the robot will", "get the robot to", "have the robot",
-    "take care to", "quickly", "slowly", "would it be possible to", "may i ask you to", "i ask you to", "here",
+    "the robot will", "get the robot to", "have the robot",
+    "take care to", "would it be possible to", "may i ask you to", "i ask you to",
     "today", "and", "then", "robot ,", "please ,", "ok ,", "okay ,", "hi ,", "hello ,", "hey ,",
     "so ,", "now ,", "hi robot", "hello robot", "dear robot", "i would appreciate it if you could",
     "it would be great if you could", "i would like it if you could", "your mission is to", "you are asked to",
@@ -99,7 +99,6 @@ START_FRAMES = Phrases(
     "from a start with", "from a state where", "starting from a state where",
 )  # fmt: skip
 FIRST = Phrases(
-    "either",
     "start by", "begin by", "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :",
     "first :", "1 :", "2 :", "3 :", "picture this", "like this", "as follows", "put it all like this",
     "put everything like this",
@@ -118,6 +117,6 @@ THEN = (
 TAG = Phrases(
     "please", "thanks", "thank you", "if you can", "if possible", "for me", "if you could", "thank you very much",
     "ok", "okay", "would you", "will you", "can you", "could you", "now", "as well", "too",
-    "right", "on your own", "if you please", "thanks a lot", "in the end", "at the end", "when you are done",
+    "on your own", "if you please", "thanks a lot", "in the end", "at the end", "when you are done",
     "once finished", "when finished", "at the end of the task", "in the final state",
 )  # fmt: skip

@@ -93,7 +93,7 @@ def _rising(p: Parser, i: int, j: int) -> Results[Meaning]:
         yield Manner(kind="rising", value=p.words[j], span=p.span(i, j + 1)), p.reach(j + 1)
 
 
-_LITTLE: dict[str, tuple[str, float | None]] = {
+_LITTLE: dict[str, tuple[str, float | str | None]] = {
     "before that": ("time", 0.0), "beforehand": ("time", 0.0), "before this": ("time", 0.0),
     "right where it is": ("stay", None), "exactly where it is": ("stay", None), "where it stands": ("stay", None),
     "please": ("idle", None), ", please ,": ("idle", None), "if possible": ("idle", None),
@@ -140,12 +140,13 @@ _LITTLE: dict[str, tuple[str, float | None]] = {
     "at any point": ("always", None), "ever": ("always", None),
     "respectively": ("respectively", None), "backwards": ("backwards", None), "in reverse": ("backwards", None),
     "backward": ("backwards", None),
-    "at the end": ("finally", None), "in the end": ("finally", None), "at once": ("idle", None),
+    "at the end": ("finally", None), "in the end": ("finally", None), "at once": ("idle", "pace at once"),
     "one by one": ("idle", None),
-    "one at a time": ("idle", None), "carefully": ("idle", None), "gently": ("idle", None), "neatly": ("idle", None),
+    "one at a time": ("idle", None), "carefully": ("idle", "pace carefully"), "gently": ("idle", "pace gently"),
+    "neatly": ("idle", None),
     "exactly": ("idle", None),
-    "again": ("idle", None), "precisely": ("idle", None), "instead": ("idle", None),
-     "for me": ("idle", None), "slowly": ("idle", None), "quickly": ("idle", None),
+    "again": ("idle", "before again"), "precisely": ("idle", None), "instead": ("idle", "before instead"),
+     "for me": ("idle", None), "slowly": ("idle", "pace slowly"), "quickly": ("idle", "pace quickly"),
     "in any way": ("idle", None), "in any arrangement": ("idle", None), "in any direction": ("idle", None),
     "in the picture": ("idle", None), "at all times": ("always", None),
     "the whole time": ("always", None), "throughout": ("always", None), "always": ("always", None),

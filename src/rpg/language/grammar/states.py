@@ -64,6 +64,8 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     for theme, j in noun_phrase(p, inverted or asked or i):
         j = p.opt(j, "all", "each", "both", "then")
         k, words = _auxiliaries(p, j)
+        if not _floats(theme, {*p.words[j - 1 : k]}):
+            continue
         negated = bool(words & _NOT)
         if inverted:
             yield from _predicate(p, i, j, theme, mode, False)
@@ -130,9 +132,19 @@ _ADVERBS = frozenset(
 )
 
 
+def _floats(theme: Meaning, words: set[str]) -> bool:
+    """Whether "both", "all" and "each" fit what they are said of: "the red block must both ..." they do not."""
+    if not isinstance(theme, Noun) or not words & {"both", "all", "each"}:
+        return True
+    most = theme.amount.high if theme.amount is not None else None
+    return (theme.plural and most != 1) and not ("both" in words and most not in (None, 2))
+
+
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     words: set[str] = set()
     while j < p.end and p.words[j] in _MODALS | _FILLERS | _NOT:
+        if p.words[j] in words & _NOT:
+            break
         if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
             break
         if p.words[j] == "to" and p.words[j + 1] == "the":
@@ -151,7 +163,7 @@ def _predicate_after_be(
         if p.words[k] in ("was", "were"):
             mode = "start"
         lasting = False
-        while n := p.one(j, _NOT | _ADVERBS) or p.seq(j, "to be"):
+        while n := p.one(j, _ADVERBS if negated else _NOT | _ADVERBS) or p.seq(j, "to be"):
             negated = negated or p.words[j] in _NOT
             lasting = lasting or p.words[j] in ("always", "never")
             if p.words[j] in ("currently", "already", "initially", "originally"):
@@ -182,6 +194,8 @@ def _stays(found: Clause) -> Clause:
 def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
     senses = p.lex(j, lexicon.VERB)
     for sense, lemma, form in senses or ():
+        if lemma == "leave" and p.words[j - 1 : j] != ["be"]:
+            continue
         if form == "past" or (form == "base" and lemma in ("put", "set", "spread", "split")):
             end_particle = p.opt(j + 1, *PARTICLES) if p.words[j] not in ("put", "placed") else j + 1
             for at_ in dict.fromkeys((j + 1, end_particle)):

@@ -37,11 +37,11 @@ _MODIFIERS = {
     "straight": {}, "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
     "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
     "simple": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {}, "upright": {"upright": True},
-    "single file": {}, "standing": {"upright": True}, "tall": {}, "long": {}, "closed": {}, "proper": {},
+    "single file": {}, "standing": {"upright": True}, "closed": {}, "proper": {},
     "full": {"filled": True},
     "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
-    "big": {}, "huge": {}, "large": {}, "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
-    "addition": {}, "small": {},
+    "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
+    "addition": {},
     "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
 }  # fmt: skip
 
@@ -65,6 +65,10 @@ _DETAILS: dict[str, OrderBy | Spacing | Manner] = {
     "gapless": Spacing(kind="touching", span=_NOWHERE),
     "sorted": OrderBy(by="in_order", span=_NOWHERE), "ordered": OrderBy(by="in_order", span=_NOWHERE),
     "numerical": OrderBy(by="number", span=_NOWHERE),
+    **{
+        word: Manner(kind="idle", value=f"size {word}", span=_NOWHERE)
+        for word in ("tall", "long", "short", *lexicon.SIZE)
+    },
 }  # fmt: skip
 
 
@@ -142,7 +146,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
             yield _Before(sizes=(Size(what=_BEFORE_UNITS[unit], amount=Amount(n, n), span=p.span(i, k)),)), k
     for marks, j in adjective(p, i):
         if "labels" not in marks and ("rank" not in marks or marks["rank"] in ("left", "right")):
-            yield _Before(marks=Marks({k: v for k, v in marks.items() if k not in ("target", "long")})), j
+            yield _Before(marks=Marks({k: v for k, v in marks.items() if k not in ("target", "long", "size")})), j
     if p.lex(i, lexicon.BLOCK) is not None:
         yield _Before(), i + 1
 
@@ -296,6 +300,8 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         if not start:
             continue
         for members, end in noun_phrase(p, start):
+            if isinstance(members, Coord) and p.one(end, frozenset({"each", "apiece"})):
+                continue
             if isinstance(members, Structure) or (
                 isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)
             ):

@@ -27,6 +27,13 @@ from rpg.language.meaning import (
     Using,
 )
 
+_PARTICLES = {
+    "place": ("up", "out", "down", "together", "over", "back"), "pick": ("up", "out", "off", "away"),
+    "build": ("up", "out", "together"), "stack": ("up", "together"), "unstack": ("down", "apart"),
+    "arrange": ("up", "out", "together", "apart"), "sort": ("up", "out", "together"), "swap": ("over", "around"),
+    "turn": ("over", "around", "up", "down"),
+}  # fmt: skip
+"""What may follow a verb without changing what it says."""
 PARTICLES = ("up", "out", "down", "together", "over", "around", "apart", "back", "off", "away", "aside")
 
 
@@ -51,7 +58,8 @@ def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Result
         return
     for sense, lemma, form in senses:
         if form in forms:
-            for particle in dict.fromkeys((p.opt(i + 1, *PARTICLES), i + 1)):
+            after = _PARTICLES.get(sense, PARTICLES)
+            for particle in dict.fromkeys((p.opt(i + 1, *after), i + 1)):
                 yield from with_theme(p, i, particle, sense, lemma)
 
 

@@ -22,7 +22,9 @@ from rpg.passes.schema.resolve import finish
 from rpg.passes.schema.resolve.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
+from rpg.passes.schema.resolve.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.hoist import hoisted
+from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.tidy import tidy
@@ -179,11 +181,13 @@ def _resolved(
     for note in notes:
         scene.assume(note)
     scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
+    check_words(chains, scene)
     order = sorted(range(len(chains)), key=lambda n: (not _sets_scene(chains[n]), n))
     stated: dict[int, list[g.Goal]] = {}
     for n in order:
         stated[n] = chain_goals(chains[n], scene)
-    goal = join([(links[n], stated[n]) for n in range(len(chains))], scene, (0, len(text)))
+    links, sequence = in_time(links, chains, (0, len(text)))
+    goal = join([(links[n], stated[n]) for n in sequence], scene, (0, len(text)))
     if isinstance(goal, g.All) and not goal.goals:
         raise _no_goal(scene, text)
     goal = keep_premises(goal, scene)
@@ -221,6 +225,7 @@ def _schema(open_: dict[str, str], **fields: Any) -> Feasibility:
 
 def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
     """Every block that was spoken of must matter: one that no condition mentions was lost on the way."""
+    check_besides(scene)
     for traits, count, span in scene.closed:
         there = len(matching(traits, scene, False))
         if there != count:

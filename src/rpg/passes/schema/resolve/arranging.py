@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Structure, Toward, Traits
+from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.orders import order_of
@@ -179,7 +180,8 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
     if theme.quant is not None:
         raise refuse("ambiguous", "it is not said which of the blocks", theme.span, "name the blocks")
     built, goals = make(target, spec, theme, scene, scope)
-    spec.orders = []
+    if uses_orders(built):
+        spec.orders = []
     ref = replace(
         theme, names=tuple(dict.fromkeys(n for b in built for n in b.members)) or theme.names, built=tuple(built)
     )

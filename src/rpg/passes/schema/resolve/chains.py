@@ -62,7 +62,8 @@ def in_that_order(chain: Chain) -> Chain:
     )
 
 
-def _time(clause: object) -> float | None:
+def time_of(clause: object) -> float | None:
+    """When a clause says that it is done: 1 for "first", 99 for "last"."""
     found = (
         [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "time"] if isinstance(clause, Clause) else []
     )
@@ -71,14 +72,14 @@ def _time(clause: object) -> float | None:
 
 def timed(chain: Chain) -> bool:
     """Whether clauses say when: "... first and ... second"."""
-    return any(_time(c) is not None for c in chain.clauses)
+    return any(time_of(c) is not None for c in chain.clauses)
 
 
 def untimed(chain: Chain) -> Chain:
     """The clauses in the order of their times, joined by "then"."""
     times: list[float] = []
     for clause in chain.clauses:
-        said = _time(clause)
+        said = time_of(clause)
         times.append(said if said is not None else (times[-1] + 0.5 if times else 1.5))
     order = sorted(range(len(times)), key=lambda n: (times[n], n))
     bare = []

@@ -18,10 +18,12 @@ def listed(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.traits.open_ended:
         labels = continued(labels, count or scope.need)
     key, values = ("labels", labels) if len(labels) > 1 else ("colors", noun.traits.colors)
+    if key == "labels" and len(noun.traits.colors) > 1:
+        raise refuse("ambiguous", "it is not said which of these has which colour", noun.span, "name them one by one")
     shares = _shares(noun, scope, len(values), count)
     names: list[str] = []
     for value, share in zip(values, shares, strict=True):
-        bare = replace(noun.traits, colors=(), labels=(), open_ended=False)
+        bare = replace(noun.traits, labels=(), open_ended=False)
         traits = replace(bare, labels=(value,)) if key == "labels" else replace(bare, colors=(value,))
         have = matching(replace(traits, scheme=None), scene, patch)
         if share is not None and share > 1:

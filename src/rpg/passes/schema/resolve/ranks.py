@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.meaning import Noun
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
@@ -12,10 +10,8 @@ _FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "
 
 def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The block at a place of the structure spoken of last, or the extreme in size."""
-    from rpg.passes.schema.resolve.select import select
 
     rank = noun.traits.rank or ""
-    plain = replace(noun, traits=replace(noun.traits, rank=None))
     if rank in ("largest", "smallest"):
         sized = sorted(
             ((t.edge or {"small": 0.03, "big": 0.05}.get(t.size or "", 0.04), t.name) for t in scene.blocks()),
@@ -37,8 +33,6 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
             noun.span,
             "name its colour or its label",
         )
-    if rank in ("bottom", "top") and noun.traits.colors:
-        return Ref(names=select(plain, scene, scope, False))
     raise refuse(
         "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
     )

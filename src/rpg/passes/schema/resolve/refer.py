@@ -153,8 +153,22 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         raise refuse("ambiguous", "it is not said of what colour", noun.span, "name the colour")
     if patch and noun.traits.matching:
         return Ref(patch=True, matching=True, plural=noun.plural, det=noun.det)
-    if noun.det in ("other",) or (noun.det == "another" and noun.amount is None):
-        return others(noun, scene, scope, patch)
+    if noun.det in ("other", "another"):
+        return _besides(noun, scene, scope, patch)
+    return _plain(noun, scene, scope, patch)
+
+
+def _besides(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
+    """ "another red block", "the other one": besides one that is in the task, which is looked into at the end."""
+    if noun.det == "other" or noun.amount is None:
+        found = others(noun, scene, scope, patch)
+    else:
+        found = _plain(noun, scene, scope, patch)
+    scene.besides.append((noun.traits, replace(found, patch=patch), noun.span))
+    return found
+
+
+def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if len(noun.traits.labels) > 1 or (len(noun.traits.colors) > 1 and not noun.traits.either):
         return listed(noun, scene, scope, patch)
     if noun.det == "no" and noun.traits == Traits() and noun.head == "block":

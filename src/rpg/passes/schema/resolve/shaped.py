@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks
+from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.placing import Goals, absolutes, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -58,7 +59,8 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
         )
     used = list(goals)
-    spec.orders = []
+    if uses_orders(built):
+        spec.orders = []
     goals += places(ref, spec, scene, scope, clause.span)
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)

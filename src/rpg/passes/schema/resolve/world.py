@@ -115,6 +115,7 @@ class Scene:
     """Everything brought up so far, with the goals and assumptions it led to.
 
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
+    `besides`: what "another" and "the other" stand for, each with its words.
     """
 
     things: dict[str, Thing] = field(default_factory=dict)
@@ -147,6 +148,7 @@ class Scene:
     returned: set[str] = field(default_factory=set)
     unstacked: set[str] = field(default_factory=set)
     lenient: bool = False
+    besides: list[tuple[Traits, Ref, Span]] = field(default_factory=list)
 
     def assume(self, text: str) -> None:
         """Record a default that was taken."""

@@ -1,0 +1,126 @@
+"""Descriptions in which a word has nothing to say: a patch that shows a letter, a free block, a lying tower.
+
+Every such word is refused, for what nobody uses later would be dropped in silence.
+"""
+
+from __future__ import annotations
+
+import string
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Structure, Using, parts_of
+from rpg.passes.schema.resolve.things import matching
+from rpg.passes.schema.resolve.world import Built, Scene, refuse
+
+_LYING = frozenset({"stack", "wall", "staircase", "pile", "cube"})
+"""Structures that do not lie on the table."""
+_STANDING = frozenset({"stack", "wall", "staircase", "pyramid", "line", "row", "column", "word", "cube"})
+"""Structures that can stand upright."""
+_VAGUE = {
+    "size": "{!r} names no size of a structure: as large as its number of blocks makes it",
+    "pace": "{!r} is no part of the goal: how fast or how gently it is done is not judged",
+}
+
+
+def check_words(chains: Sequence[Chain], scene: Scene) -> None:
+    """Refuse words that cannot mean anything where they stand; record those whose sense is not judged."""
+    told = any(len(chain.clauses) > 1 for chain in chains)
+    for chain in chains:
+        for part in parts_of(chain):
+            match part:
+                case Noun():
+                    _noun(part)
+                case Structure():
+                    _structure(part)
+                case Clause():
+                    _clause(part)
+                case Using() if _none(part.members):
+                    raise _unfit("nothing can be made of no blocks", part.span, "name the blocks to be used")
+                case Manner(kind="idle", value=str(said)):
+                    _idle(said, told, part.span, scene)
+        told = True
+
+
+def check_besides(scene: Scene) -> None:
+    """Refuse "another" and "the other" where there is nothing that they could be besides."""
+    for traits, ref, span in scene.besides:
+        if all(t.name in ref.names for t in matching(replace(traits, scheme=None), scene, ref.patch)):
+            what = "patch" if ref.patch else "block"
+            raise refuse("no-referent", f"there is no {what} besides which this is another", span, "say 'a' instead")
+
+
+def _idle(said: str, told: bool, span: Span, scene: Scene) -> None:
+    """Words that no goal can use: their sense, then the word itself, such as "pace slowly"."""
+    sense, _, word = said.partition(" ")
+    if sense in _VAGUE:
+        scene.assume(_VAGUE[sense].format(word))
+    elif not told:
+        raise _unfit(f"{word!r} speaks of what was so before, and nothing was", span, "say how it starts")
+
+
+def _noun(noun: Noun) -> None:
+    traits = noun.traits
+    single = not noun.plural and (noun.amount is None or noun.amount.high == 1)
+    if noun.head == "patch":
+        if traits.kind or traits.quality or traits.labels:
+            raise _unfit("patches show no letters or numbers", noun.span, "describe the patch by its colour")
+        if traits.matching and len(traits.colors) == 1:
+            raise _unfit("a patch of one colour cannot match several", noun.span, "leave out the colour or 'matching'")
+        return
+    if traits.empty:
+        raise _unfit("patches can be empty; blocks cannot", noun.span, "say 'with nothing on it' of a block")
+    if single and traits.scheme == "mixed":
+        raise _unfit("a single block is not mixed", noun.span, "name its colour")
+    for label in traits.labels:
+        if (traits.kind == "letter" and label not in string.ascii_uppercase) or (
+            traits.kind == "digit" and label not in string.digits
+        ):
+            what = {"letter": "letter", "digit": "number"}[traits.kind]
+            raise _unfit(f"{label} is no {what}", noun.span, f"leave out the word '{what}'")
+
+
+def _clause(clause: Clause) -> None:
+    theme = clause.theme
+    if isinstance(theme, Noun) and theme.traits.extra and theme.head == "block" and not clause.negated:
+        placed = any(isinstance(a, Loc) and not a.negated for a in clause.adjuncts)
+        if placed and clause.verb in ("place", "stack") and clause.mode == "command":
+            raise _unfit("a distractor has no place in the goal", theme.span, "leave out the word, or its place")
+
+
+def _structure(shape: Structure) -> None:
+    traits = shape.traits
+    if shape.det == "no" or _none(shape.members):
+        raise _unfit("what should not be there is no goal to build", shape.span, "say what should be there")
+    if traits.empty:
+        raise _unfit("only patches can be empty", shape.span, "leave the word out")
+    if isinstance(shape.members, Noun):
+        _members(shape, shape.members)
+    if shape.members is not None and traits.quality:
+        raise _unfit(f"{traits.quality!r} says nothing of this structure", shape.span, "say it of its blocks")
+    if shape.upright is False and shape.kind in _LYING:
+        raise _unfit("this structure stands upright", shape.span, "say 'a row' for blocks side by side")
+    if shape.upright is True and shape.kind not in _STANDING:
+        raise _unfit("figures lie flat on the table", shape.span, "leave the word out, or ask for a wall")
+
+
+def _members(shape: Structure, members: Noun) -> None:
+    if members.traits.extra:
+        raise _unfit("distractors take no part in a structure", members.span, "leave the word out")
+    if shape.traits.scheme and members.traits.colors and shape.det in ("a", "bare"):
+        raise _unfit("the colours of its blocks are said already", shape.span, "name its colours once")
+
+
+def uses_orders(built: Sequence[Built]) -> bool:
+    """Whether the goal of these structures holds an order that was said: several towers, words and piles have none."""
+    towers = [b for b in built if b.kind == "stack"]
+    return len(towers) < 2 and not any(b.kind in ("word", "equation", "pile") for b in built)
+
+
+def _none(members: Meaning | None) -> bool:
+    return isinstance(members, Noun) and members.det == "no"
+
+
+def _unfit(message: str, span: Span, hint: str) -> Exception:
+    return refuse("misplaced", message, span, hint)

@@ -6,12 +6,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rpg.core.diagnostics import Diagnostic, UsageError
+from pydantic import ValidationError
+
+from rpg.core.diagnostics import Diagnostic, Refusal, UsageError
 from rpg.env import BlockTask
+from rpg.ir.edits import EDIT, EditError, apply
 from rpg.ir.schema import TaskSchema
+from rpg.ir.shrink import TooSmall
 from rpg.passes.validate.load import load as load_classes
-from rpg.pipeline import is_lowered, load_program, validate_program
-from rpg.store import Family, Version, Workspace, resolve, verify_family, verify_version
+from rpg.pipeline import is_lowered, load_program, prepared, validate_program
+from rpg.store import Family, Version, Workspace, dump_schema, resolve, verify_family, verify_version
 
 
 @dataclass(frozen=True)
@@ -62,6 +66,18 @@ def lowered(version: Version) -> bool:
     return is_lowered(load_program(version.directory, version.schema))
 
 
+def replayed(version: Version, parent: Version) -> bool:
+    """Do the edits that a version records, applied to its parent, give its task.yaml, byte for byte?"""
+    steering = version.snapshot.steering
+    try:
+        edits = [EDIT.validate_python(edit) for edit in steering.edits] if steering else []
+        again = prepared(apply(parent.schema, edits))
+    except (EditError, TooSmall, ValidationError, Refusal):
+        return False
+    return dump_schema(again) == dump_schema(version.schema)
+
+
 def verify(family: Family) -> tuple[Diagnostic, ...]:
-    """Everything that is wrong with a family on disk, its code compared with what task.yaml gives."""
-    return verify_family(family, lowered)
+    """Everything that is wrong with a family on disk, its code compared with what task.yaml gives, and its edits with
+    what they lead to."""
+    return verify_family(family, lowered, replayed)

@@ -9,8 +9,10 @@ from typing import Any
 
 from rpg.core.diagnostics import Diagnostic, Refusal, UsageError
 from rpg.core.digest import sha256
+from rpg.ir.edits import Edit, Overwrite
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen import lower
+from rpg.passes.validate import read_log
 from rpg.pipeline import CompileOptions, Outcome, compile_schema, load_program, phrased, prepared
 from rpg.publishing import content_of, publish_version, summary
 from rpg.steer.classify import Verdict, classify
@@ -18,15 +20,16 @@ from rpg.steer.compare import Witness
 from rpg.steer.history import History, Past
 from rpg.steer.interpret import Interpretation, interpret
 from rpg.steer.proof import Proof, prove
-from rpg.store import Family, SteeringMeta, Version, Written, set_head, verify_version
+from rpg.store import Family, SteeringMeta, Version, Written, set_head, verify_lineage
 
 
 @dataclass(frozen=True)
 class Steered:
     """What became of a request.
 
-    `outcome` is that of the compile of the result; None where the request only went back to a version, which `place`
-    then holds. `same_as`: the number of an earlier version with the very same code, whose validation was reused.
+    `outcome` is that of the compile of the result. Where the request only went back to a version, `reverted`, it is what
+    was found when that version was compiled. `same_as`: the number of an earlier version with the very same code, whose
+    validation was reused.
     """
 
     request: str
@@ -45,10 +48,15 @@ class Steered:
         """The version that is current now, if the request was carried out."""
         return self.place.version if isinstance(self.place, Written) else None
 
+    @property
+    def reverted(self) -> bool:
+        """Whether the request only went back to a version."""
+        return self.status == "admitted" and self.interpretation is not None and self.interpretation.reverts
+
 
 def steer(version: Version, request: str, options: CompileOptions | None = None) -> Steered:
     """Carry out `request` on `version`, as if that were the current one. A refused request changes nothing."""
-    options = options or CompileOptions()
+    options, request = options or CompileOptions(), request.replace("\r", " ")
     family = Family(version.directory.parent)
     _require_sound(version)
     options.listen("steer", "read")
@@ -57,17 +65,34 @@ def steer(version: Version, request: str, options: CompileOptions | None = None)
     except Refusal as refusal:
         return Steered(request, "refused", diagnostics=refusal.diagnostics)
     if understood.reverts:
-        found = next(v for v in family.versions() if v.number == understood.reference)
-        set_head(found)
-        return Steered(request, "admitted", place=Written(found, existed=True), interpretation=understood)
+        return _gone_back(next(v for v in family.versions() if v.number == understood.reference), understood)
     return _built(family, version, understood, options)
 
 
+def _gone_back(version: Version, understood: Interpretation) -> Steered:
+    """Make a version the current one again. Against itself as the reference nothing has changed."""
+    _require_sound(version)
+    proof, _ = prove(version.schema, version.schema)
+    set_head(version)
+    return Steered(
+        request=understood.request,
+        status="admitted",
+        outcome=_as_compiled(version),
+        place=Written(version, existed=True),
+        interpretation=understood,
+        verdict=classify(version.schema, version.schema, proof, understood.intent),
+        proof=proof,
+    )
+
+
 def _require_sound(version: Version) -> None:
-    """Nothing is built upon files that are not those which were written: their hash would vouch for others."""
-    problems = verify_version(version)
+    """Nothing is built upon files that are not those which were written, nor upon a lineage with a gap: the hash of the
+    result would vouch for what is not there."""
+    problems = verify_lineage(version)
     if problems:
-        hint = f"rpg compile --from {version.directory}/task.yaml makes a task of its own of what is there now"
+        own = problems[0].facts["path"].split("/")[1] == version.directory.name
+        mend = "" if own else f"put {problems[0].facts['path']} back as it was, or go on without its history: "
+        hint = f"{mend}rpg compile --from {version.directory}/task.yaml makes a task of its own of what is there now"
         raise UsageError(f"{version} is not steered: {problems[0].message}; {hint}")
 
 
@@ -111,7 +136,8 @@ def _built(family: Family, current: Version, understood: Interpretation, options
             understood.request, "refused", outcome, interpretation=understood, diagnostics=refusal.diagnostics
         )
     verdict = classify(reference.schema, outcome.program.task, proof, understood.intent)
-    steering = steering_of(understood, verdict, proof, reference)
+    edits = recorded_edits(understood, outcome)
+    steering = steering_of(understood, edits, verdict, proof, reference)
     return Steered(
         request=understood.request,
         status=outcome.status,
@@ -136,13 +162,22 @@ def _compiled(family: Family, schema: TaskSchema, options: CompileOptions) -> tu
     digest = sha256(lower(task))
     for version in family.versions():
         if version.snapshot.snapshot.code_hash == digest and version.schema == task:
-            program = load_program(version.directory, task)
-            goal_text = version.snapshot.snapshot.goal_summary
-            pictures = _pictures_of(version) if options.pictures else {}
-            return Outcome(
-                "admitted", task.instruction, program, goal_text=goal_text, log=version.log, pictures=pictures
-            ), version.number
+            outcome = _as_compiled(version)
+            return (outcome if options.pictures else replace(outcome, pictures={})), version.number
     return compile_schema(schema, options), None
+
+
+def _as_compiled(version: Version) -> Outcome:
+    """What the compile of a version came to, as its files have it."""
+    return Outcome(
+        status="admitted",
+        instruction=version.schema.instruction,
+        program=load_program(version.directory, version.schema),
+        gates=read_log(version.log),
+        goal_text=version.snapshot.snapshot.goal_summary,
+        log=version.log,
+        pictures=_pictures_of(version),
+    )
 
 
 def _pictures_of(version: Version) -> dict[str, bytes]:
@@ -153,13 +188,28 @@ def _pictures_of(version: Version) -> dict[str, bytes]:
     }
 
 
-def steering_of(understood: Interpretation, verdict: Verdict, proof: Proof, reference: Version) -> SteeringMeta:
+def recorded_edits(understood: Interpretation, outcome: Outcome) -> tuple[Edit, ...]:
+    """The edits that lead to what was compiled: those of the request, with the words that were found for the result. A
+    task that had to be repaired is recorded whole."""
+    task = outcome.program.task if outcome.program else understood.task
+    if outcome.attempts:
+        return (Overwrite(task=task),)
+    *others, last = understood.edits
+    found = {"paraphrases": task.paraphrases}
+    if isinstance(last, Overwrite):
+        return (*others, last.model_copy(update={"task": last.task.model_copy(update=found)}))
+    return (*others, last.model_copy(update=found))
+
+
+def steering_of(
+    understood: Interpretation, edits: tuple[Edit, ...], verdict: Verdict, proof: Proof, reference: Version
+) -> SteeringMeta:
     """What a version records about how it came about."""
     parameters: dict[str, Any] = {**understood.parameters, "focus": list(understood.focus)}
     if verdict.reason:
         parameters["reclassified"] = verdict.reason
     return SteeringMeta(
-        request=understood.request,
+        request=" ".join(understood.request.split()),
         intent=verdict.category,
         parameters=parameters,
         reference=None if verdict.category == "FRESH" else reference.number,
@@ -167,19 +217,16 @@ def steering_of(understood: Interpretation, verdict: Verdict, proof: Proof, refe
         preserve_positions=verdict.preserve.positions,
         preserve_goals=verdict.preserve.goals,
         parent=reference.hash,
-        edits=tuple(edit.model_dump(mode="json", exclude_defaults=False) for edit in understood.edits),
+        edits=tuple(edit.model_dump(mode="json", exclude_defaults=False) for edit in edits),
         proof=proof.model_dump(mode="json"),
     )
 
 
 def steered_summary(steered: Steered) -> dict[str, Any]:
     """A steer as one JSON document: a compile's, and what is known about the change."""
-    outcome = steered.outcome or Outcome("admitted" if steered.version else "refused", steered.request)
+    outcome = steered.outcome or Outcome("refused", steered.request)
     document = summary(replace(outcome, diagnostics=steered.diagnostics), steered.place)
     document["status"] = steered.status
-    version = steered.version
-    if version is not None and steered.outcome is None:
-        document["goal_text"] = version.snapshot.snapshot.goal_summary
     verdict, proof, understood = steered.verdict, steered.proof, steered.interpretation
     document["category"] = verdict.category if verdict else None
     document["reference"] = (
@@ -190,7 +237,7 @@ def steered_summary(steered: Steered) -> dict[str, Any]:
     document["axes"] = list(proof.axes) if proof else []
     document["reason"] = verdict.reason or None if verdict else None
     document["parameters"] = understood.parameters if understood else {}
-    document["reverted"] = bool(understood and understood.reverts)
+    document["reverted"] = steered.reverted
     document["same_as"] = steered.same_as
     return document
 

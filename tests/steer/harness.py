@@ -13,7 +13,7 @@ from rpg.ir.edits import EDIT, apply
 from rpg.pipeline import compile_instruction, prepared
 from rpg.publishing import publish
 from rpg.steering import Steered, steer
-from rpg.store import Family, Workspace, Written
+from rpg.store import Family, Workspace, Written, dump_schema
 from tests.corpus.entries import Entry
 from tests.corpus.judge import _disagreement
 
@@ -86,7 +86,7 @@ def _why(turn: dict[str, Any], done: Steered, family: Family, before: tuple[int,
     if "back" in turn:
         fine = family.head().number == turn["back"] and len(family.versions()) == count
         return ("", "right") if fine else (f"went to {family.head().number}", "wrong")
-    if done.verdict is None or done.outcome is None or done.outcome.program is None or done.interpretation is None:
+    if done.reverted:
         return "only went back", "wrong"
     return _differs(turn, done, head)
 
@@ -123,4 +123,4 @@ def _replays(done: Steered) -> bool:
     parent = next(version for version in family.versions() if version.hash == steering.parent)
     edits = [EDIT.validate_python(edit) for edit in steering.edits]
     again = prepared(apply(parent.schema, edits))
-    return again == done.version.schema.model_copy(update={"paraphrases": again.paraphrases})
+    return dump_schema(again).encode() == (done.version.directory / "task.yaml").read_bytes()

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import io
 import json
+import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from rpg.cli.main import run
+from rpg.store import Family
+from tests.store.test_verify import reseal
 
 
 @pytest.fixture
@@ -61,6 +64,10 @@ def test_going_back_and_on_makes_a_sibling(tasks: Path, capsys: pytest.CaptureFi
     steer(capsys, tasks, "add a green block on top")
     back = steer(capsys, tasks, "undo")
     assert back["reverted"] and back["version"] == 0
+    assert (back["category"], back["reference"], back["axes"]) == ("TWEAK", 0, [])
+    assert back["preserve"] == {"assets": True, "positions": True, "goals": True}
+    assert back["proof"]["goals"]["relation"] == "equal" and not back["proof"]["diff"]["assets_changed"]
+    assert all(gate["passed"] for gate in back["gates"]) and back["mutation_score"] == 1.0
     sibling = steer(capsys, tasks, "add a yellow block on top")
     assert (sibling["version"], sibling["reference"]) == (2, 0)
     from_one = steer(capsys, tasks, "add a white block on top", 0, "--from", "1")
@@ -77,6 +84,7 @@ def test_a_loop_is_told_and_its_validation_reused(tasks: Path, capsys: pytest.Ca
     again = steer(capsys, tasks, "reverse the order")
     assert again["same_as"] == first["version"]
     assert again["status"] == "admitted"
+    assert [gate["name"] for gate in again["gates"]] == [gate["name"] for gate in first["gates"]]
 
 
 def test_diff_shows_a_state_for_each_difference(
@@ -154,6 +162,44 @@ def test_what_was_changed_is_not_built_upon(tasks: Path, capsys: pytest.CaptureF
     said = capsys.readouterr().err
     assert "task.yaml differs" in said and f"rpg compile --from {source.parent}" in said
     assert len(list((tasks / family).glob("v*"))) == 1
+
+
+@pytest.mark.parametrize("harm", ["removed", "changed", "unreadable"])
+def test_nothing_is_built_upon_a_lineage_with_a_gap(
+    tasks: Path, capsys: pytest.CaptureFixture[str], harm: str
+) -> None:
+    steer(capsys, tasks, "add a green block on top")
+    steer(capsys, tasks, "make the green block white")
+    middle = next(tasks.glob("tower/v1-*"))
+    if harm == "removed":
+        shutil.rmtree(middle)
+    else:
+        file = middle / ("task.yaml" if harm == "changed" else "snapshot.json")
+        file.write_bytes(file.read_bytes()[:-9])
+    capsys.readouterr()
+    assert run(["steer", "tower", "make the white block pink", "--no-pictures", *at(tasks)]) == 2
+    said = capsys.readouterr().err
+    assert middle.name.rpartition("-")[2] in said
+    assert run(["verify", "tower", *at(tasks)]) == 1
+    hint = said[said.rindex("rpg compile --from") :].partition(" makes")[0].split()
+    assert run([*hint[1:], "--name", "apart", "--no-pictures", *at(tasks)]) == 0
+    assert run(["steer", "apart", "make the white block pink", "--no-pictures", *at(tasks)]) == 0
+
+
+def test_forged_edits_are_found_out(tasks: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    steer(capsys, tasks, "add a green block on top")
+    version = Family(tasks / "tower").head()
+    data = version.snapshot.model_dump(mode="json")
+    data["steering"]["edits"][0]["asset"]["color"] = "pink"
+    reseal(version, **data["steering"])
+    assert run(["verify", "tower", *at(tasks)]) == 1
+    assert "its edits do not lead from version 0" in capsys.readouterr().out
+
+
+def test_words_over_several_lines_are_kept_as_one(tasks: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    steer(capsys, tasks, "add a green block\r\n on top")
+    assert Family(tasks / "tower").head().snapshot.snapshot.description == "add a green block on top"
+    assert run(["verify", "tower", *at(tasks)]) == 0
 
 
 def test_a_missing_head_is_told_how_to_be_mended(tasks: Path, capsys: pytest.CaptureFixture[str]) -> None:

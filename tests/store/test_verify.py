@@ -9,7 +9,18 @@ from pathlib import Path
 import pytest
 
 from rpg.core.codes import CODES
-from rpg.store import Family, SteeringMeta, Version, Workspace, verify_family, write_base, write_version
+from rpg.store import (
+    Family,
+    Snapshot,
+    SteeringMeta,
+    Version,
+    Workspace,
+    verify_family,
+    verify_lineage,
+    write_base,
+    write_version,
+)
+from rpg.store.layout import version_name
 from rpg.store.records import PICTURES
 
 from .conftest import lowered, make_content, make_schema
@@ -114,8 +125,63 @@ def test_code_that_its_schema_no_longer_gives(family: Family) -> None:
     assert len(found) == 2
 
 
-def test_code_of_a_model_is_not_expected_to_lower(workspace: Workspace) -> None:
-    content = make_content(make_schema(), backend="llm")
-    version: Version = write_base(workspace, "by-model", content).version
-    assert not verify_family(workspace.family("by-model"), lambda version: False)
-    assert version.snapshot.backend == "llm"
+def test_an_origin_that_nothing_speaks_for_is_reported(workspace: Workspace) -> None:
+    write_base(workspace, "by-model", make_content(make_schema(), backend="llm"))
+    (problem,) = verify_family(workspace.family("by-model"), lambda version: False)
+    assert problem.code == "origin-unsupported"
+    assert "a model wrote code.py" in problem.message
+
+
+def reseal(version: Version, **steering: object) -> Path:
+    """A forged version: its steering record changed, every hash made to fit again."""
+    data = json.loads((version.directory / "snapshot.json").read_text())
+    data["steering"] |= steering
+    blank = Snapshot.model_validate(data)
+    sealed = blank.model_copy(update={"hash": blank.expected_hash()})
+    (version.directory / "snapshot.json").write_text(sealed.text())
+    directory = version.directory.with_name(version_name(version.number, sealed.hash))
+    (version.directory.parent / "HEAD").write_text(directory.name + "\n")
+    return version.directory.rename(directory)
+
+
+def test_edits_that_lead_elsewhere_are_reported(family: Family) -> None:
+    asked: list[tuple[int, int]] = []
+
+    def replayed(version: Version, parent: Version) -> bool:
+        asked.append((version.number, parent.number))
+        return False
+
+    (problem,) = verify_family(family, lowered, replayed)
+    assert problem.code == "does-not-replay" and "from version 0" in problem.message
+    assert asked == [(1, 0)]
+
+
+def test_a_reference_that_is_not_the_parent_is_reported(family: Family) -> None:
+    reseal(family.head(), reference=5)
+    (problem,) = verify_family(family, lowered)
+    assert problem.code == "does-not-replay" and "version 5" in problem.message
+
+
+@pytest.mark.parametrize("hidden", ["\x1b[2K", "\r", "\u202e", "\x9b1A"])
+def test_texts_that_a_terminal_would_obey_are_damage(family: Family, hidden: str) -> None:
+    path = family.head().directory / "snapshot.json"
+    data = json.loads(path.read_text())
+    data["steering"]["request"] += hidden
+    path.write_text(json.dumps(data))
+    (problem,) = verify_family(family, lowered)
+    assert problem.code == "snapshot-unreadable" and "control character" in problem.message
+    assert hidden not in problem.message
+
+
+def test_a_lineage_is_as_good_as_its_worst_ancestor(family: Family) -> None:
+    base, head = family.versions()
+    assert verify_lineage(head) == ()
+    path = base.directory / "task.yaml"
+    whole = path.read_bytes()
+    path.write_bytes(whole + b"\n")
+    (problem,) = verify_lineage(head)
+    assert problem.code == "file-changed" and base.directory.name in problem.message
+    path.write_bytes(whole)
+    shutil.rmtree(base.directory)
+    (problem,) = verify_lineage(head)
+    assert problem.code == "parent-missing" and base.short_hash in problem.message

@@ -50,9 +50,16 @@ class Judge:
         """Does the goal hold under any naming?"""
         return self._holds(state, self._all)
 
+    def unsettled(self, state: BlockState) -> bool:
+        """Does the goal hold under any naming, whatever the blocks rest on?"""
+        return self._arranged(state, self._all)
+
     def _holds(self, state: BlockState, tried: Sequence[tuple[int, ...]]) -> bool:
+        return self._arranged(state, tried) and rests(state)
+
+    def _arranged(self, state: BlockState, tried: Sequence[tuple[int, ...]]) -> bool:
         values: dict[int, bool] = {}
-        return any(all(self._part(k, state, values) for k in numbers) for numbers in tried) and rests(state)
+        return any(all(self._part(k, state, values) for k in numbers) for numbers in tried)
 
     def _part(self, number: int, state: BlockState, values: dict[int, bool]) -> bool:
         if number not in values:

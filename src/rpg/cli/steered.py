@@ -40,7 +40,7 @@ def print_steered(out: Output, done: Steered) -> None:
     if version is not None and out.quiet:
         out.result.print(str(version.directory), soft_wrap=True)
         return
-    if done.outcome is None:
+    if done.reverted:
         assert version is not None
         goal = version.snapshot.snapshot.goal_summary
         out.result.print(Text.assemble(("✓ ", "bold green"), f"back at {version}: ", (goal, "")))

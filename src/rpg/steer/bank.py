@@ -19,7 +19,7 @@ from rpg.blocks.near_miss import near_misses
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
 from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
-from rpg.ir.assets import Block, GoalPatch
+from rpg.ir.assets import GoalPatch
 from rpg.ir.edits import key
 from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
@@ -161,7 +161,8 @@ class Bank:
     def __init__(self, identity: Identity, seed: int = 0) -> None:
         self.old, self.new = Side(identity.old, "old"), Side(identity.new, "new")
         self.same = not self.old.looks_back and _seen(self.old) == _seen(self.new)
-        self.sizes = _sizes(identity)
+        self._world = World({**self.old.world.assets, **self.new.world.assets}.values())
+        self.sizes = dict(sorted(self._world.edge.items()))
         self.alike = len(set(self.sizes.values())) == 1
         self.rng = Random(f"bank {seed}")
         self.slots = _slots(1.5 * max(self.sizes.values()))
@@ -169,6 +170,10 @@ class Bank:
         self.begun = {label: [self._complete(start) for start in self.starts[label]] for label in ("old", "new")}
         self.samples: list[Sample] = []
         self._fill()
+
+    def whole(self, sample: Sample) -> BlockState:
+        """`sample` with the blocks of both versions."""
+        return BlockState(self._world, sample.layout.position, sample.layout.orientation)
 
     def _sides(self) -> tuple[Side, ...]:
         return self.old, self.new
@@ -306,11 +311,3 @@ def _starts(side: Side, count: int) -> list[Layout]:
         position = {k: state.position[side.names[k]] for k in side.keys}
         found.append(Layout(position, {k: state.orientation.get(side.names[k], IDENTITY) for k in side.keys}))
     return found
-
-
-def _sizes(identity: Identity) -> dict[str, float]:
-    """Edge of every block of either version, by key; the new one's where both have it."""
-    found: dict[str, float] = {}
-    for assets in (identity.before, identity.after):
-        found.update({k: asset.size for k, asset in assets.items() if isinstance(asset, Block)})
-    return dict(sorted(found.items()))

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from rpg.blocks import alike
-from rpg.blocks.evaluate import evaluate
+from rpg.blocks.evaluate import evaluate, rests
 from rpg.blocks.state import BlockState
 from rpg.ir import goal as g
 from rpg.ir.walk import transform
@@ -47,11 +47,14 @@ class Comparison:
 
 
 class Judge:
-    """A version's goal, under every renaming of its look-alikes and with those of the other version in their place."""
+    """A version's goal, under every renaming of its look-alikes and with those of the other version in their place.
+
+    What the blocks rest on is left aside: it may be a block that only the other version has.
+    """
 
     def __init__(self, side: Side, other: Side) -> None:
         self.side = side
-        self.holds = alike.Judge(side.goal, side.world).any_name
+        self.holds = alike.Judge(side.goal, side.world).unsettled
         self.choices = side.choices(other)
 
     def __call__(self, sample: Sample) -> bool:
@@ -76,7 +79,7 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
     for sample in bank.samples:
         before = old(sample)
         after = before if bank.same else new(sample)
-        if before or after:
+        if (before or after) and rests(bank.whole(sample)):
             (both if before and after else only_old if before else only_new).append(sample)
     relation, edge = _up_to_tolerance(_relation(len(both), len(only_old), len(only_new)), old, new, only_old, only_new)
     relation = _temporal(identity, relation)

@@ -5,7 +5,7 @@ from rpg.store.layout import DEFAULT_WORKSPACE, Family, Version, Workspace
 from rpg.store.records import Snapshot, SteeringMeta, TaskSnapshot
 from rpg.store.resolve import resolve, resolve_family
 from rpg.store.taskfile import dump_schema, parse_schema, read_schema
-from rpg.store.verify import verify_family, verify_version
+from rpg.store.verify import verify_family, verify_lineage, verify_version
 from rpg.store.write import Content, Written, set_head, write_base, write_rejected, write_version
 
 __all__ = [
@@ -26,6 +26,7 @@ __all__ = [
     "resolve_family",
     "set_head",
     "verify_family",
+    "verify_lineage",
     "verify_version",
     "write_base",
     "write_rejected",

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Iterator
 from typing import Any, Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
 from rpg.core.digest import digest_of
 from rpg.ir.base import Record
@@ -20,6 +22,9 @@ HASHED = (SOURCE, CODE, GOAL_CODE, LOG)
 SNAPSHOT = "snapshot.json"
 PICTURES = ("initial.png", "goal.png")
 """Drawn for people; they depend on the machine's graphics, so that no hash covers them."""
+
+UNSEEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
+"""What a terminal would obey instead of showing it; no text of a version has any."""
 
 Intent = Literal["TWEAK", "EXTEND", "MODIFY", "PIVOT", "FRESH"]
 Digest = Field(pattern=r"^[0-9a-f]{64}$")
@@ -64,6 +69,13 @@ class Snapshot(Record):
     steering: SteeringMeta | None = None
     files: dict[str, str]
 
+    @model_validator(mode="after")
+    def _shows_all_it_says(self) -> Snapshot:
+        found = next((match for text in _texts(self.model_dump()) if (match := UNSEEN.search(text))), None)
+        if found is not None:
+            raise ValueError(f"there is a control character (U+{ord(found[0]):04X}) in a text")
+        return self
+
     @property
     def parent(self) -> str | None:
         """Hash of the version this one was steered from; None for a base."""
@@ -83,6 +95,19 @@ class Snapshot(Record):
     def text(self) -> str:
         """snapshot.json, always the same bytes for the same contents."""
         return json.dumps(self.model_dump(mode="json"), indent=2, ensure_ascii=False) + "\n"
+
+
+def _texts(data: Any) -> Iterator[str]:
+    """Every text in a record, keys included."""
+    if isinstance(data, str):
+        yield data
+    elif isinstance(data, dict):
+        for key, value in data.items():
+            yield str(key)
+            yield from _texts(value)
+    elif isinstance(data, list | tuple):
+        for item in data:
+            yield from _texts(item)
 
 
 def seal(snapshot: TaskSnapshot, files: dict[str, str], steering: SteeringMeta | None, backend: str) -> Snapshot:

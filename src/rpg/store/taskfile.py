@@ -14,13 +14,12 @@ from pydantic import BaseModel, ValidationError
 from rpg.core.diagnostics import UsageError
 from rpg.ir.schema import TaskSchema
 from rpg.store.problems import explain
+from rpg.store.records import UNSEEN
 from rpg.store.yamltext import dump
 
 MAX_BYTES = 1_000_000
 DEEPEST = 100
 """Levels that a task may be nested; libyaml falls over its own stack at some ten thousand."""
-_UNSEEN = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
-"""What a terminal would obey instead of showing it."""
 _FIRST = ("format", "kind", "type")
 _LAST = ("span",)
 _RESOLVED = {
@@ -139,7 +138,7 @@ def _check(node: yaml.Node | None, seen: set[int]) -> None:
             keys.add(str(key.value))
             _check(key, seen)
             _check(value, seen)
-    elif isinstance(node, yaml.ScalarNode) and _UNSEEN.search(node.value):
+    elif isinstance(node, yaml.ScalarNode) and UNSEEN.search(node.value):
         raise yaml.MarkedYAMLError(problem="a control character has no place here", problem_mark=node.start_mark)
     elif isinstance(node, yaml.SequenceNode):
         for item in node.value:

@@ -13,20 +13,31 @@ from rpg.store.records import CODE, GOAL_CODE, HASHED, PICTURES, SNAPSHOT, SOURC
 
 Lowered = Callable[[Version], bool]
 """Whether the code of a version is what the code generator makes of its task.yaml."""
+Replayed = Callable[[Version, Version], bool]
+"""Whether the edits that a version records, applied to its parent (given second), lead to its task.yaml."""
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
-def verify_family(family: Family, lowered: Lowered | None = None) -> tuple[Diagnostic, ...]:
-    """Everything that is wrong with a family; `lowered` generates code again to compare it."""
+def verify_family(
+    family: Family, lowered: Lowered | None = None, replayed: Replayed | None = None
+) -> tuple[Diagnostic, ...]:
+    """Everything that is wrong with a family; `lowered` generates code again to compare it, `replayed` applies edits."""
     found: list[Diagnostic] = []
-    sound: list[Version] = []
+    readable: list[Version] = []
+    whole: set[str] = set()
     for directory in family.directories():
         problems = tuple(verify_directory(directory, lowered))
         found.extend(problems)
         version = version_at(directory)
         if version and not any(problem.code == "snapshot-unreadable" for problem in problems):
-            sound.append(version)
-    found.extend(_lineage(sound))
+            readable.append(version)
+            whole |= set() if problems else {version.hash}
+    found.extend(_lineage(readable))
+    parents = {version.hash: version for version in readable if version.hash in whole}
+    for version in readable:
+        found.extend(_origin(version))
+        if version.hash in whole and version.snapshot.parent in parents:
+            found.extend(_descent(version, parents[version.snapshot.parent], replayed))
     found.extend(_head(family))
     return tuple(found)
 
@@ -34,6 +45,27 @@ def verify_family(family: Family, lowered: Lowered | None = None) -> tuple[Diagn
 def verify_version(version: Version, lowered: Lowered | None = None) -> tuple[Diagnostic, ...]:
     """Everything that is wrong with one version, its ancestors left aside."""
     return tuple(verify_directory(version.directory, lowered))
+
+
+def verify_lineage(version: Version) -> tuple[Diagnostic, ...]:
+    """What is wrong with one version or, if nothing is, with the nearest of its ancestors that something is wrong with."""
+    directories = Family(version.directory.parent).directories()
+    seen: set[Path] = set()
+    at: Path | None = version.directory
+    while at is not None and at not in seen:
+        seen.add(at)
+        problems = tuple(verify_directory(at))
+        current = version_at(at)
+        if problems or current is None:
+            return problems
+        problems = tuple(_origin(current))
+        parent = current.snapshot.parent
+        at = next((path for path in directories if parent and path.name.endswith(f"-{parent[:7]}")), None)
+        if at is None:
+            problems += tuple(_lineage([current])) if parent or current.number else ()
+        if problems:
+            return problems
+    return ()
 
 
 def verify_directory(directory: Path, lowered: Lowered | None = None) -> Iterator[Diagnostic]:
@@ -126,6 +158,25 @@ def _lineage(versions: list[Version]) -> Iterator[Diagnostic]:
             other = numbers[version.number].directory.name
             yield _problem("number-clash", version.directory, f"{other} has the same number")
         numbers[version.number] = version
+
+
+def _origin(version: Version) -> Iterator[Diagnostic]:
+    """An origin that nothing in the store speaks for: what a model answered is not recorded."""
+    if version.snapshot.backend != "lower":
+        message = f"{SNAPSHOT} says that a model wrote {CODE}, and nothing here records what a model answered"
+        yield _problem("origin-unsupported", version.directory, message)
+
+
+def _descent(version: Version, parent: Version, replayed: Replayed | None) -> Iterator[Diagnostic]:
+    """What a version says of how it came from its parent, against the two of them."""
+    steering = version.snapshot.steering
+    assert steering is not None
+    if steering.reference not in (None, parent.number):
+        message = f"it says that it was made from version {steering.reference}, and its parent is {parent.number}"
+        yield _problem("does-not-replay", version.directory, message)
+    elif replayed and not replayed(version, parent):
+        message = f"its edits do not lead from version {parent.number} to its {SOURCE}"
+        yield _problem("does-not-replay", version.directory, message)
 
 
 def _head(family: Family) -> Iterator[Diagnostic]:

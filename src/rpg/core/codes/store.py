@@ -44,6 +44,21 @@ CODES: tuple[Code, ...] = (
         "A steered version names its parent by its hash, and no version of the family has that hash any more.",
     ),
     Code(
+        "origin-unsupported",
+        "the version's origin is claimed, not recorded",
+        "A snapshot says what wrote the code. Code that the code generator wrote is generated again to be checked; what "
+        "a model wrote can only be believed where its answers are recorded, and a workspace records none. The code "
+        "runs confined, if it passes every gate; nothing is built upon it.",
+        remedy="rpg compile --from tasks/red-on-blue/v0-*/task.yaml --name red-on-blue-2",
+    ),
+    Code(
+        "does-not-replay",
+        "the recorded edits do not lead to the version",
+        "A steered version records the typed edits that made it from its parent. Applied to the parent again, they "
+        "gave another task.yaml: the steering record, the parent or the task was forged, or edits mean something else "
+        "in this version of rpg.",
+    ),
+    Code(
         "number-clash",
         "two versions of a family have the same number",
         "Version numbers are given out once under a lock; a clash means that directories were copied or renamed.",

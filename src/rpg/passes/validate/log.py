@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import Any
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.ir.artifact import GateReport, Program
 from rpg.passes.validate.runner import admitted
+
+_GATE = re.compile(r"\d+ (?P<name>[\w-]+) +(?P<verdict>pass|FAIL)(?:  (?P<figures>.*))?")
 
 
 def render_log(program: Program, reports: Sequence[GateReport]) -> str:
@@ -21,6 +25,25 @@ def render_log(program: Program, reports: Sequence[GateReport]) -> str:
             lines += _finding(diagnostic, task.instruction)
     lines += ["", "admitted" if admitted(reports) else "not admitted"]
     return "\n".join(lines) + "\n"
+
+
+def read_log(text: str) -> tuple[GateReport, ...]:
+    """The gates that a log tells of, with their figures as it has them; findings are left to the log."""
+    found = []
+    for line in text.splitlines():
+        match = _GATE.fullmatch(line)
+        if match:
+            figures = (item.partition(" ") for item in (match["figures"] or "").split(", ") if item)
+            told = {name: _number(value) for name, _, value in figures}
+            found.append(GateReport(name=match["name"], passed=match["verdict"] == "pass", figures=told))
+    return tuple(found)
+
+
+def _number(text: str) -> Any:
+    for kind in (int, float):
+        with suppress(ValueError):
+            return kind(text)
+    return text
 
 
 def _figure(value: Any) -> str:

@@ -10,7 +10,7 @@ from rpg.passes.schema.resolve.chains import time_of
 from rpg.passes.schema.resolve.world import refuse
 
 
-def intime_of(links: list[str], chains: tuple[Chain, ...], spans: Span) -> tuple[list[str], tuple[int, ...]]:
+def in_time(links: list[str], chains: tuple[Chain, ...], spans: Span) -> tuple[list[str], tuple[int, ...]]:
     """Sentences that say when ("..., last"): how each follows the one before it, and in which order they come."""
     said = [time_of(chain.clauses[0]) if len(chain.clauses) == 1 else None for chain in chains]
     if all(when is None for when in said):

@@ -81,16 +81,18 @@ BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 
 VERBS = {
     "place": "put place move set position lay bring transfer relocate drop push slide shift carry get deliver locate "
-    "seat rest insert nudge drag pull deposit hide balance tuck perch settle stick sandwich stand mount shove scoot "
-    "plop plant pop stow park",
+    "seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich stand mount shove "
+    "scoot plop plant pop stow park",
     "pick": "pick grab grasp lift take",
-    "stack": "stack pile heap",
-    "build": "build make create construct form assemble erect produce compose draw",
+    "stack": "stack pile heap restack",
+    "build": "build make create construct form assemble erect produce compose draw rebuild",
     "arrange": "alphabetize space arrange align order organize organise line lay distribute spread position set "
     "rearrange",
-    "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch",
+    "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch merge "
+    "combine unite",
     "spell": "spell write",
-    "turn": "rotate turn flip spin face orient point tip",
+    "turn": "rotate turn flip spin face orient point tip transform convert",
+    "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",
     "unstack": "unstack dismantle disassemble topple destack",
@@ -101,7 +103,8 @@ VERBS = {
 }
 PAST = {
     "put": "put", "place": "placed", "move": "moved", "set": "set", "lay": "laid", "bring": "brought",
-    "get": "got", "take": "taken", "stack": "stacked", "pile": "piled", "build": "built", "make": "made",
+    "get": "got", "take": "taken", "stack": "stacked", "pile": "piled", "build": "built", "rebuild": "rebuilt",
+    "make": "made",
     "form": "formed",
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
     "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",

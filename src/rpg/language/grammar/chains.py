@@ -7,16 +7,19 @@ from dataclasses import replace
 from rpg.language.grammar.clauses import clause
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.frames import THEN
-from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.nouns import noun_phrase, restates
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.meaning import Chain, Clause, Meaning, Structure
+
+_LEADS = (("after", False), ("once", False), ("as soon as", False), ("when", False), ("before", True))
+"""What stands before the clause that comes first in time, or (True) after the other one."""
 
 
 @rule
 def chain(p: Parser, i: int) -> Results[Chain]:
     """Clauses joined by "and", "then", "or", "before", commas."""
-    for lead, late in (("after", False), ("once", False), ("before", True)):
-        if j := p.one(i, lead):
+    for lead, late in _LEADS:
+        if j := p.seq(i, lead):
             j = p.opt(j, "you", "that")
             fronts = [*gerund_clause(p, j), *chain(p, j)]
             for front, k in fronts:
@@ -40,6 +43,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         items = [*clause(p, j), *(gerund_single(p, j) if link in ("before", "after") else ())]
         bare = previous is not None and not previous.adjuncts and link == "and" and p.words[j - 1] in (",", ";")
         for item, k in items:
+            if previous is not None and p.words[j - 1] == "," and _apposed(previous, item):
+                continue
             if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
                 item = replace(item, cost=item.cost + 2)
             whole = (*had, item)
@@ -52,9 +57,17 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                     whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
                     yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
+                if p.words[j - 1] == "," and _apposed(previous, item):
+                    continue
                 whole = (*had, item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
+
+
+def _apposed(before: Clause, item: Meaning) -> bool:
+    """ "make a square of red blocks, three rows of three": a comma alone brings no structure without blocks of its own."""
+    theme = item.theme if isinstance(item, Clause) and not item.adjuncts else None
+    return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)
 
 
 def _link(p: Parser, i: int) -> Results[str]:

@@ -24,6 +24,7 @@ from rpg.language.meaning import (
     In,
     Into,
     Loc,
+    Manner,
     Meaning,
     Noun,
     OrderBy,
@@ -77,7 +78,7 @@ def _for_each(p: Parser, i: int) -> Results[Meaning]:
 def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
     for first, j in adjunct(p, i):
-        if isinstance(first, Absolute | Size):
+        if isinstance(first, Absolute | Size) or p.words[i] == "there":
             continue
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
@@ -172,6 +173,11 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
                     yield ever(replace(found, negated=True, span=p.span(i, end)), never), end
     if i > 0 and p.words[i - 1] == "by":
         yield from verb_phrase(p, i, ("ing",))
+    if k := p.one(i, "only"):
+        for found, end in verb_phrase(p, k, ("base",)):
+            if found.verb in ("place", "stack", "swap", "turn") and found.theme is not None:
+                alone = Manner(kind="only", span=p.span(i, k))
+                yield replace(found, adjuncts=(*found.adjuncts, alone), span=p.span(i, end)), end
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
         yield ever(replace(found, negated=negated, span=p.span(i, k)), never), k
 
@@ -204,7 +210,8 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
         return
     j = p.opt(j, "also", "exactly", "now", "currently", "initially")
     for theme, k in noun_phrase(p, j):
-        for found, end in adjuncts(p, k):
+        apart = adjuncts(p, k + 1) if p.words[k : k + 1] == [","] and isinstance(theme, Structure) else []
+        for found, end in [*adjuncts(p, k), *(x for x in apart if x[0])]:
             yield Clause(verb="exist", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)), end
 
 
@@ -260,24 +267,22 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
 
 
 def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
+    """ "three red blocks stacked on ...", "four cubes, lined up and touching"."""
+    j = p.opt(p.opt(j, ","), "all", "both", "each")
     for sense, lemma, form in p.lex(j, lexicon.VERB) or ():
-        if form in ("past", "ing"):
-            for at_ in dict.fromkeys((p.opt(j + 1, *PARTICLES), j + 1)):
-                for found, k in adjuncts(p, at_):
-                    if found or sense == "stack":
-                        yield (
-                            Clause(
-                                verb=sense,
-                                lemma=lemma,
-                                theme=theme,
-                                adjuncts=found,
-                                mode=mode,
-                                span=p.span(i, k),
-                                word=p.span(j, j + 1),
-                                cost=1,
-                            ),
-                            k,
-                        )
+        if form not in ("past", "ing"):
+            continue
+        for at_ in dict.fromkeys((p.opt(j + 1, *PARTICLES), j + 1)):
+            lined = lemma == "line" and p.words[at_ - 1] == "up"
+            for found, k in [*adjuncts(p, at_), *(adjuncts(p, p.opt(at_, "and")) if lined else ())]:
+                if found or sense == "stack" or lined:
+                    yield (
+                        Clause(
+                            verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k),
+                            word=p.span(j, j + 1), cost=1,
+                        ),
+                        k,
+                    )  # fmt: skip
 
 
 def tail(p: Parser, i: int) -> int:

@@ -76,6 +76,8 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
         for found, end in readings:
             lasting = bool(words & {"never", "always"})
+            if isinstance(found, Clause) and found.verb == "be" and not words & _MODALS:
+                found = replace(found, lemma="fact")
             yield (ever(found, lasting) if isinstance(found, Clause) else found), end
 
 
@@ -203,6 +205,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                     if (
                         found
                         or sense in ("swap", "stack", "keep")
+                        or (lemma == "line" and p.words[at_ - 1] == "up")
                         or (negated and lemma in ("move", "touch", "disturb", "shift"))
                     ):
                         yield (

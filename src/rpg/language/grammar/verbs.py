@@ -11,6 +11,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.manners import direction
 from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.remade import remade, reverse
 from rpg.language.meaning import (
     At,
     Chain,
@@ -72,10 +73,27 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         yield from _turn(p, i, j, lemma)
     if sense == "swap":
         j = p.any_of(j, ("the positions of", "the places of", "the locations of", "positions of", "places of")) or j
-    for theme, k in noun_phrase(p, j):
+    if sense == "reverse":
+        yield from reverse(p, i, j)
+        return
+    yield from remade(p, i, j, sense, lemma)
+    only = p.one(j, "only") if sense in ("place", "stack", "swap", "turn") else 0
+    alone = (Manner(kind="only", span=p.span(j, only)),) if only else ()
+    for theme, k in noun_phrase(p, only or j):
         k = p.opt(k, "places", "positions") if sense == "swap" else k
+        if sense == "swap" and (end := p.one(k, "back")):
+            back = Manner(kind="stay", span=p.span(k, end))
+            yield (
+                Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=p.span(i, end), word=word),
+                end,
+            )
         k = p.opt(
-            k, *(("up", "out", "down", "back") if sense in ("pick", "stack", "arrange", "place", "unstack") else ())
+            k,
+            *(
+                ("up", "out", "down", "back") + (("off",) if sense == "pick" else ())
+                if sense in ("pick", "stack", "arrange", "place", "unstack")
+                else ()
+            ),
         )
         if sense == "use":
             yield from _use(p, i, k, theme)
@@ -86,7 +104,10 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
                     yield Clause(verb="be", theme=theme, adjuncts=(quality,), span=p.span(i, end), word=word), end
         after = [(f, e) for f, e in adjuncts(p, k + 1) if f] if p.words[k : k + 1] == [","] else []
         for found, end in [*adjuncts(p, k), *after]:
-            yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=word), end
+            if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":
+                continue
+            said = (*found, *alone)
+            yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word), end
     if sense in ("stack", "build", "arrange", "sort", "place"):
         for found, end in adjuncts(p, j):
             if found:
@@ -166,7 +187,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):
-            if found and isinstance(found[0], Loc):
+            if found and (isinstance(found[0], Loc) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
                 it = Pronoun(word="same", span=before.theme.span)
                 verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
                 yield replace(before, verb=verb, theme=it, adjuncts=found, span=p.span(i, k), cost=1), k

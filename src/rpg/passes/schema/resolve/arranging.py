@@ -16,6 +16,7 @@ from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, places
 from rpg.passes.schema.resolve.positions import alternatives
 from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.reordered import moved_within
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.structures import either, make, stack_built
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -66,6 +67,9 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if temporal is not None or (theme.op == "then" and spec.places):
         spec.orders = [o for o in spec.orders if o is not temporal]
         return _one_by_one(theme, temporal, spec, scene, scope, span)
+    if len(spec.ats) == 1 and not scope.start and (again := moved_within(theme, spec.ats[0], scene, span)) is not None:
+        spec.ats = []
+        return [*again, *places(theme, spec, scene, scope, span)]
     ref = theme
     goals: Goals = []
     structured = True

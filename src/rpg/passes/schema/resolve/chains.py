@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import members
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy
 from rpg.passes.schema.resolve.clauses import clause_goals
-from rpg.passes.schema.resolve.conflicts import undoes
+from rpg.passes.schema.resolve.conflicts import required, undoes
 from rpg.passes.schema.resolve.logic import conj, disj
 from rpg.passes.schema.resolve.loose import settle
 from rpg.passes.schema.resolve.world import Scene
@@ -34,11 +37,19 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         starts = start or clause.mode in ("start", "given")
         goals = clause_goals(clause, scene, starts)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+        if link == "and" and _restacked(stages[-1], goals, scene):
+            link = "then"
         if starts and clause.verb != "exist":
             scene.start_goals += goals
             continue
         _append(stages, link, goals)
     return _sequence(stages, scene, chain)
+
+
+def _restacked(before: Goals, after: Goals, scene: Scene) -> bool:
+    """ "unstack the tower and rebuild it": what was taken apart is stacked afterwards, not at the same time."""
+    taken = [x for x in before if isinstance(x, r.OnTable) and scene.unstacked.issuperset(members(x.a))]
+    return bool(taken) and any(undoes(x, y) for x in after for y in taken)
 
 
 def _given_first(chain: Chain) -> list[tuple[str, Meaning]]:
@@ -121,8 +132,19 @@ def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
     made = []
     for index, goal in enumerate(goals):
         later = goals[index + 1 :]
-        made.append(g.Stage(goal=goal, undone=any(undoes(after, goal) for after in later)))
+        made.append(g.Stage(goal=goal, undone=any(_undone(after, goal, scene) for after in later)))
     return [g.Sequence(stages=tuple(made), span=chain.span)]
+
+
+def _undone(later: g.Goal, earlier: g.Goal, scene: Scene) -> bool:
+    """Whether `earlier` cannot hold any more: `later` contradicts it, or moves its blocks back to where they were."""
+    back = {n for x in required(later) if isinstance(x, r.Stayed) for n in names_in(x)} & scene.returned
+    gone = {n for x in required(earlier) for n in (names_in(x) if isinstance(x, r.Swapped) else _subjects(x))}
+    return undoes(later, earlier) or bool(back & gone)
+
+
+def _subjects(atom: g.Goal) -> tuple[str, ...]:
+    return members(getattr(atom, "a", ()))
 
 
 def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]) -> g.Goal:
@@ -133,7 +155,7 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
         if link == "before" and goals:
             stages += _stages(goals)
             continue
-        if link == "then" and goals:
+        if goals and (link == "then" or _restacked(now, goals, scene)):
             stages += _stages(now)
             now = []
         now += goals
@@ -141,7 +163,7 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
     if len(stages) > 1:
         fixed = []
         for index, stage in enumerate(stages):
-            undone = any(undoes(after.goal, stage.goal) for after in stages[index + 1 :])
+            undone = any(_undone(after.goal, stage.goal, scene) for after in stages[index + 1 :])
             fixed.append(g.Stage(goal=stage.goal, undone=undone))
         return settle(g.Sequence(stages=tuple(fixed), span=span), scene)
     goals = [stages[0].goal] if stages else []

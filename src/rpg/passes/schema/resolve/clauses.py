@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.appearance import appear
@@ -17,6 +17,7 @@ from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
+from rpg.passes.schema.resolve.reordered import reverse
 from rpg.passes.schema.resolve.shaped import shaped
 from rpg.passes.schema.resolve.sorting import sort
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
@@ -44,6 +45,9 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if spec.manner("xor") is not None:
         goals = _not_both(goals, clause.span)
     always = spec.manner("always") is not None
+    if spec.manner("only") is not None:
+        moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
+        scene.only += [n for names in moved for n in names]
     _leftovers(spec, clause)
     if clause.negated:
         goals = negation(goals, clause.span)
@@ -95,12 +99,14 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     clause = by_likeness(clause, spec, scene) or clause
     if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
         return pairs
+    if (turned := _the_other_way(clause, spec, scene, scope)) is not None:
+        return turned
     match clause.verb:
         case "exist":
             return _exist(clause, spec, scene, scope)
         case "ignore":
             return _ignore(clause, scene, scope)
-        case "keep" | "touch" | "pick" | "unstack" | "remove" | "swap" | "turn" | "use":
+        case "keep" | "touch" | "pick" | "unstack" | "remove" | "swap" | "turn" | "use" | "reverse":
             return _special(clause, spec, scene, scope)
         case "sort":
             return sort(clause, spec, scene, scope)
@@ -138,6 +144,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return turning.turn(clause, spec, scene, scope)
     if clause.lemma == "balance" and any(isinstance(x, In) for x in spec.places):
         raise refuse("misplaced", "blocks lie flat: none is balanced on an edge or a corner", clause.span, "say 'on'")
+    if clause.lemma == "line" and not spec.intos:
+        spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
     if clause.lemma == "alphabetize":
         spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
     shape = _kind_of_shape(spec)
@@ -149,6 +157,23 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     theme = refer(counted(clause.theme, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     _sandwich(clause, spec)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
+
+
+def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """ "rebuild it in reverse", "put the row in reverse order": a structure that is there, the other way round."""
+    orders = spec.orders and all(o.by == "reverse" for o in spec.orders)
+    backwards = any(m.kind == "backwards" for m in spec.manners)
+    known = isinstance(clause.theme, Pronoun) or (isinstance(clause.theme, Structure) and clause.theme.det == "the")
+    if (
+        not (orders or backwards)
+        or not known
+        or spec.intos
+        or clause.verb not in ("build", "stack", "arrange", "place")
+    ):
+        return None
+    spec.orders, spec.manners = [], [m for m in spec.manners if m.kind != "backwards"]
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    return [*reverse(theme, scene, clause.span), *places(theme, spec, scene, scope, clause.span)]
 
 
 def _partly(clause: Clause, scene: Scene, scope: Scope) -> Goals:
@@ -216,6 +241,8 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "there are three red blocks": objects; with a place in a goal: a condition."""
     if clause.mode == "given":
         clause = replace(clause, theme=_told_apart(clause.theme))
+        if is_shape(clause.theme) and (spec.toward or spec.orders or spec.ats or spec.absolutes or spec.sizes):
+            return _there_already(clause, spec, scene, scope)
         theme = refer(clause.theme, scene, replace(scope, given=True, start=True)) if clause.theme else Ref()
         scene.mentions[-1].role = "given"
         for name in theme.names:
@@ -223,9 +250,11 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         amount = getattr(clause.theme, "amount", None)
         if isinstance(clause.theme, Noun) and amount is not None and amount.strict and amount.low == amount.high:
             scene.closed.append((clause.theme.traits, amount.low, clause.span))
-        goals = [
-            goal for item in spec.places for goal in place(theme, item, scene, replace(scope, start=True), clause.span)
-        ]
+        starting = replace(scope, start=True)
+        if spec.intos:
+            goals = arrange_blocks(replace(theme, det="the"), "be", spec, scene, starting, clause.span)
+        else:
+            goals = [goal for item in spec.places for goal in place(theme, item, scene, starting, clause.span)]
         spec.places = []
         scene.start_goals += [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
         return []
@@ -236,6 +265,15 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if not goals:
         raise refuse("no-goal", "it is not said where", clause.span, "say where the blocks should be")
     return goals
+
+
+def _there_already(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "there is a row of A, B and C from left to right": a structure of the start with all that is said of it."""
+    goals = shaped(clause, spec, scene, replace(scope, given=True, start=True))
+    for name in scene.mentions[-1].ref.names:
+        scene.things[name].declared = True
+    scene.start_goals += [x for x in goals if not (isinstance(x, g.All) and not x.goals) and x not in scene.start_goals]
+    return []
 
 
 def _ignore(clause: Clause, scene: Scene, scope: Scope) -> Goals:
@@ -259,6 +297,8 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return turning.swap(clause, spec, scene, scope)
         case "turn":
             return turning.turn(clause, spec, scene, scope)
+        case "reverse":
+            return reverse(refer(clause.theme, scene, scope) if clause.theme else Ref(), scene, clause.span)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 

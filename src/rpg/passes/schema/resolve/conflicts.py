@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.node import members
 from rpg.ir.walk import atoms
 
 
@@ -68,6 +69,8 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return a.a == b.a
         case (r.InRegion(), r.InRegion()):
             return a.a == b.a and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
+    if isinstance(a, s.Stack | s.Row) and isinstance(b, s.Stack | s.Row) and a.kind == b.kind:
+        return _orders_differ(a, b)
     if _flat_and_upright(a, b) or _flat_and_upright(b, a):
         return True
     return _opposite(a, b) if isinstance(a, r.Directional) and isinstance(b, r.Directional) else False
@@ -82,14 +85,21 @@ def _opposite(a: r.Directional, b: r.Directional) -> bool:
 
 def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:
     """A line on the table against a stack of two of its blocks."""
-    if not isinstance(flat, s.Row | s.Figure):
+    if not isinstance(flat, s.Row | s.Figure | r.OnTable):
         return False
-    line = set(flat.blocks)
+    line = set(members(flat.a) if isinstance(flat, r.OnTable) else flat.blocks)
     if isinstance(upright, s.Stack):
         return len(line & set(upright.blocks)) > 1
     if isinstance(upright, r.On | r.Above) and isinstance(upright.a, tuple) and isinstance(upright.b, tuple):
         return bool(line & set(upright.a)) and bool(line & set(upright.b))
     return False
+
+
+def _orders_differ(a: s.Stack | s.Row, b: s.Stack | s.Row) -> bool:
+    """Two orders of the same blocks, block by block."""
+    given = a.order.by == b.order.by == "given" and a.order.first == b.order.first
+    single = all(len(rank) == 1 for rank in (*a.order.ranks, *b.order.ranks))
+    return given and single and set(a.blocks) == set(b.blocks) and a.order.ranks != b.order.ranks
 
 
 def _same(a: g.Goal, b: g.Goal) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.language.meaning import In, Loc
 from rpg.passes.schema.resolve.conflicts import clash, required
 from rpg.passes.schema.resolve.logic import conj
@@ -12,7 +13,7 @@ from rpg.passes.schema.resolve.world import Ref, Scene, Scope
 
 
 def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
-    """Premises hold at the start, and at the end too unless the goal undoes them."""
+    """Premises hold at the start; what is asserted at the end too; blocks other than those alone moved stay put."""
     kept: list[g.Goal] = []
     premises, scene.premises = scene.premises, []
     for premise in premises:
@@ -25,6 +26,9 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
             kept += facts
         else:
             scene.start_goals += [f for f in facts if f not in scene.start_goals]
+    still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
+    if still:
+        kept.append(r.Stayed(a=still))
     return conj([goal, *kept]) if kept else goal
 
 

@@ -67,7 +67,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if not single:
         return _them(word, scene, scope)
     if scope.role == "theme":
-        themes = [m for m in single if m.role == "theme"]
+        themes = [m for m in single if m.role in ("theme", "given")]
         return (themes or single)[-1].ref
     last = single[-1].clause
     rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}

@@ -21,6 +21,9 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             theme = refer(clause.theme.items[0], scene, scope)
             spec.intos.append(Into(structure=last, span=last.span))
             return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
+    if isinstance(clause.theme, Structure) and spec.intos and _spoken_of(clause.theme, clause, scene):
+        there = refer(clause.theme, scene, scope)
+        return arrange_blocks(Ref(names=there.names, plural=True), "arrange", spec, scene, scope, clause.span)
     if clause.theme is None:
         shapes = [spec.intos.pop(0).structure]
     else:

@@ -18,6 +18,7 @@ from rpg.passes.schema.resolve.shaped import shaped
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
+GATHERS = frozenset({"gather", "collect", "cluster", "group", "bunch", "merge", "combine", "unite"})
 DIVIDES = frozenset({"separate", "split", "divide", "partition", "distribute"})
 SIDE = 3
 """Blocks on each side that are separated, where their number is left open."""
@@ -42,12 +43,13 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return shaped(clause, spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     need = 4 if line or ordered else SIDE if clause.lemma in DIVIDES and (apart or spec.usings) else 6
-    theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=2)), scene)
+    each = 1 if line or ordered else 2
+    theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     if line or ordered:
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
     if (patched := _onto_patches(theme, attribute, spec, scene, clause)) is not None:
         return patched
-    if clause.lemma in ("gather", "collect", "cluster", "group", "bunch") and attribute is None and not spec.intos:
+    if clause.lemma in GATHERS and attribute is None and not spec.intos:
         spec.places = [p for p in spec.places if not _together(p)]
         node = s.GroupBy(groups=(theme.names,), span=clause.span)
         ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))

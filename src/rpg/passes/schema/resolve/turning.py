@@ -36,6 +36,8 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return goals
     more = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
     spec.places = []
+    if clause.verb == "place":
+        scene.returned.update(theme.names)
     return [_stayed(theme, clause.span), *more]
 
 
@@ -156,6 +158,8 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         spec.places = []
         return goals
     names = theme.names
+    if clause.verb == "unstack":
+        scene.unstacked.update(names)
     if theme.built and clause.verb == "unstack":
         scene.start_goals += scene.goals.pop(scene.clause, [])
     if not landmarks and clause.lemma in ("remove", "clear"):
@@ -232,7 +236,7 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             goals.append(r.Turned(block=name, degrees=value, either_way=degrees.kind == "by?", span=clause.span))
             used.append(degrees)
         if facing is not None or flat is not None:
-            goals.append(_either_way(name, facing, flat, scene, clause.span))
+            goals.append(turn_of(name, facing, flat, scene, clause.span))
             used += [m for m in (facing, flat) if m]
     spec.manners = [m for m in spec.manners if m not in used]
     if not goals and _target(clause, spec):
@@ -256,8 +260,8 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return goals
 
 
-def _either_way(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
-    """ "sideways" is a quarter turn either way."""
+def turn_of(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
+    """How a block is to be turned; "sideways" is a quarter turn either way."""
     found = _facing(name, facing, flat, scene, span)
     if flat is None or flat.value != 90.0 or not isinstance(found, r.Facing):
         return found

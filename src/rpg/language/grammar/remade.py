@@ -1,0 +1,52 @@
+"""Verbs that make one structure of another: reverse, turn into, make it a row, take apart."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.meaning import Clause, Into, Meaning, Pronoun, Structure
+
+_ORDER_OF = ("the order of the blocks in", "the order of the cubes in", "the order of", "order of")
+_ITS_ORDER = ("its order", "the order", "their order")
+
+
+def reverse(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "reverse the tower", "reverse the order of the row", "reverse its order"."""
+    if k := p.any_of(j, _ITS_ORDER):
+        it = Pronoun(word="it", span=p.span(j, k))
+        yield _clause(p, i, k, "reverse", it, ()), k
+    start = p.any_of(j, _ORDER_OF) or j
+    for theme, k in noun_phrase(p, start):
+        for found, end in adjuncts(p, k):
+            yield _clause(p, i, end, "reverse", theme, found), end
+
+
+def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+    """ "turn it into a row", "make it a tower", "take the tower apart"."""
+    if sense == "turn" and lemma in ("turn", "transform", "convert"):
+        yield from _turned_into(p, i, j)
+    if lemma == "make":
+        for theme, k in noun_phrase(p, j):
+            told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
+            for shape, end in simple(p, p.opt(k, "into")) if told else ():
+                if isinstance(shape, Structure):
+                    into = Into(structure=shape, span=shape.span)
+                    for found, last in adjuncts(p, end):
+                        yield _clause(p, i, last, "arrange", theme, (into, *found)), last
+    if lemma in ("take", "pull"):
+        parted = p.one(i + 1, "apart")
+        for theme, k in noun_phrase(p, parted or i + 1):
+            if end := k if parted else p.one(k, "apart"):
+                yield _clause(p, i, end, "unstack", theme, ()), end
+
+
+def _turned_into(p: Parser, i: int, j: int) -> Results[Clause]:
+    for theme, k in noun_phrase(p, j):
+        for found, end in adjuncts(p, k):
+            if any(isinstance(a, Into) for a in found):
+                yield _clause(p, i, end, "arrange", theme, found), end
+
+
+def _clause(p: Parser, i: int, j: int, verb: str, theme: Meaning, found: tuple[Meaning, ...]) -> Clause:
+    return Clause(verb=verb, lemma=verb, theme=theme, adjuncts=found, span=p.span(i, j), word=p.span(i, i + 1))

@@ -1,0 +1,48 @@
+"""What is told before a command is how things are: "a red block is on the blue patch. Move it to the green one"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Chain, Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, Structure, parts_of
+
+UNMEANT = frozenset({"contradiction", "support-cycle"})
+"""Refusals of facts and commands that cannot both be about the end."""
+
+
+def begun(chains: tuple[Chain, ...], bold: bool = False) -> tuple[Chain, ...]:
+    """The sentences, with facts before a command about what they bring up told of the start.
+
+    `bold`: facts about known things too ("the red block is on the patch. Move it to the left half").
+    """
+    told = [all(isinstance(c, Clause) and _fact(c, bold) for c in chain.clauses) for chain in chains]
+    commands = [n for n, chain in enumerate(chains) if _commands(chain)]
+    found = []
+    for n, chain in enumerate(chains):
+        if told[n] and any(m > n for m in commands):
+            chain = replace(chain, clauses=tuple(replace(c, mode="start") for c in chain.clauses))  # type: ignore[type-var]
+        found.append(chain)
+    return tuple(found)
+
+
+def _fact(clause: Clause, bold: bool) -> bool:
+    places = clause.adjuncts and all(isinstance(a, Loc | In | Into) for a in clause.adjuncts)
+    told = clause.lemma == "fact" and clause.mode == "goal" and not clause.negated and bool(places)
+    return told and (bold or _indefinite(clause.theme))
+
+
+def _indefinite(theme: Meaning | None) -> bool:
+    """Whether a phrase brings up what was not spoken of before."""
+    if isinstance(theme, Coord):
+        return all(_indefinite(item) for item in theme.items)
+    return isinstance(theme, Noun | Structure) and (theme.det == "a" or (theme.det == "bare" and bool(theme.amount)))
+
+
+def _commands(chain: Chain) -> bool:
+    """Whether a sentence commands something about what was spoken of."""
+    if not any(isinstance(c, Clause) and c.mode == "command" for c in chain.clauses):
+        return False
+    return any(
+        isinstance(part, Pronoun) or (isinstance(part, Noun | Structure) and part.det in ("the", "its", "all", "other"))
+        for part in parts_of(chain)
+    )

@@ -34,10 +34,13 @@ def reconcile(goal: g.Goal) -> g.Goal:
 
 
 def _demanded(goal: g.Goal) -> Iterator[g.Goal]:
-    """The atoms that hold wherever the goal is met, at some stage of it."""
+    """The atoms that hold wherever the goal is met, at some stage of it; a turn either way is a turn."""
     if isinstance(goal, g.All | g.Sequence | g.Always):
         for part in children(goal):
             yield from _demanded(part)
+    elif isinstance(goal, g.Any) and all(isinstance(x, Facing) and x.turn for x in goal.goals):
+        facing = [x for x in goal.goals if isinstance(x, Facing)]
+        yield from facing[:1] if len({x.block for x in facing}) == 1 else ()
     else:
         yield goal
 

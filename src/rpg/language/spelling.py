@@ -30,6 +30,9 @@ _NEAR = {
 """Keys beside each key."""
 _SPELLERS = frozenset({"spell", "spells", "spelling", "spelled", "spelt"})
 _WRITERS = frozenset({"write", "writes", "read", "reads", "say", "says", "writing", "reading", "saying"})
+_ORDERS = frozenset({"write", "writes"})
+_THINGS = (lexicon.STRUCTURE, lexicon.BLOCK, lexicon.PATCH, lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)
+_WITH = frozenset({"with", "using", "from", "in", ".", "!", ",", "please"})
 _SPELT = frozenset({"spelled", "spelt", "written"})
 _WORD_LEADS = frozenset({"word", "name"})
 _NOT_LITERAL = frozenset(
@@ -196,6 +199,12 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
         )
     if before in _SPELLERS or (before == "out" and two in _SPELLERS):
         return word not in _NOT_LITERAL and (word not in known or not tokens[index].raw.islower() or True)
+    if (
+        (before in _ORDERS or (before == "out" and two in _ORDERS))
+        and (index == len(tokens) - 1 or tokens[index + 1].word in _WITH)
+        and len(word) > 1
+    ):
+        return word not in _NOT_LITERAL and not any(word in table for table in _THINGS)
     if word in known or len(word) < 2:
         return False
     after = tokens[index + 1].word if index + 1 < len(tokens) else ""

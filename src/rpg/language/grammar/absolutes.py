@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.parts import part_statement, unit_of
 from rpg.language.grammar.relations import loc
@@ -140,6 +141,9 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             )
     for found, k in at(p, i):
         yield (found,), k
+    for found, k in manner(p, i):
+        if isinstance(found, Manner) and found.kind in ("turn", "facing"):
+            yield (found,), k
     for phrase, side in (
         ("below", "bottom"),
         ("underneath", "bottom"),

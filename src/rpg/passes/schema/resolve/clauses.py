@@ -148,6 +148,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
     if clause.lemma == "alphabetize":
         spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
+    if clause.verb == "stack" and any(on_matching_patches(place) for place in spec.places):
+        spec.patterns.append(Pattern(unit="stack", span=clause.span))
     shape = _kind_of_shape(spec)
     if clause.lemma in ("spread", "distribute") and not (
         spec.orders or spec.intos or spec.toward or spec.spacings or spec.places

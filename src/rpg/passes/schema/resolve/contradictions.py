@@ -39,18 +39,26 @@ def _to_themselves(goal: g.Goal) -> None:
 
 
 def _turned_in_words(parts: list[g.Goal]) -> None:
-    """A word is read upright: one of its cubes cannot be turned at the same time."""
-    read = {
-        n for x in parts if isinstance(x, s.Spells) or (isinstance(x, s.Row | s.Stack) and x.readable) for n in x.blocks
-    }
+    """A word is read from one side: none of its cubes can face another one at the same time."""
+    read = {n: _read_from(x) for x in parts if _is_read(x) for n in x.blocks}  # type: ignore[union-attr]
     for part in parts:
-        if isinstance(part, r.Facing) and part.block in read and (part.turn or part.toward != "up"):
+        if isinstance(part, r.Facing) and part.block in read and part.toward != read[part.block]:
             raise refuse(
                 "contradiction",
-                "a block of a word is read upright, and cannot be turned as well",
+                "a block of a word is read from one side, and cannot face another one as well",
                 part.span,
-                "leave the turn out",
+                "leave the direction out",
             )
+
+
+def _is_read(part: g.Goal) -> bool:
+    return isinstance(part, s.Spells) or (isinstance(part, s.Row | s.Stack) and part.readable)
+
+
+def _read_from(part: g.Goal) -> str:
+    """Where the cubes of a word or of an order are read from."""
+    upright = isinstance(part, s.Stack) or (isinstance(part, s.Spells) and part.along == "stack")
+    return "viewer" if upright else "up"
 
 
 def _clash(a: g.Goal, b: g.Goal) -> Exception:

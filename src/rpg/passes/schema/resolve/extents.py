@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.language.meaning import Structure
+from rpg.language.meaning import Coord, Meaning, Structure
 from rpg.passes.schema.resolve.things import amount_of
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
 
@@ -29,9 +29,17 @@ def made(kind: str, node: g.Goal, names: tuple[str, ...], span: Span, scene: Sce
     return [scene.add_built(kind, names, False, span)], [node]
 
 
+def _tally(members: Meaning | None) -> int | None:
+    """How many blocks "two red and two white blocks" are."""
+    if not isinstance(members, Coord) or members.op != "and":
+        return amount_of(members)
+    counts = [_tally(item) for item in members.items]
+    return sum(n for n in counts if n) if all(counts) else None
+
+
 def said_count(shape: Structure, theme: Ref | None, scene: Scene) -> int | None:
     """The number of blocks, if it was said or is settled by the blocks named."""
-    named = amount_of(shape.members)
+    named = _tally(shape.members)
     if named is None and theme is not None and not all(scene.things[n].elastic for n in theme.names):
         named = len(theme.names)
     return named or shape.extent("size")

@@ -79,8 +79,9 @@ def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sc
 def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | None, int | None]:
     """The sides of an outline and the number of blocks on it, where they were said."""
     side = shape.extent("side")
-    if shape.dims:
-        return (shape.dims[0], shape.dims[1]), 2 * (shape.dims[0] + shape.dims[1]) - 4
+    dims = shape.dims or (shape.extent("rows", "wide", "deep"), shape.extent("columns", "long"))
+    if dims[0] and dims[1]:
+        return (dims[0], dims[1]), 2 * (dims[0] + dims[1]) - 4
     if side is not None and shape.kind == "square":
         return (side, side), 4 * side - 4
     if side is not None and shape.kind == "triangle":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, pairwise, permutations
 from typing import Any
 
 from rpg.core.diagnostics import Span
@@ -12,9 +12,13 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
 from rpg.language.meaning import Loc
-from rpg.passes.schema.resolve.logic import Atoms, negation
+from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.operands import LEVEL, foot
 from rpg.passes.schema.resolve.world import Ref, refuse
+
+
+MOST_CHAINED = 4
+"""Structures that may stand side by side in any order."""
 
 
 def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
@@ -26,6 +30,10 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
         return _none_of_them(theme, loc, span)
     if len(names) < 2:
         raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")
+    if any(b.kind == "towers" for b in theme.built):
+        raise refuse(
+            "ambiguous", "it is not clear which block is in which tower", loc.span, "name the towers one by one"
+        )
     units = _units(theme)
     if loc.rel == "distance":
         return _distances(theme, units, loc, span)
@@ -65,9 +73,21 @@ def _distances(theme: Ref, units: list[Operand], loc: Loc, span: Span) -> Atoms:
     return [s.Row(blocks=theme.names, span=span, **spaced)]
 
 
+def _chained(units: list[Operand], loc: Loc, span: Span) -> g.Goal:
+    """ "three towers side by side": each beside the next one, whichever comes first."""
+    node = {"side_by_side": r.Beside, "beside": r.Beside, "adjacent": r.Adjacent, "touching": r.Touching}.get(loc.rel)
+    if node is None or len(units) > MOST_CHAINED:
+        raise refuse("misplaced", "this is not understood of so many structures", loc.span, "say it of every two")
+    rows = [row for row in permutations(units) if units.index(row[0]) < units.index(row[-1])]
+    chains = [conj([node(a=a, b=b, span=span) for a, b in pairwise(row)], span) for row in rows]
+    return disj(chains, span)
+
+
 def _close(names: tuple[str, ...], units: list[Operand], loc: Loc, span: Span) -> g.Goal:
     """Side by side, touching, together: of two a relation, of more a row or a group."""
     two = len(units) == 2
+    if not two and len(names) > len(units):
+        return _chained(units, loc, span)
     match loc.rel:
         case "side_by_side" | "beside":
             return r.Beside(a=units[0], b=units[1], span=span) if two else s.Row(blocks=names, gap_edges=1.0, span=span)

@@ -192,6 +192,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 "ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks"
             )
         inner = sort_adjuncts(item.adjuncts)
+        if any(m.kind in ("turn", "facing") for m in inner.manners):
+            goals += _turned(theme, ref, inner, scene, item.span)
         for part in inner.parts:
             raise refuse("misplaced", "the structure has no such part", part.span, "name its blocks one by one")
         _merge_sides(inner)
@@ -224,6 +226,21 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 goals += place(theme, adjunct, scene, scope, item.span)
     spec.absolutes = []
     return goals
+
+
+def _turned(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:
+    """ "with the U upside down", "with the letters facing up"."""
+    from rpg.passes.schema.resolve.turning import turn_of
+
+    if theme.quant is not None or theme.patch or not theme.names:
+        raise refuse("ambiguous", "it is not clear which block is turned", span, "name the block")
+    facing = next((m for m in inner.manners if m.kind == "facing"), None)
+    flat = next((m for m in inner.manners if m.kind == "turn"), None)
+    inner.manners = [m for m in inner.manners if m not in (facing, flat)]
+    word = any(b.kind in ("word", "equation") and set(theme.names) <= set(b.members) for b in ref.built)
+    if word and flat is None and facing is not None and facing.value == "up":
+        return []
+    return [turn_of(name, facing, flat, scene, span) for name in theme.names]
 
 
 def _at_end(theme: Ref, ref: Ref, at_: At, scene: Scene, span: Span) -> Goals:

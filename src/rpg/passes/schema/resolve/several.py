@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Absolute, Amount, At, Noun, Places, Size, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, At, Noun, OrderBy, Places, Size, Structure, Traits
 from rpg.passes.schema.resolve.members import declared
 from rpg.passes.schema.resolve.operands import foot
 from rpg.passes.schema.resolve.spec import Spec
@@ -29,7 +29,24 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
     """Whether each of several structures is made by itself."""
     if not shape.plural and not (shape.amount and shape.amount.low > 1):
         return False
-    return shape.kind not in APART or (shape.kind == "stack" and any(_whole(a) for a in spec.absolutes))
+    if shape.kind != "stack":
+        return shape.kind not in APART
+    return _sided(spec) is not None or any(map(_whole, spec.absolutes)) or _to_each_other(spec)
+
+
+def _to_each_other(spec: Spec) -> bool:
+    """Whether several towers stand in a relation to each other, so that they must be told apart."""
+    related = any(getattr(getattr(p, "landmark", None), "word", "") == "each other" for p in spec.places)
+    return related and not spec.patterns and not any(m.kind == "equal" for m in spec.manners)
+
+
+def _sided(spec: Spec) -> OrderBy | None:
+    """ "from left to right red, white and blue": the order in which several structures stand."""
+    directed = spec.first("left", "right", "front", "back") is not None
+    return next((o for o in spec.orders if o.items and (directed or o.first in _AXES)), None)
+
+
+_AXES = {"left": "y", "right": "y", "front": "x", "back": "x"}
 
 
 def _whole(item: Absolute) -> Places | None:
@@ -56,7 +73,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     for index in range(count):
         single = _single(shape, looks[index], _color(shape, spec, theme, looks, index, scene))
         own = copy(spec)
-        own.usings = list(spec.usings)
+        own.usings, own.places = list(spec.usings), []
         more, atoms = maker(single, own, lots[index], scene, scope)
         built += more
         goals += atoms
@@ -150,6 +167,8 @@ def _looks(spec: Spec, count: int) -> tuple[list[Noun | None], str | None]:
     """What is said of each, and the axis along which they are then told apart."""
     found: list[Noun | None] = [None] * count
     axis: str | None = None
+    if (order := _sided(spec)) is not None:
+        return _in_order(order, spec, count)
     said = [(a, w) for a in spec.absolutes if (w := _whole(a)) is not None]
     spec.absolutes = [a for a in spec.absolutes if all(a is not b for b, _ in said)]
     for number, (item, place) in enumerate(said):
@@ -168,6 +187,17 @@ def _looks(spec: Spec, count: int) -> tuple[list[Noun | None], str | None]:
     if axis is not None and any(place.side in ("one", "first", "last") for _, place in said):
         raise refuse("misplaced", "it is not clear which one this is", said[0][0].span, "say 'left' and 'right'")
     return found, axis
+
+
+def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Noun | None], str | None]:
+    """The looks of structures that stand in an order, from the left or from the front."""
+    first = order.first or spec.first(*_AXES) or "left"
+    items = [item for item in order.items if isinstance(item, Noun) and len(item.traits.colors) == 1]
+    if len(items) != count or len(items) != len(order.items) or any(item.amount for item in items):
+        raise refuse("count-mismatch", f"there are {count} of them", order.span, "say one thing of each")
+    spec.orders.remove(order)
+    spec.toward = []
+    return list(items if first in ("left", "front") else items[::-1]), _AXES[first]
 
 
 def _index(place: Places, count: int) -> int | None:

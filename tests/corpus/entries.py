@@ -40,11 +40,12 @@ def load(split: str) -> list[Entry]:
             unknown = set(data) - KEYS
             if unknown:
                 raise ValueError(f"{path}: unknown keys {sorted(unknown)}")
-            found += [_entry(split, path.stem, text, data) for text in data["say"]]
+            found += [entry(split, path.stem, text, data) for text in data["say"]]
     return found
 
 
-def _entry(split: str, phenomenon: str, said: str, data: dict[str, Any]) -> Entry:
+def entry(split: str, phenomenon: str, said: str, data: dict[str, Any]) -> Entry:
+    """An entry of one phrasing, from the data of its file."""
     text, marked = _marks(said) if data.get("refuse") else (said, ())
     refuse = data.get("refuse", False)
     return Entry(

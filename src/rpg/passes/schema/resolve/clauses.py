@@ -7,7 +7,20 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import (
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pattern,
+    Pronoun,
+    Structure,
+    Traits,
+)
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.appearance import appear
@@ -23,6 +36,7 @@ from rpg.passes.schema.resolve.sorting import sort
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.spelled import spell
 from rpg.passes.schema.resolve.structures import make
+from rpg.passes.schema.resolve.towers import on_matching_patches
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -148,7 +162,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
     if clause.lemma == "alphabetize":
         spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
-    if clause.verb == "stack" and any(on_matching_patches(place) for place in spec.places):
+    if clause.verb == "stack" and not _kind_of_shape(spec) and any(map(on_matching_patches, spec.places)):
         spec.patterns.append(Pattern(unit="stack", span=clause.span))
     shape = _kind_of_shape(spec)
     if clause.lemma in ("spread", "distribute") and not (

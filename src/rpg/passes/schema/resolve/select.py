@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import string
+
 from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things import alike, create, elastic, give, matching, open_to
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse, said
@@ -78,6 +80,12 @@ def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> l
     return open_[:count]
 
 
+def _may_show(thing: Thing, traits: Traits) -> bool:
+    """Whether a block may turn out to show one of these symbols: "turn the letter block so that the A is upright"."""
+    sorts = {"letter": string.ascii_uppercase, "digit": string.digits}
+    return thing.kind is None or (bool(traits.labels) and set(traits.labels) <= set(sorts.get(thing.kind, "")))
+
+
 def _claim_declared(noun: Noun, scene: Scene, count: int) -> list[Thing]:
     """ "there are five blocks; put the red one ...", "stack five blocks so that the red one ...": one of the five."""
     if not noun.traits.colors and not noun.traits.labels:
@@ -87,7 +95,7 @@ def _claim_declared(noun: Noun, scene: Scene, count: int) -> list[Thing]:
         for t in scene.blocks()
         if (t.name in scene.told or (t.declared and t.name not in scene.used))
         and t.elastic is None
-        and t.kind is None
+        and _may_show(t, noun.traits)
         and not t.extra
         and open_to(t, noun.traits)
         and t.size is None

@@ -81,6 +81,12 @@ def _matching(place: object) -> bool:
     return mark.traits.matching or (mark.traits.scheme in ("some", "different") and not mark.traits.colors)
 
 
+def on_matching_patches(place: object) -> bool:
+    """ "stack the blocks on the patches of their own colour": one stack for each colour."""
+    mark = getattr(place, "landmark", None)
+    return isinstance(mark, Noun) and mark.head == "patch" and mark.plural and mark.traits.matching
+
+
 def _source(
     shape: Structure,
     spec: Spec,

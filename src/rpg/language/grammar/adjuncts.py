@@ -135,7 +135,7 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     j = p.any_of(i, (", so that", "so that", "such that", "in such a way that", "so as", ", such that",
         "making sure that", "making sure", "ensuring that", "ensuring",
                      "where", ", where", "in a way that", "and make sure that", "and ensure that",
-                     "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring",
+                     "in which", "on which", "so", "until", ", making sure", ", ensuring that", ", ensuring",
                      "while making sure", "while ensuring"))  # fmt: skip
     if j:
         for clauses, k in chain(p, j):

@@ -114,8 +114,16 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from _list(p, i, whole, j, now)
         else:
-            yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
+            if not restates(items[-1], item):
+                yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from _list(p, i, whole, j, op or "comma")
+
+
+def restates(before: Meaning, item: Meaning) -> bool:
+    """ "a square of red blocks, three rows of three": with neither "and" nor blocks of its own, it tells of the first."""
+    if not (isinstance(before, Structure) and isinstance(item, Structure)):
+        return False
+    return item.members is None or (isinstance(item.members, Noun) and item.members.head == "any")
 
 
 def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:

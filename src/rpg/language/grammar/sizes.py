@@ -71,7 +71,8 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
             yield Size(what="size", amount=found, span=p.span(i, k), cost=1), k
         for unit, what in _UNITS.items():
             if end := p.seq(k, unit):
-                yield Size(what=what, amount=found, span=p.span(i, end)), end
+                ranging = unit == "in a row" and found.low != found.high
+                yield Size(what=what, amount=found, span=p.span(i, end), cost=2 if ranging else 0), end
     for dims, k in dimensions(p, j):
         yield (
             Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),

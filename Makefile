@@ -6,7 +6,7 @@ READY := $(VENV)/.rpg-installed
 INSTRUCTION ?= Stack two green blocks on the blue patch and spell the word CAT in front of it
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test check format schemas docs library bench bench-others corpus clean
+.PHONY: help setup demo test check format schemas docs library bench bench-others corpus kills clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -57,6 +57,9 @@ bench-others: setup ## measure other simulators' stacking tasks; OTHERS names th
 
 corpus: setup ## report how the corpus of instructions fares: right, refused, wrong
 	$(BIN)/python -m tests.corpus.run
+
+kills: setup ## kill compile, steer and session 200 times each; no finished version may be lost
+	$(BIN)/python -m tests.steer.kills --times 200
 
 clean: ## remove what was built, but no tasks
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -165,9 +165,7 @@ def test_what_was_changed_is_not_built_upon(tasks: Path, capsys: pytest.CaptureF
 
 
 @pytest.mark.parametrize("harm", ["removed", "changed", "unreadable"])
-def test_nothing_is_built_upon_a_lineage_with_a_gap(
-    tasks: Path, capsys: pytest.CaptureFixture[str], harm: str
-) -> None:
+def test_nothing_is_built_upon_a_lineage_with_a_gap(tasks: Path, capsys: pytest.CaptureFixture[str], harm: str) -> None:
     steer(capsys, tasks, "add a green block on top")
     steer(capsys, tasks, "make the green block white")
     middle = next(tasks.glob("tower/v1-*"))

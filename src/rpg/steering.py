@@ -27,8 +27,8 @@ from rpg.store import Family, SteeringMeta, Version, Written, set_head, verify_l
 class Steered:
     """What became of a request.
 
-    `outcome` is that of the compile of the result. Where the request only went back to a version, `reverted`, it is what
-    was found when that version was compiled. `same_as`: the number of an earlier version with the very same code, whose
+    `outcome` is that of the compile of the result; where the request only went back to a version (`reverted`), what was
+    found when that one was compiled. `same_as`: the number of an earlier version with the very same code, whose
     validation was reused.
     """
 

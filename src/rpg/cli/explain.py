@@ -33,8 +33,9 @@ def print_task(console: Console, task: Task, data: dict[str, Any], goal: Outline
 
 def _assets(assets: list[dict[str, Any]]) -> Table:
     table = Table(box=None, pad_edge=False, header_style="dim")
-    for title in ("asset", "what", "extent (cm)", "starts at (m)"):
-        table.add_column(title)
+    table.add_column("asset", no_wrap=True, min_width=max(len(asset["name"]) for asset in assets))
+    for title in ("what", "extent (cm)", "starts at (m)"):
+        table.add_column(title, overflow="fold")
     for asset in assets:
         place = ", ".join(f"{number:.3f}" for number in asset["position"])
         extent = " × ".join(f"{100 * number:g}" for number in asset["extent"] if number)

@@ -87,7 +87,7 @@ def gate_table(gates: tuple[GateReport, ...]) -> Table:
     """The gates that ran, each with what it measured."""
     table = Table(box=None, pad_edge=False, show_header=False)
     table.add_column()
-    table.add_column(style="bold")
+    table.add_column(style="bold", no_wrap=True)
     table.add_column(style="dim")
     for gate in gates:
         sign = Text("✓", "green") if gate.passed else Text("✗", "bold red")

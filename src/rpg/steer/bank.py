@@ -19,7 +19,6 @@ from rpg.blocks.near_miss import near_misses
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
 from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
-from rpg.ir.assets import GoalPatch
 from rpg.ir.edits import key
 from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema

@@ -21,7 +21,7 @@ _PNG = b"\x89PNG\r\n\x1a\n"
 def verify_family(
     family: Family, lowered: Lowered | None = None, replayed: Replayed | None = None
 ) -> tuple[Diagnostic, ...]:
-    """Everything that is wrong with a family; `lowered` generates code again to compare it, `replayed` applies edits."""
+    """Everything that is wrong with a family; `lowered` generates code anew to compare it, `replayed` applies edits."""
     found: list[Diagnostic] = []
     readable: list[Version] = []
     whole: set[str] = set()
@@ -48,7 +48,7 @@ def verify_version(version: Version, lowered: Lowered | None = None) -> tuple[Di
 
 
 def verify_lineage(version: Version) -> tuple[Diagnostic, ...]:
-    """What is wrong with one version or, if nothing is, with the nearest of its ancestors that something is wrong with."""
+    """What is wrong with one version or, if nothing is, with the nearest of its ancestors that is not sound."""
     directories = Family(version.directory.parent).directories()
     seen: set[Path] = set()
     at: Path | None = version.directory

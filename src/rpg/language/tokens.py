@@ -31,6 +31,8 @@ CONTRACTIONS = {
     "let's": "let us", "they're": "they are", "you're": "you are", "we're": "we are", "here's": "here is",
     "what's": "what is", "we'd": "we would", "you'd": "you would", "dont": "do not", "lets": "let us",
     "ontop": "on top", "inbetween": "in between", "infront": "in front", "gotta": "have to", "wanna": "want to",
+    "gimme": "give me", "lemme": "let me", "gonna": "going to", "ur": "your", "'em": "them", "em": "them",
+    "w/": "with", "w/o": "without",
     "onto": "onto", "into": "into",
 }  # fmt: skip
 
@@ -49,11 +51,12 @@ _PIECES = re.compile(
     rf"""
     (?P<bullet>(?:(?<=\n)|^)\s*(?:[-*•]|\d{{1,2}}[.)])(?=\s)|(?<!\w)\d{{1,2}}\)(?=\s))
   | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
+  | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
   | (?P<dims>\d+(?:\s*[x×*]\s*\d+){{1,2}}(?![\w.]))
   | (?P<number>\d+(?:\.\d+)?(?![A-Za-z]))
   | (?P<mixed>\d+(?:\.\d+)?(?=[A-Za-z]))
-  | (?P<word>[A-Za-z]+(?:['’][A-Za-z]+)?)
+  | (?P<letters>[A-Za-z]+(?:['’][A-Za-z]+)?)
   | (?P<ellipsis>…|\.\.\.+)
   | (?P<sign>[-+*/×÷=−–—])
   | (?P<punct>[.,;:!?()\[\]&°%~])
@@ -102,7 +105,7 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("dims", raw, raw, span, tuple(int(n[:6]) for n in re.findall(r"\d+", raw)))]
         case "number" | "mixed":
             return [Token("number", raw, raw, span, float(raw[:12]))]
-        case "word":
+        case "word" | "letters":
             return _word(raw, span)
         case "bullet":
             return [Token("punct", ";", raw, span)]

@@ -16,6 +16,7 @@ from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.piled import piled
 from rpg.language.grammar.states import state
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
+from rpg.language.grammar.wishes import COMMAND_WISHES, STATE_WISHES
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -147,6 +148,8 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
             (STATE_FRAMES, "state"),
             (START_FRAMES, "start"),
             (FIRST, mode),
+            (COMMAND_WISHES, "command"),
+            (STATE_WISHES, "state"),
         ):
             for j in table.matches(p, start):
                 if p.words[j - 1] == "next" and p.words[j] == "to":
@@ -171,7 +174,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
             for found, end in state(p, k, "goal"):
                 if isinstance(found, Clause):
                     yield ever(replace(found, negated=True, span=p.span(i, end)), never), end
-    if i > 0 and p.words[i - 1] == "by":
+    if i > 0 and p.words[i - 1] in ("by", "about", "mind", "of", "having"):
         yield from verb_phrase(p, i, ("ing",))
     if k := p.one(i, "only"):
         for found, end in verb_phrase(p, k, ("base",)):

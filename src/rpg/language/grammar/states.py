@@ -134,6 +134,10 @@ _ADVERBS = frozenset(
 )
 
 
+_UNREAL = frozenset({"if", "wish"})
+"""After these "was" is no past: "it would be nice if the red block was ..."."""
+
+
 def _floats(theme: Meaning, words: set[str]) -> bool:
     """Whether "both", "all" and "each" fit what they are said of: "the red block must both ..." they do not."""
     if not isinstance(theme, Noun) or not words & {"both", "all", "each"}:
@@ -162,7 +166,7 @@ def _predicate_after_be(
     p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool
 ) -> list[tuple[Meaning, int]]:
     if j := p.one(k, _BE):
-        if p.words[k] in ("was", "were"):
+        if p.words[k] in ("was", "were") and _UNREAL.isdisjoint(p.words[:i]):
             mode = "start"
         lasting = False
         while n := p.one(j, _ADVERBS if negated else _NOT | _ADVERBS) or p.seq(j, "to be"):

@@ -6,6 +6,7 @@ from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.language.grammar.asides import without_asides
 from rpg.language.read import read_sentences
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
@@ -52,7 +53,7 @@ class BuiltinFrontEnd:
         words, notes, wrong = read_words(tokens)
         if wrong or strays:
             return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
-        found = build(read_sentences(words), text, notes, name=name, seed=seed, author=author)
+        found = build(read_sentences(without_asides(words)), text, notes, name=name, seed=seed, author=author)
         return found.task, found.notes
 
     def _again(self, text: str, name: str | None, seed: int, author: str | None) -> TaskSchema | None:

@@ -47,6 +47,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     scope = Scope(start=start, given=clause.mode == "given" or start)
     spec = sort_adjuncts(clause.adjuncts)
     if distractors(clause, spec, scene):
+        _leftovers(spec, clause)
         return []
     if clause.theme is not None:
         _first_thats(clause.theme, spec, scene)

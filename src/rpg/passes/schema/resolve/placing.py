@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
-from rpg.language.meaning import At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
 from rpg.passes.schema.resolve.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer
@@ -28,6 +28,8 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
             refer(using.members, scene, Scope())
             scene.mentions.pop()
             spec.usings.remove(using)
+            if clause.verb not in ("be", "exist"):
+                spec.manner("extra")
     for place_ in list(spec.places):
         if (
             isinstance(place_, Loc)
@@ -48,7 +50,7 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
     marked = as_extra(clause.theme)
     refer(marked, scene, Scope())
     scene.mentions.pop()
-    spec.places = []
+    spec.places = [p for p in spec.places if not isinstance(getattr(p, "landmark", None), TableTop)]
     return True
 
 

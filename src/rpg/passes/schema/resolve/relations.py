@@ -15,6 +15,7 @@ from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import reciprocal
 from rpg.passes.schema.resolve.operands import DIRECTIONS, LEVEL, base_of, count, crown, foot, measure, spread
+from rpg.passes.schema.resolve.corners import corners
 from rpg.passes.schema.resolve.patches import (
     indefinite,
     matching_patches,
@@ -35,6 +36,8 @@ PATCH_MIDDLE = 0.02
 def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> Atoms:
     """The goals that "theme is <meaning>" states."""
     match meaning:
+        case In(region="each_corner"):
+            return corners(theme, meaning, scene, span)
         case In():
             return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
         case Coord():
@@ -145,7 +148,9 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
 
 
 def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:
-    if set(theme.names) & set(mark.names) and not theme.quant and not mark.quant and not (mark.built or theme.built):
+    shared = set(theme.names) & set(mark.names)
+    parts = (mark.built or theme.built) and theme.names != mark.names
+    if shared and not theme.quant and not mark.quant and not parts:
         raise refuse("self-reference", "a block cannot be placed relative to itself", loc.span, "name another block")
 
 

@@ -1,0 +1,117 @@
+"""Words that mean nothing wherever they stand: hesitation, thanks, emphasis. They are left out before the reading."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import by_first
+from rpg.language.tokens import Token
+
+_ANYWHERE = (
+    "um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh", "yeah", "yep", "yup", "lol", "haha",
+    "cheers", "thx", "ty", "tx", "thanks", "thanks a lot", "thanks so much", "thanks in advance", "many thanks",
+    "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
+    "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",
+    "basically", "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
+    "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
+    "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
+    "kinda", "mate", "buddy", "dude", "my friend", "good luck",
+)  # fmt: skip
+"""Phrases that carry nothing in any place."""
+_EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
+             "nice and neat", "nice and tidy", "good", "proper")  # fmt: skip
+"""What carries nothing in front of a description; by itself it would be what is asked for."""
+_FREE = (
+    "in any order", "any order", "in whatever order", "in whichever order", "whatever order", "any order you like",
+    "in any order you like", "the order does not matter", "order does not matter", "no matter the order",
+    "no particular order", "in no particular order", "whichever way", "whichever way you like",
+    "any way you like", "however you like", "whichever direction", "in whichever direction",
+    "any direction", "direction does not matter", "the direction does not matter", "in no particular direction",
+    "regardless of the order", "regardless of order", "the exact order does not matter", "in random order",
+    "in a random order", "that is all", "that is it", "i think", "all good",
+)  # fmt: skip
+"""What leaves open what is open anyway, beside a comma or at an end of the sentence."""
+_BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
+_DEGREES = frozenset({"and", "but", "to", "near", "close", "far", "long", "small", "big", "large", "tiny"})
+"""What an emphasis in front of them would change."""
+_BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
+"""Words that are said again when what they begin is begun again."""
+
+_ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
+
+
+def without_asides(tokens: list[Token]) -> list[Token]:
+    """The tokens without words that mean nothing, and without the commas that set them off."""
+    words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
+    out: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        end = max(
+            _standing(words, at, _ANYWHERE, lambda first, last: True),
+            _standing(words, at, _EMPHASIS, lambda first, last: _emphatic(words, last)),
+            _standing(words, at, _FREE, lambda first, last: _set_off(words, first, last)),
+        )
+        if end == at:
+            out.append(tokens[at])
+            at += 1
+        else:
+            at = _closed(tokens, out, end)
+    return [_joining(out, n) for n in range(len(out))]
+
+
+def _shouted(token: Token) -> bool:
+    return token.kind == "word" and len(token.raw) > 1 and token.raw.isupper()
+
+
+def _standing(words: list[str], at: int, phrases: tuple[str, ...], fits: Callable[[int, int], bool]) -> int:
+    """The position after the longest of `phrases` that stands and fits here, or `at`."""
+    ends = [
+        at + len(phrase)
+        for phrase in by_first(phrases).get(words[at], ())
+        if tuple(words[at : at + len(phrase)]) == phrase and fits(at, at + len(phrase))
+    ]
+    return max(ends, default=at)
+
+
+def _emphatic(words: list[str], end: int) -> bool:
+    """Whether a description follows."""
+    after = words[end] if end < len(words) else ""
+    return bool(after) and after not in _BREAKS | _DEGREES
+
+
+def _set_off(words: list[str], at: int, end: int) -> bool:
+    before = at == 0 or words[at - 1] in _BREAKS
+    after = end == len(words) or words[end] in _BREAKS
+    return after if words[at] in ("that", "i", "all") and not before else before or after
+
+
+def _closed(tokens: list[Token], out: list[Token], end: int) -> int:
+    """Where to go on after an aside that ends at `end`; its commas, and what was begun twice, are gone from `out`."""
+    opened = not out or out[-1].word in _BREAKS
+    last = end == len(tokens) or tokens[end].word in _BREAKS - {","}
+    if out and out[-1].word == "," and (last or tokens[end].word == ","):
+        out.pop()
+    if end < len(tokens) and tokens[end].word == "," and opened:
+        end += 1
+    for size in (3, 2, 1):
+        said = [t.word for t in out[-size:]]
+        if len(said) == size and said[0] in _BEGUN and said == [t.word for t in tokens[end : end + size]]:
+            del out[-size:]
+            break
+    return end
+
+
+def _joining(tokens: list[Token], at: int) -> Token:
+    """ "red n blue": "n" between two things is "and"; "can u": you."""
+    token = tokens[at]
+    if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
+        return Token("word", "you", token.raw, token.span)
+    if token.raw != "n" or not 0 < at < len(tokens) - 1:
+        return token
+    before = tokens[at - 1]
+    tables = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
+    thing = before.kind == "number" or any(before.word in table for table in tables)
+    place = before.word in ("top", "bottom", "left", "right", "middle")
+    letter = before.kind == "word" and len(before.raw) == 1 and before.raw.isupper()
+    return Token("word", "and", token.raw, token.span) if thing or place or letter else token

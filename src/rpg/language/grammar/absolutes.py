@@ -125,6 +125,12 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
         yield from _absolute_more(p, i, end, whole)
 
 
+@rule
+def one_more(p: Parser, i: int) -> Results[Absolute]:
+    """ "(with a base of two blocks and) one block on top": a part after the size."""
+    yield from ((x, k) for x, k in _one_absolute(p, i) if isinstance(x.adjuncts[0], At | Places))
+
+
 def more_parts(p: Parser, i: int, at_: int, first: Absolute) -> Results[Meaning]:
     """Further statements about parts after the first one."""
     yield from _absolute_more(p, i, at_, (first,))

@@ -74,7 +74,7 @@ def _link(p: Parser, i: int) -> Results[str]:
     j = p.opt(i, ",", ";")
     if k := p.any_of(j, ("but first", "but before that", "and before that", "but only after")):
         yield "after", p.opt(k, ",")
-    elif k := p.any_of(j, THEN):
+    elif (k := p.any_of(j, THEN)) and not (p.words[k - 1] == "next" and p.words[k] == "to"):
         yield "then", p.opt(k, ",")
     elif k := p.any_of(j, ("before you", "before the robot", "before")):
         yield "before", k

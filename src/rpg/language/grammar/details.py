@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.absolutes import more_parts
+from rpg.language.grammar.absolutes import more_parts, one_more
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.parts import part_statement
 from rpg.language.meaning import Absolute, Clause, Coord, Meaning
@@ -12,8 +12,10 @@ from rpg.language.meaning import Absolute, Clause, Coord, Meaning
 def part_clause(p: Parser, i: int) -> Results[Meaning]:
     """ "its top is red", "make the middle one blue", "the two ends should be white"."""
     start = p.any_of(i, ("make", "let", "have", "keep")) or i
-    for first, j in part_statement(p, start):
+    told = dict.fromkeys(part_statement(p, start))
+    for first, j in told:
         yield _said(p, i, j, first), j
+    for first, j in {**told, **dict.fromkeys(one_more(p, start))}:
         for whole, k in more_parts(p, start, j, first):
             if isinstance(whole, Coord):
                 yield _said(p, i, k, whole), k

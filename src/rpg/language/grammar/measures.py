@@ -99,6 +99,8 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
             measure = "faces"
         if not end and p.words[start - 1 : start] == ["by"]:
             end, measure = j, "faces"
+        if not end and start > i and p.words[start - 1] == "spaced":
+            end, measure = j, "centres"
         if end:
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end

@@ -60,6 +60,8 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         owned, j = True, k
     if k := p.any_of(j, ("of the", "of its")):
         j = k
+    if (k := p.one(j, frozenset({"a", "an"}))) and p.words[k] in _NOUNS and p.words[k + 1] == "of":
+        owned, j = True, k
     several = p.number(j)
     after = j + 1 if several is not None else j
     after = p.opt(after, "very")

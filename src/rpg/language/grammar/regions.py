@@ -55,6 +55,14 @@ def _lead(p: Parser, i: int) -> int:
     return p.opt(j, "the", "a", "any", "one") if j > i else i
 
 
+_EACH_CORNER = tuple(
+    f"{lead} {corners}"
+    for lead in ("in", "at", "on", "into", "to")
+    for corners in ("each corner", "every corner", "each of the corners", "each of the four corners",
+                    "all four corners", "all corners", "the four corners", "all the corners", "the corners")
+)  # fmt: skip
+
+
 @rule
 def region(p: Parser, i: int) -> Results[In]:
     """A region, with or without "of the table" where its name alone is plain."""
@@ -68,6 +76,9 @@ def region(p: Parser, i: int) -> Results[In]:
             yield In(region=name, span=p.span(i, end)), end
         elif plain:
             yield In(region=name, span=p.span(i, k)), k
+    if k := p.any_of(exact, _EACH_CORNER):
+        end = _of_table(p, k)
+        yield In(region="each_corner", span=p.span(i, end or k), cost=0 if end else 2), end or k
     if j := p.any_of(i, ("on the table's", "to the table's", "in the table's", "at the table's")):
         pass
     if (k := p.any_of(i, ("on the table", "in the table"))) and p.one(k, "'s"):

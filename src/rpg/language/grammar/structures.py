@@ -218,10 +218,13 @@ _DETAILED = frozenset({"with", ",", "having", "where", ":", "whose", "in", "of",
 
 def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
-    from rpg.language.grammar.absolutes import sided
+    from rpg.language.grammar.absolutes import one_more, sided
 
     if k < p.end and p.words[k] in _DETAILED:
         for detail, end in sided(p, k):
+            yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
+    if base.sizes and p.one(k, "and"):
+        for detail, end in one_more(p, k + 1):
             yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
 
 

@@ -239,6 +239,8 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
     if spec.orders or spec.patterns:
         raise refuse("order-conflict", "the blocks are laid out in two ways", found[0][0].span, "keep one of them")
     ranks = _ranks(held, names, scene, found[0][0])
+    if len(ranks) == 1:
+        return None
     return Pattern(kind="reading", order=Order(by="given", ranks=ranks))
 
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 from rpg.ir.order import Order
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Structure
 from rpg.passes.schema.resolve.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import amount_of, matching, open_to
-from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, Thing, refuse
 
 SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"),
     "line": ("left", "right", "front", "back"),
@@ -186,6 +186,41 @@ def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ..
     if len(found) != len(left):
         raise refuse("count-mismatch", f"{len(left)} places are left for this", item.span, f"say {len(left)}")
     held.update({k: (name,) for k, name in zip(left, found, strict=True)})
+
+
+def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[Structure, Ref | None]:
+    """ "three red blocks in a row with a white one at each end": further blocks in the line."""
+    source = shape.members
+    counted_ = theme is not None or amount_of(source) is not None
+    if shape.sizes or not counted_ or (theme is None and not isinstance(source, Noun)) or (theme and theme.quant):
+        return shape, theme
+    own = source.traits.colors if isinstance(source, Noun) else tuple({scene.things[n].color for n in theme.names})  # type: ignore[union-attr]
+    if not own or None in own or any(scene.things[n].elastic for n in (theme.names if theme else ())):
+        return shape, theme
+    more = [m for item in spec.absolutes if (m := _further(item, shape.kind, own)) is not None]
+    if not more:
+        return shape, theme
+    if theme is None:
+        return replace(shape, members=Coord(op="and", items=(source, *more), span=shape.span)), None  # type: ignore[arg-type]
+    names = theme.names
+    for noun in more:
+        names += refer(noun, scene, Scope(role="member")).names
+        scene.mentions.pop()
+    return shape, replace(theme, names=names, listed=False)
+
+
+def _further(item: Absolute, kind: str, own: Sequence[str | None]) -> Noun | None:
+    """The blocks that a part brings into the line: those of another colour, where it is said how many they are."""
+    place, theme = place_of(item), item.theme
+    if place is None or not isinstance(theme, Noun) or not theme.traits.colors or set(theme.traits.colors) & set(own):
+        return None
+    ends = isinstance(place, Places) and place.side == "ends"
+    if theme.det not in ("a", "bare") or (theme.amount is None and not ends) or amount_of(theme) is None and not ends:
+        return None
+    if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
+        return None
+    count = 2 if ends else amount_of(theme) or 1
+    return replace(theme, det="bare", amount=Amount(count, count), plural=count > 1)
 
 
 def ranks_from(

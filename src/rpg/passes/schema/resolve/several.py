@@ -66,17 +66,21 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
                      f"name each {shape.kind} by itself")  # fmt: skip
     looks, axis = _looks(spec, count)
+    sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     shape = _fresh(shape, scene)
     lots = _lots(theme, count, shape, scene)
     built: list[Built] = []
     goals: list[g.Goal] = []
     for index in range(count):
-        single = _single(shape, looks[index], _color(shape, spec, theme, looks, index, scene))
+        color = _color(shape, spec, theme, looks, scene)
+        single = _single(shape, looks[index], color)
         own = copy(spec)
         own.usings, own.places = list(spec.usings), []
         more, atoms = maker(single, own, lots[index], scene, scope)
         built += more
         goals += atoms
+        for thing in (scene.things[n] for b in more for n in b.members) if color and not sized else ():
+            thing.invented = True
     members = [n for b in built for n in b.members]
     if len(set(members)) < len(members):
         raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
@@ -142,9 +146,7 @@ def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Stru
     return replace(shape, plural=False, amount=Amount(1, 1), det="a", traits=traits)
 
 
-def _color(
-    shape: Structure, spec: Spec, theme: Ref | None, looks: list[Noun | None], index: int, scene: Scene
-) -> tuple[str, ...]:
+def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Noun | None], scene: Scene) -> tuple[str, ...]:
     """A colour of its own for each, where nothing is said of the blocks' looks."""
     members = shape.members
     said = members.traits if isinstance(members, Noun) else Traits()

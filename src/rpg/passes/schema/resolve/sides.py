@@ -11,6 +11,7 @@ from rpg.ir.order import Order
 from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning
 from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.operands import UPRIGHT
 from rpg.passes.schema.resolve.positions import SIDES, alternatives, places_of, ranks_from
 from rpg.passes.schema.resolve.structures import either, stack_built
 from rpg.passes.schema.resolve.world import Ref, Scene, refuse
@@ -51,6 +52,10 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     if len(loose) > 1 and any(isinstance(at_, At) and at_.whole == "row" for _, at_, _ in loose):
         return _and(goal, _in_row(loose, scene))
     if all(side in ("top", "bottom", "middle") for side in sides) and len(loose) > 1:
+        other = next((b for b in scene.built if b.kind in UPRIGHT and not set(names) & set(b.members)), None)
+        if other is not None:
+            raise refuse("ambiguous", f"these could be parts of the {other.kind} or a tower of their own", loose[0][2],
+                         f"say it in the sentence that builds the {other.kind}")  # fmt: skip
         return _and(goal, _stack(loose, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
         return _and(goal, _across(loose))

@@ -14,7 +14,7 @@ from rpg.language.meaning import Amount, Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve import figures, grids, groups, stepped, symbols, towers
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.orders import order_of
-from rpg.passes.schema.resolve.positions import alternatives
+from rpg.passes.schema.resolve.positions import alternatives, lengthened
 from rpg.passes.schema.resolve.several import each_of, one_by_one
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.things import amount_of
@@ -166,6 +166,7 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     ):
         return towers.several(shape, spec, theme, scene, scope)
     spec.patterns = [p for p in spec.patterns if p.unit != "stack"]
+    shape, theme = lengthened(shape, spec, theme, scene)
     need = exact_size(shape)
     source = shape.members or (spec.usings[0].members if spec.usings else None)
     least = shape.size is not None and shape.size.high is None
@@ -256,6 +257,7 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         )
     if any(t.axis == "z" for t in spec.toward) and (shape.kind == "line" or shape.kind == "column"):
         return _stack(replace(shape, kind="stack"), spec, theme, scene, scope)
+    shape, theme = lengthened(shape, spec, theme, scene)
     names = members_of(shape, spec, theme, exact_size(shape), amount_of(shape.members) or 4, scene, scope)
     if len(names) < 2:
         raise refuse("too-few", "one block is no line", shape.span, "name at least two blocks", blocks=len(names))

@@ -88,7 +88,7 @@ def test_a_browser_finds_what_is_looked_for(page: Path, tmp_path: Path) -> None:
     everything = browse(page, tmp_path / "a", "--dump-dom")
     assert "of 5 versions, 2 families" in everything
     found = browse(page, tmp_path / "b", "--dump-dom", query="#q=pink")
-    assert "1 of 5 versions, 1 families" in found
+    assert "1 of 5 versions, 1 family" in found
     hidden = re.findall(r'<article class="card" id="([^"]+)"[^>]*hidden', found)
     assert sorted(hidden) == ["tower-0", "tower-1", "tower-2", "tower-3"]
     nothing = browse(page, tmp_path / "c", "--dump-dom", query="#q=elephant")

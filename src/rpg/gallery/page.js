@@ -24,7 +24,7 @@
       family.hidden = !family.querySelector(".card:not([hidden])");
       left += family.hidden ? 0 : 1;
     }
-    get("count").value = `${shown} of ${cards.length} versions, ${left} families`;
+    get("count").value = `${shown} of ${cards.length} versions, ${left} ${left === 1 ? "family" : "families"}`;
     get("nothing").hidden = shown > 0 || cards.length === 0;
   };
 

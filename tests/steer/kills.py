@@ -18,7 +18,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator
-from contextlib import redirect_stderr, redirect_stdout
+from contextlib import redirect_stderr, redirect_stdout, suppress
 from dataclasses import dataclass, field
 from io import StringIO
 from pathlib import Path
@@ -98,8 +98,22 @@ def contents(tasks: Path) -> dict[str, str]:
 
 
 def written(tasks: Path) -> set[str]:
-    """Names that say that somebody writes: drafts, families, versions."""
-    return {*map(str, tasks.glob(".new-*")), *map(str, tasks.glob("*/.new-*")), *map(str, tasks.glob("*/v*"))}
+    """Names that say that somebody writes: drafts and versions."""
+    found = _names(tasks)
+    return {name for name in found if name.startswith(".new-")} | {
+        f"{family}/{name}"
+        for family in found
+        if not family.startswith(".")
+        for name in _names(tasks / family)
+        if name.startswith((".new-", "v"))
+    }
+
+
+def _names(directory: Path) -> list[str]:
+    """What is in a directory; nothing where it has just gone."""
+    with suppress(FileNotFoundError, NotADirectoryError):
+        return os.listdir(directory)
+    return []
 
 
 def duration(kind: str, place: Path) -> float:

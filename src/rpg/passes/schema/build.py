@@ -16,6 +16,7 @@ from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Structure, cost_of, parts_of
 from rpg.language.read import Sentence
+from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.resolve import finish
@@ -27,7 +28,7 @@ from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.things import matching
-from rpg.passes.schema.resolve.tidy import tidy
+from rpg.passes.schema.resolve.tidy import once, tidy
 from rpg.passes.schema.resolve.world import Scene, refuse, said
 
 MAX_COMBINATIONS = 48
@@ -77,8 +78,8 @@ def build(
             continue
         if best is None:
             best = (cost, found)
-        elif not _same(best[1].task, found.task):
-            raise _ambiguous(best[1].task, found.task, text)
+        elif not same(best[1].task, found.task):
+            raise TwoReadings(best[1].task, found.task, text)
     if best is not None:
         return best[1]
     if first is None:
@@ -107,41 +108,6 @@ def _combinations(sentences: list[Sentence]) -> list[tuple[int, tuple[Chain, ...
             break
     found.sort(key=lambda item: item[0])
     return found[:MAX_COMBINATIONS]
-
-
-def _same(a: TaskSchema, b: TaskSchema) -> bool:
-    return _bare(a) == _bare(b)
-
-
-def _bare(schema: TaskSchema) -> str:
-    data = schema.model_dump(exclude={"name", "assumptions", "paraphrases"}, mode="json")
-    return repr(_unspanned(data, len(schema.blocks)))
-
-
-_UNORDERED = frozenset({"blocks", "assets"})
-"""Lists of which it does not matter in what order they are given."""
-
-
-def _unspanned(data: object, blocks: int) -> object:
-    """Without spans, without what has no order, and without "exact" for a stack of every block there is: nothing else
-    could be in it."""
-    if isinstance(data, dict):
-        whole = data.get("kind") == "stack" and len(data["blocks"]) == blocks
-        kept = {k: _unspanned(v, blocks) for k, v in data.items() if k != "span" and not (whole and k == "exact")}
-        return {k: sorted(v, key=repr) if k in _UNORDERED and v else v for k, v in kept.items()}
-    if isinstance(data, list):
-        return [_unspanned(v, blocks) for v in data]
-    return data
-
-
-def _ambiguous(a: TaskSchema, b: TaskSchema, text: str) -> Refusal:
-    from rpg.passes.schema.sketch import sketch
-
-    return refuse(
-        "ambiguous", f"this can be read in two ways: {sketch(a.goal)}; or {sketch(b.goal)}", (0, len(text)),
-        "say it in two sentences",
-        readings=[sketch(a.goal), sketch(b.goal)],
-    )  # fmt: skip
 
 
 def resolve(
@@ -197,7 +163,7 @@ def _resolved(
     _all_used(goal, scene, chains)
     names = finish.naming(scene)
     start = InitialState(
-        arranged=tuple(dict.fromkeys(finish.renamed(x, names) for x in scene.start_goals)),
+        arranged=once(finish.renamed(x, names) for x in scene.start_goals),
         heaps=tuple(tuple(names[n] for n in heap) for heap in scene.heaps),
     )  # fmt: skip
     final = reconcile(finish.renamed(goal, names))

@@ -10,6 +10,7 @@ from rpg.language.grammar.asides import without_asides
 from rpg.language.read import read_sentences
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
+from rpg.passes.schema.ambiguity import TwoReadings
 from rpg.passes.schema.build import build
 from rpg.passes.schema.feasibility import Repairable, suggestions
 from rpg.passes.schema.guard import guard
@@ -33,6 +34,8 @@ class BuiltinFrontEnd:
             return self._read(text, name, seed, author)
         except Repairable as refusal:
             return None, suggestions(refusal, lambda other: self._again(other, name, seed, author))
+        except TwoReadings as refusal:
+            return None, refusal.reworded(lambda other: self._again(other, name, seed, author))
         except Refusal as refusal:
             return None, refusal.diagnostics
         except RecursionError:

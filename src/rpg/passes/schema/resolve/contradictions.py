@@ -62,14 +62,11 @@ def _read_from(part: g.Goal) -> str:
 
 
 def _clash(a: g.Goal, b: g.Goal) -> Exception:
-    from rpg.passes.schema.sketch import sketch
-
     first, second = a.span or (0, 0), b.span or (0, 0)
     labels = ((first, "this"),) if first != second else ()
     return refuse(
         "contradiction", "two parts of this cannot both hold at the end", second,
         "leave one of them out, or say 'then' if one comes after the other", labels=labels,
-        clash=[sketch(a), sketch(b)],
     )  # fmt: skip
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -15,13 +17,21 @@ def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
     return _open_tops(_stack_patches(goal))
 
 
+def once(goals: Iterable[g.Goal]) -> tuple[g.Goal, ...]:
+    """`goals` without those that say the same as an earlier one, in whatever words."""
+    kept: dict[g.Goal, g.Goal] = {}
+    for goal in goals:
+        kept.setdefault(transform(goal, lambda node: node.model_copy(update={"span": None})), goal)
+    return tuple(kept.values())
+
+
 def _stack_patches(goal: g.Goal) -> g.Goal:
     """all(stack(b...), on_patch(b..., p)) is stack(b..., patch=p)."""
 
     def change(node: g.Goal) -> g.Goal:
         if not isinstance(node, g.All):
             return node
-        goals = list(node.goals)
+        goals = list(once(node.goals))
         for stack in [x for x in goals if isinstance(x, s.Stack)]:
             for on in [x for x in goals if isinstance(x, r.OnPatch)]:
                 if stack.patch is None and isinstance(on.a, tuple) and set(on.a) == set(stack.blocks):

@@ -1,0 +1,82 @@
+"""Two readings of one instruction: whether they differ, and how that is said to people."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rpg.blocks.english import describe, describe_goal
+from rpg.blocks.equivalence import equivalent
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.ir.schema import TaskSchema
+
+_UNORDERED = frozenset({"blocks", "assets"})
+"""Lists of which it does not matter in what order they are given."""
+Reader = Callable[[str], TaskSchema | None]
+
+
+class TwoReadings(Refusal):
+    """An instruction with two readings; the tasks that they come to."""
+
+    def __init__(self, first: TaskSchema, second: TaskSchema, text: str) -> None:
+        self.tasks = (first, second)
+        one, two = _apart(*(_sentences(describe(task)) for task in self.tasks))
+        message = f'this can be read in two ways: "{one}", or "{two}"'
+        super().__init__(
+            [Diagnostic(code="ambiguous", message=message, span=(0, len(text)), hint=_HINT, origin="schema")]
+        )
+
+    def reworded(self, read: Reader) -> tuple[Diagnostic, ...]:
+        """The refusal with words for each reading that `read` takes for just that."""
+        words = [text for text in (_wording(task, read) for task in self.tasks) if text is not None]
+        found = self.diagnostics[0]
+        if not words:
+            return (found,)
+        hint = "say " + ", or ".join(f'"{text}"' for text in words)
+        hint += " if that is meant" if len(words) == 1 else ""
+        return (found.model_copy(update={"hint": hint, "facts": {"readings": words}}),)
+
+
+_HINT = "say it in several short sentences"
+
+
+def same(a: TaskSchema, b: TaskSchema) -> bool:
+    """Whether two readings come to the same task."""
+    return _bare(a) == _bare(b) or equivalent(a, b)
+
+
+def _bare(schema: TaskSchema) -> str:
+    data = schema.model_dump(exclude={"name", "instruction", "assumptions", "paraphrases"}, mode="json")
+    return repr(_unspanned(data, len(schema.blocks)))
+
+
+def _unspanned(data: object, blocks: int) -> object:
+    """Without spans, without what has no order, and without "exact" for a stack of every block there is: nothing else
+    could be in it."""
+    if isinstance(data, dict):
+        whole = data.get("kind") == "stack" and len(data["blocks"]) == blocks
+        kept = {k: _unspanned(v, blocks) for k, v in data.items() if k != "span" and not (whole and k == "exact")}
+        return {k: sorted(v, key=repr) if k in _UNORDERED and v else v for k, v in kept.items()}
+    if isinstance(data, list):
+        return [_unspanned(v, blocks) for v in data]
+    return data
+
+
+def _wording(task: TaskSchema, read: Reader) -> str | None:
+    """The shortest description of a task that is read as that task."""
+    for text in (describe_goal(task), describe(task)):
+        found = read(text)
+        if found is not None and same(found, task):
+            return text
+    return None
+
+
+def _sentences(reading: str) -> list[str]:
+    return [f"{sentence}." for sentence in reading.removesuffix(".").split(". ")]
+
+
+def _apart(first: list[str], second: list[str]) -> tuple[str, str]:
+    """What each reading says that the other does not; all of it, where one of them says nothing more."""
+    own = [s for s in first if s not in second], [s for s in second if s not in first]
+    if all(own):
+        return " ".join(own[0]), " ".join(own[1])
+    return " ".join(first), " ".join(second)

@@ -35,3 +35,22 @@ def equation(p: Parser, i: int) -> Results[str]:
         if not j or equals:
             break
         text, at, equals = text + "=", j, 1
+
+
+@rule
+def unequal(p: Parser, i: int) -> Results[str]:
+    """What stands where an equation should, and is none: "2+3", "2=2=2"."""
+    text, at, signs = "", i, 0
+    while at < p.end:
+        number = p.number(at)
+        found = next(((s, j) for w, s in (*_WORD_SIGNS.items(), ("equals", "=")) if (j := p.seq(at, w))), None)
+        if number is not None:
+            text, at = text + str(number), at + 1
+        elif found is not None:
+            text, at, signs = text + found[0], found[1], signs + 1
+        elif (token := p.token(at)) is not None and token.kind in ("sign", "equation") and token.word:
+            text, at, signs = text + str(token.value or token.word), p.reach(at + 1), signs + 1
+        else:
+            break
+    if signs and all(j != at for _, j in equation(p, i)):
+        yield text, at

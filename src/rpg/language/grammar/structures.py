@@ -11,7 +11,7 @@ from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, merge
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.equations import equation
+from rpg.language.grammar.equations import equation, unequal
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.shapes import noun
@@ -187,7 +187,7 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
             yield base, j
         return
     if base.kind == "equation":
-        for text, k in equation(p, p.opt(j, ":")):
+        for text, k in (*equation(p, p.opt(j, ":")), *unequal(p, p.opt(j, ":"))):
             yield replace(base, letter=text, span=p.span(i, k)), k
     for pattern, k in per_color(p, j):
         base = replace(base, plural=True, details=(*base.details, pattern))

@@ -79,6 +79,30 @@ def test_a_tall_tower_is_in_the_picture_whole() -> None:
     assert not red[:2].any() and not red[-2:].any()
 
 
+@pytest.mark.parametrize("edge", [0.04, 0.12])
+def test_blocks_in_the_corners_of_the_workspace_are_in_the_picture_whole(edge: float) -> None:
+    world = World([ColoredCube(name=f"block_{n}", color="red", size=edge) for n in range(4)])
+    places = [(x, y, edge / 2) for x in (0.40, 0.70) for y in (-0.25, 0.25)]
+    turns = {f"block_{n}": about("z", 45) for n in range(4)}
+    image = pixels(at(world, *places, turns=turns), size=SIZE, how="rays").astype(int)
+    red = (image[..., 0] > 90) & (image[..., 1] < 70) & (image[..., 2] < 70)
+    rows, columns = np.nonzero(red)
+    assert 0 < rows.min() and rows.max() < SIZE[1] - 1
+    assert 0 < columns.min() and columns.max() < SIZE[0] - 1
+
+
+def test_blocks_are_large_in_the_picture() -> None:
+    image = pixels(at(plain(1), (0.55, 0.0, 0.02)), size=(640, 480), how="rays").astype(int)
+    red = (image[..., 0] > 90) & (image[..., 1] < 70) & (image[..., 2] < 70)
+    assert np.ptp(np.nonzero(red)[1]) > 36
+
+
+def test_neighbours_of_one_colour_are_told_apart() -> None:
+    image = pixels(at(plain(2), (0.55, 0.02, 0.02), (0.55, -0.02, 0.02)), size=(640, 480), how="rays").astype(int)
+    top = int(np.nonzero(image[..., 1] < 60)[0].min()) + 10
+    assert np.ptp(image[top, 310:331, 0]) > 15
+
+
 def test_symbols_differ_from_each_other() -> None:
     faces = {
         symbol: np.asarray(face_image(symbol, "ivory"), dtype=int)

@@ -11,9 +11,9 @@ from rpg.blocks.state import Quat, Vec3
 
 NAME = "viewer"
 POSITION: Vec3 = (-0.18, 0.0, 1.64)
-TARGET: Vec3 = (0.555, 0.0, 1.02)
-FOVY = 33.0
-"""Vertical field of view in degrees."""
+TARGET: Vec3 = (0.55, 0.0, 0.955)
+FOVY = 27.0
+"""Vertical field of view in degrees: the workspace from side to side, and a tower of five at its far edge."""
 WIDTH, HEIGHT = 640, 480
 
 

@@ -39,7 +39,7 @@ def pixels(state: BlockState, *, size: tuple[int, int], how: str | None = None) 
     rays = (how or method()) == "rays"
     spec = build_spec(state.world.assets.values(), textures=True)
     spec.visual.quality.offsamples = 0
-    _aim(spec, state)
+    _aim(spec, state, size[0] / size[1])
     model = spec.compile()
     physics = Physics(state.world, model)
     physics.write(state)
@@ -53,17 +53,27 @@ def pixels(state: BlockState, *, size: tuple[int, int], how: str | None = None) 
     return np.asarray(Image.fromarray(large).resize(size, Image.Resampling.BOX))
 
 
-def _aim(spec: mujoco.MjSpec, state: BlockState) -> None:
+def _aim(spec: mujoco.MjSpec, state: BlockState, aspect: float) -> None:
     """Tilt and widen the viewer's camera where the scene is taller or wider than its usual view."""
-    blocks = [_elevation(point) for name in state.position for point in corners(state, name)]
+    points = [point for name in state.position for point in corners(state, name)]
     low, high = camera.ELEVATION - camera.FOVY / 2, camera.ELEVATION + camera.FOVY / 2
-    if max(blocks) + MARGIN > high or min(blocks) - MARGIN < low:
-        low, high = min(blocks) - 4 * MARGIN, max(blocks) + MARGIN
-    spec.camera(camera.NAME).fovy = high - low
-    spec.camera(camera.NAME).quat = camera.orientation((low + high) / 2)
+    below, above = min(map(_elevation, points)), max(map(_elevation, points))
+    if above + MARGIN > high or below - MARGIN < low:
+        low, high = below - 4 * MARGIN, above + MARGIN
+    middle = (low + high) / 2
+    across = 2 * math.degrees(math.atan(max(_aside(point, middle) for point in points) / aspect))
+    spec.camera(camera.NAME).fovy = max(high - low, across + MARGIN)
+    spec.camera(camera.NAME).quat = camera.orientation(middle)
 
 
 def _elevation(point: Vec3) -> float:
     """Angle (degrees) over the horizon at which the camera sees a point, projected on its middle plane."""
     dx, dz = point[0] - camera.POSITION[0], point[2] - camera.POSITION[2]
     return math.degrees(math.atan2(dz, dx))
+
+
+def _aside(point: Vec3, elevation: float) -> float:
+    """How far to the side of the camera's axis a point is, relative to its distance along the axis."""
+    dx, dz = point[0] - camera.POSITION[0], point[2] - camera.POSITION[2]
+    angle = math.radians(elevation)
+    return abs(point[1] - camera.POSITION[1]) / (dx * math.cos(angle) + dz * math.sin(angle))

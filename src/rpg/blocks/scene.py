@@ -32,7 +32,7 @@ SHOWN = (1, 1, 1, 0, 0, 0)
 """Geom groups that pictures show."""
 HIDDEN_GROUP = 3
 
-AMBIENT, HEADLIGHT, LAMP = 0.46, 0.26, 0.48
+AMBIENT, HEADLIGHT, LAMP = 0.46, 0.34, 0.40
 """Shares of light from everywhere, from the camera, and from the lamp that throws shadows."""
 LAMP_DIRECTION = (0.42, -0.45, -1.0)
 

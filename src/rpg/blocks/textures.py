@@ -50,14 +50,14 @@ def ink_on(color: Color) -> tuple[int, int, int]:
 
 @lru_cache(maxsize=128)
 def face_image(symbol: str, color: Color) -> Image.Image:
-    """An upright face: a body with a slightly darker rim, and its symbol."""
+    """An upright face: a body with a darker rim, so that neighbours of one colour are told apart, and its symbol."""
     scale = 2
     side = PIXELS * scale
     body = RGB[color]
-    rim = tuple(int(c * 0.88) for c in body)
+    rim = tuple(int(c * 0.78) for c in body)
     image = Image.new("RGB", (side, side), rim)
     draw = ImageDraw.Draw(image)
-    edge = side // 40
+    edge = side // 32
     draw.rounded_rectangle((edge, edge, side - edge - 1, side - edge - 1), radius=side // 16, fill=body)
     if symbol:
         _draw_symbol(draw, symbol, side, ink_on(color))

@@ -87,8 +87,8 @@ def test_blocks_in_the_corners_of_the_workspace_are_in_the_picture_whole(edge: f
     image = pixels(at(world, *places, turns=turns), size=SIZE, how="rays").astype(int)
     red = (image[..., 0] > 90) & (image[..., 1] < 70) & (image[..., 2] < 70)
     rows, columns = np.nonzero(red)
-    assert 0 < rows.min() and rows.max() < SIZE[1] - 1
-    assert 0 < columns.min() and columns.max() < SIZE[0] - 1
+    assert rows.min() > 0 and rows.max() < SIZE[1] - 1
+    assert columns.min() > 0 and columns.max() < SIZE[0] - 1
 
 
 def test_blocks_are_large_in_the_picture() -> None:

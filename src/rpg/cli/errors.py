@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from typing import Any, Protocol, runtime_checkable
 
-from rpg.cli.main import EXIT_REFUSED, EXIT_UNAVAILABLE, EXIT_USAGE
+from rpg.cli import exits
 from rpg.cli.output import as_text
 from rpg.core.diagnostics import Refusal, Unavailable, UsageError
 
@@ -17,7 +17,7 @@ def report(error: Exception, *, as_json: bool) -> int | None:
         return None
     message = _message(error)
     if as_json:
-        data: dict[str, Any] = {"status": "refused" if status == EXIT_REFUSED else "error", "message": message}
+        data: dict[str, Any] = {"status": "refused" if status == exits.REFUSED else "error", "message": message}
         if isinstance(error, Refusal):
             data |= {"diagnostics": [d.model_dump(mode="json") for d in error.diagnostics]}
         sys.stdout.write(as_text(data))
@@ -42,13 +42,13 @@ class _Misused(Protocol):
 
 def _status(error: Exception) -> int | None:
     if isinstance(error, _Misused):
-        return EXIT_USAGE
+        return exits.USAGE
     if isinstance(error, UsageError | OSError):
-        return EXIT_USAGE
+        return exits.USAGE
     if isinstance(error, Refusal):
-        return EXIT_REFUSED
+        return exits.REFUSED
     if isinstance(error, Unavailable):
-        return EXIT_UNAVAILABLE
+        return exits.UNAVAILABLE
     return None
 
 

@@ -17,6 +17,8 @@ from typing import Annotated, Any
 import typer
 from typer.core import TyperGroup
 
+from rpg.cli import exits
+
 COMMANDS = {
     "compile": "Compile an instruction into a verified task.",
     "batch": "Compile lists of instructions and sessions, and keep them up to date.",
@@ -38,7 +40,6 @@ COMMANDS = {
 }
 """Every command with its summary; the module of the same name has a function `run` and an `EXAMPLE`."""
 
-EXIT_NO, EXIT_USAGE, EXIT_REFUSED, EXIT_UNAVAILABLE, EXIT_INTERRUPTED = 1, 2, 3, 4, 130
 CONTEXT = {"help_option_names": ["-h", "--help"]}
 
 
@@ -111,7 +112,7 @@ def main() -> None:
     except Exception:
         if not interrupts:  # an import that is interrupted may fail in a way of its own
             raise
-        status = EXIT_INTERRUPTED
+        status = exits.INTERRUPTED
     sys.exit(status)
 
 
@@ -123,11 +124,11 @@ def run(arguments: list[str]) -> int:
         return status
     except BrokenPipeError:
         _leave_stdout()
-        return EXIT_NO
+        return exits.NO
     except OSError as error:
         _leave_stdout()
         sys.stderr.write(f"rpg: cannot write the output: {error.strerror}\n")
-        return EXIT_USAGE
+        return exits.USAGE
 
 
 def _leave_stdout() -> None:
@@ -142,7 +143,7 @@ def _run(arguments: list[str]) -> int:
     except SystemExit as done:
         return done.code if isinstance(done.code, int) else int(done.code is not None)
     except KeyboardInterrupt:
-        return EXIT_INTERRUPTED
+        return exits.INTERRUPTED
     except BrokenPipeError:
         raise
     except Exception as error:

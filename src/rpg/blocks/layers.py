@@ -1,10 +1,10 @@
-"""Layers of grids and pyramids: how many blocks each has, and whether a pattern tells more apart than layers."""
+"""Layers of grids, pyramids and staircases: how many blocks each has, and whether a pattern tells more apart than layers."""
 
 from __future__ import annotations
 
 import itertools
 
-from rpg.ir.structures import Cells, Grid, Pyramid
+from rpg.ir.structures import Cells, Grid, Pyramid, Staircase
 
 
 def by_layers(node: Cells) -> bool:
@@ -18,12 +18,14 @@ def by_layers(node: Cells) -> bool:
 
 
 def layer_sizes(node: Cells) -> list[int]:
-    """How many blocks each layer of a grid or a pyramid has, the lowest first."""
+    """How many blocks each layer of a grid, a pyramid or a staircase has, the lowest first."""
     match node:
         case Grid():
             return [node.rows * node.columns] * node.layers
         case Pyramid():
             n, m = max(node.base), min(node.base)
             return [*range(n, 0, -1)] if m == 1 else [(n - k) * (m - k) for k in range(m)]
+        case Staircase():
+            return [*range(node.steps, 0, -1)]
         case _:
             return []

@@ -1,4 +1,4 @@
-"""Clauses about the parts of a structure that was spoken of before: "the middle row is red and the others are white"."""
+"""Clauses about parts of a structure that was spoken of before: "the middle row is red and the others are white"."""
 
 from __future__ import annotations
 

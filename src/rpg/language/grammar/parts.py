@@ -18,7 +18,7 @@ _SIDES = {
     "left": "left", "leftmost": "left", "right": "right", "rightmost": "right",
     "front": "front", "near": "front", "nearest": "front", "frontmost": "front", "closest": "front",
     "back": "back", "far": "back", "rear": "back", "farthest": "back", "rearmost": "back", "furthest": "back",
-    "outer": "ends", "outermost": "ends", "outside": "ends", "end": "ends", "corner": "corners", "edge": "edge",
+    "outer": "outer", "outermost": "outer", "outside": "outer", "end": "ends", "corner": "corners", "edge": "edge",
     "inner": "inner", "inside": "inner", "innermost": "inner", "other": "rest", "remaining": "rest",
     "last": "last", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
 }  # fmt: skip
@@ -35,9 +35,10 @@ _NOUNS = {
     "center": "middle", "middle": "middle", "top": "top", "peak": "top", "tip": "top", "apex": "top",
     "bottom": "bottom", "base": "bottom", "foundation": "bottom", "rest": "rest", "others": "rest",
     "remainder": "rest", "corner": "corners", "end": "ends", "inside": "inner", "interior": "inner",
-    "outside": "edge",
+    "outside": "outer",
 }  # fmt: skip
 """Parts that are named by a noun of their own."""
+_FROM = tuple(f"from {the}{side}" for side in ("left", "right", "top", "bottom") for the in ("the ", ""))
 _OWN = frozenset({"the", "its", "their", "all", "both", "each", "every", "either"})
 _LEADS = ("in", "at", "on", "for", "along", "as", "forming", "in all", "on all", "at all")
 _BETWEEN = ("in between", "between them", "elsewhere", "everywhere else", "in between them", "between the ends")
@@ -79,6 +80,9 @@ def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool
     count = p.number(j)
     if count is not None and several is None and p.words[j] not in ("one", "ones"):
         several, j = count, j + 1
+    if side.isdigit() and (k := p.any_of(p.opt(j, "one", "block", "cube"), _FROM)):
+        where = p.words[k - 1]
+        yield At(side=where, index=int(side), span=p.span(i, k)), k
     found = _UNITS.get(p.words[j]) if j < p.end else None
     if found:
         end = p.any_of(p.reach(j + 1), ("of it", "of them", "of blocks", "of cubes")) or j + 1
@@ -126,7 +130,7 @@ def _plain(theme: Meaning) -> bool:
     if not isinstance(theme, Noun) or theme.head == "patch" or theme.part_of is not None or theme.conditions:
         return False
     marks = theme.traits
-    return bool(marks.colors or marks.labels) and marks.rank is None and not marks.extra
+    return bool(marks.colors or marks.labels or marks.size) and marks.rank is None and not marks.extra
 
 
 def _coloured(p: Parser, i: int) -> Results[Absolute]:

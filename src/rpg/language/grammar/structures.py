@@ -165,9 +165,10 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             steps = Size(what="steps", amount=quantity.amount, span=p.span(i, k))
             plural, quantity, before = False, Quantity("a"), replace(before, sizes=(*before.sizes, steps))
         operator = before.operator or (_OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
+        filled = False if "outline" in p.words[j:k] else before.filled
         base = Structure(
             kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
-            traits=Traits(**before.marks), filled=False if "outline" in p.words[j:k] else before.filled, upright=before.upright, letter=operator,
+            traits=Traits(**before.marks), filled=filled, upright=before.upright, letter=operator,
             details=before.details,
             span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
         )  # fmt: skip

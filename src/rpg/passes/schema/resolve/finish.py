@@ -77,7 +77,7 @@ def _no_strangers(scene: Scene) -> None:
     """Blocks of which neither look nor number was said are not made up beside blocks that are named."""
     open_ = [t for t in scene.blocks() if t.color is None and t.label is None and not t.kind and not t.extra]
     vague = [t for t in open_ if t.elastic is not None]
-    vague += [t for t in scene.blocks() if t.invented and t.color is not None]
+    vague += [t for t in scene.blocks() if t.name in scene.vague]
     if not vague and any(a.startswith("the number of blocks is not said") for a in scene.assumptions):
         vague = [t for t in open_ if t.batch == open_[-1].batch]
     named = [t for t in scene.blocks() if t not in vague and not t.extra]

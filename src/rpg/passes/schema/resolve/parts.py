@@ -46,17 +46,29 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
         if side in ("first", "last"):
             raise refuse("ambiguous", "the rows of a wall are counted from the top or from below", place.span,
                          "say 'the top row' or 'the bottom row'")  # fmt: skip
-    if unit in ("", "block") and height > 1 and side in ("top", "bottom", "middle"):
+    if (
+        unit in ("", "block")
+        and height > 1
+        and side in ("top", "bottom", "middle")
+        and not isinstance(node, s.Staircase)
+    ):
         unit = "layer"
     if unit in FIRST:
         return _lines(part, unit, side, node, cells, height, scene)
+    if side == "top" and isinstance(node, s.Staircase):
+        return [[k for k, cell in enumerate(cells) if cell.level == height - 1]]
+    if isinstance(node, s.Grid) and upright(node):
+        cells = [cell._replace(row=height - 1 - cell.level, level=0) for cell in cells]
+        height = 1
     if height > 1 or not _square(node):
         return []
     rows, columns = 1 + max(c.row for c in cells), 1 + max(c.column for c in cells)
+    if unit == "half":
+        return _half(side, cells, rows, columns)
     match side:
         case "corners":
             found = [k for k, c in enumerate(cells) if c.row in (0, rows - 1) and c.column in (0, columns - 1)]
-        case "edge" | "ends":
+        case "edge" | "outer":
             found = [k for k, c in enumerate(cells) if c.row in (0, rows - 1) or c.column in (0, columns - 1)]
         case "inner":
             found = [k for k, c in enumerate(cells) if 0 < c.row < rows - 1 and 0 < c.column < columns - 1]
@@ -64,7 +76,18 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
             found = [k for k, c in enumerate(cells) if (2 * c.row, 2 * c.column) == (rows - 1, columns - 1)]
         case _:
             return []
-    return [[k] for k in found]
+    return [[k] for k in found] if len(found) < len(cells) else []
+
+
+def _half(side: str, cells: Sequence[Cell], rows: int, columns: int) -> Groups:
+    """The left, right, far or near half of a figure that can be halved so."""
+    across = side in ("left", "right")
+    total = columns if across else rows
+    side = {"top": "left", "back": "left", "bottom": "right", "front": "right"}.get(side, side)
+    if total % 2 or side not in ("left", "right"):
+        return []
+    places = [cell.column if across else cell.row for cell in cells]
+    return [[k for k, place in enumerate(places) if (2 * place < total) == (side == "left")]]
 
 
 def _square(node: s.Cells) -> bool:
@@ -109,7 +132,7 @@ def chosen(side: str, index: int | None, several: int | None, total: int, sides:
     if side == "middle":
         start, odd = divmod(total - count, 2)
         return list(range(start, start + count)) if not odd and start > 0 else []
-    if side in ("ends", "edge"):
+    if side in ("ends", "outer"):
         return [0, total - 1] if several in (None, 2) and total > 2 else []
     if side == "inner":
         return list(range(1, total - 1)) if several in (None, total - 2) and total > 2 else []
@@ -122,7 +145,7 @@ def counted(theme: Meaning, groups: Groups, place: At | Places) -> Meaning:
     if not isinstance(theme, Noun) or theme.det not in ("bare", "a", "all", "some"):
         return theme
     amount = amount_of(theme)
-    each = getattr(place, "each", False) or getattr(place, "side", "") in ("ends", "corners")
+    each = getattr(place, "each", False) or getattr(place, "side", "") in ("ends", "outer", "corners")
     if theme.det == "a" or (amount == 1 and each):
         amount = len(groups) if each else 1
     elif amount is not None and each and amount != places:
@@ -134,6 +157,11 @@ def counted(theme: Meaning, groups: Groups, place: At | Places) -> Meaning:
             places=places, named=amount,
         )  # fmt: skip
     return replace(theme, det="bare", amount=Amount(places, places), plural=places > 1)
+
+
+def _counted(item: Absolute) -> bool:
+    """ "a base of three blue blocks": a number is said with the looks."""
+    return isinstance(item.theme, Noun) and item.theme.amount is not None
 
 
 def _told(theme: Meaning) -> bool:
@@ -236,6 +264,9 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
         held.update(zip(places, blocks, strict=True))
     if not held:
         return None
+    if isinstance(node, s.Pyramid) and len(found) == 1 and len(held) > 1 and _counted(found[0][0]):
+        raise refuse("ambiguous", "the base alone or the whole pyramid could look like this", found[0][0].span,
+                     "say how the other blocks look")  # fmt: skip
     if spec.orders or spec.patterns:
         raise refuse("order-conflict", "the blocks are laid out in two ways", found[0][0].span, "keep one of them")
     ranks = _ranks(held, names, scene, found[0][0])

@@ -20,6 +20,8 @@ SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"),
 
 
 MAX_ALTERNATIVES = 60
+SYMMETRIC = ("ends", "outer", "inner", "middle")
+"""Parts that are the same from either end of a line."""
 
 
 def alternatives(order: Order, scene: Scene) -> list[Order]:
@@ -69,7 +71,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     parts: list[At | Places] = []
     bunches: list[tuple[str, ...]] = []
     last: int | None = None
-    ends = any(getattr(place_of(item), "side", "") == "ends" for item in spec.absolutes)
+    ends = any(getattr(place_of(item), "side", "") in ("ends", "outer") for item in spec.absolutes)
     for item in list(spec.absolutes):
         place = place_of(item)
         if place is None or not _belongs(item.theme, names, scene):
@@ -87,8 +89,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         spec.absolutes.remove(item)
     if not held:
         return None
-    symmetric = all(isinstance(p, Places) and p.side in ("ends", "inner", "middle") for p in parts)
-    symmetric = symmetric or all(p.side == "middle" or (isinstance(p, Places) and p.side == "ends") for p in parts)
+    symmetric = all(p.side in SYMMETRIC for p in parts)
     first = None if symmetric else _side_of(parts, kind)
     return Placed(tuple(ranks_from(held, names, scene, bunches)), first)
 
@@ -214,7 +215,7 @@ def _further(item: Absolute, kind: str, own: Sequence[str | None]) -> Noun | Non
     place, theme = place_of(item), item.theme
     if place is None or not isinstance(theme, Noun) or not theme.traits.colors or set(theme.traits.colors) & set(own):
         return None
-    ends = isinstance(place, Places) and place.side == "ends"
+    ends = isinstance(place, Places) and place.side in ("ends", "outer")
     if theme.det not in ("a", "bare") or (theme.amount is None and not ends) or amount_of(theme) is None and not ends:
         return None
     if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
@@ -273,7 +274,7 @@ def line_groups(place: At | Places, total: int, kind: str) -> Groups:
     """The places of a line or a tower that a part names; none where it has no such part."""
     sides = ("front", "back") if place.side in ("front", "back") else SIDES[kind][:2]
     unit = getattr(place, "unit", "block")
-    several = getattr(place, "several", None)
+    several, index = getattr(place, "several", None), place.index
     if (kind == "row" and place.side in ("front", "back")) or (kind == "column" and place.side in ("left", "right")):
         raise refuse("misplaced", f"a {kind} has no {place.side}", place.span,
                      f"say '{SIDES[kind][0]}' or '{SIDES[kind][1]}', or which block is first")  # fmt: skip
@@ -284,9 +285,10 @@ def line_groups(place: At | Places, total: int, kind: str) -> Groups:
                 "count-mismatch", f"{total} blocks have no such {unit}", place.span, "say how many blocks it has"
             )
         several = share
+        index = None if place.index is None else 1 + (place.index - 1) * share
     elif unit not in ("block", "layer" if kind == "stack" else "block"):
         return []
-    return [[k] for k in chosen(place.side, place.index, several, total, (sides[0], sides[1]))]
+    return [[k] for k in chosen(place.side, index, several, total, (sides[0], sides[1]))]
 
 
 def places_of(at_: At, total: int, several: int, sides: tuple[str, ...], kind: str) -> list[int]:

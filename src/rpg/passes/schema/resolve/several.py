@@ -79,8 +79,8 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         more, atoms = maker(single, own, lots[index], scene, scope)
         built += more
         goals += atoms
-        for thing in (scene.things[n] for b in more for n in b.members) if color and not sized else ():
-            thing.invented = True
+        if color and not sized:
+            scene.vague.update(n for b in more for n in b.members)
     members = [n for b in built for n in b.members]
     if len(set(members)) < len(members):
         raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,

@@ -109,8 +109,11 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     for ref, at_, span in loose:
         if not isinstance(at_, At):
             continue
-        for index, name in zip(places_of(at_, total, len(ref.names), sides, kind), ref.names, strict=False):
-            if index in places or not 0 <= index < total or len(ref.names) >= total:
+        indices = places_of(at_, total, len(ref.names), sides, kind)
+        if len(indices) != len(ref.names) or len(indices) >= total:
+            raise refuse("contradiction", "so many blocks have no room there", span, "name fewer blocks", blocks=total)
+        for index, name in zip(indices, ref.names, strict=True):
+            if index in places or not 0 <= index < total:
                 raise refuse(
                     "contradiction", "two blocks are given the same place", span, "give each a place of its own"
                 )

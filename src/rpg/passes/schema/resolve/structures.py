@@ -10,7 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS
-from rpg.language.meaning import Amount, Noun, OrderBy, Size, Structure
+from rpg.language.meaning import Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve import figures, grids, groups, stepped, symbols, towers
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.orders import order_of

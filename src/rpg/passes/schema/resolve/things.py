@@ -88,7 +88,7 @@ def alike(things: list[Thing]) -> bool:
 
 def open_to(thing: Thing, traits: Traits) -> bool:
     """Whether an object's looks are still open to what `traits` says."""
-    if thing.claims:
+    if thing.claims or (traits.size and thing.size not in (None, traits.size)):
         return False
     if traits.colors and (thing.color is not None or thing.label is not None):
         return False

@@ -114,6 +114,7 @@ class Scope:
 class Scene:
     """Everything brought up so far, with the goals and assumptions it led to.
 
+    `vague`: blocks of which neither look nor number was said, though they have been given a colour.
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
     """
@@ -140,11 +141,15 @@ class Scene:
     parted: set[str] = field(default_factory=set)
     whole: tuple[str, ...] = ()
     closed: list[tuple[Traits, int, Span]] = field(default_factory=list)
+    tallied: set[str] = field(default_factory=set)
+    each: tuple[int, Span] | None = None
     spare: set[str] = field(default_factory=set)
+    vague: set[str] = field(default_factory=set)
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     denied: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     only: list[str] = field(default_factory=list)
+    exclusive: list[tuple[tuple[str, ...], tuple[str, ...], Span]] = field(default_factory=list)
     returned: set[str] = field(default_factory=set)
     unstacked: set[str] = field(default_factory=set)
     lenient: bool = False

@@ -47,6 +47,16 @@ bench: setup ## measure speed, each figure beside its floor
 	$(BIN)/python benchmarks/bench.py
 	$(BIN)/python benchmarks/batches.py
 
+bench-memory: setup ## compile 10,000 instructions in one process and watch its memory
+	$(BIN)/python benchmarks/memory.py
+
+bench-kills: setup ## kill a batch at 50 random moments; it resumes to the same bytes
+	$(BIN)/python benchmarks/kills.py
+
+bench-sleep: setup ## whether sleeping bodies and threads would help the gates, and change no verdict
+	$(BIN)/python benchmarks/sleeping.py
+	$(BIN)/python benchmarks/threads.py
+
 bench-others: setup ## measure other simulators' stacking tasks; OTHERS names the Python that has them
 	@test -n "$(OTHERS)" || { printf '%s\n' \
 	  'robosuite, dm_control and gymnasium-robotics need an older MuJoCo, in an environment of their own:' \
@@ -54,6 +64,14 @@ bench-others: setup ## measure other simulators' stacking tasks; OTHERS names th
 	  '  .venv-others/bin/pip install mujoco==3.3.7 robosuite==1.5.2 dm_control==1.0.34 gymnasium-robotics==1.4.2' \
 	  '  make bench-others OTHERS=.venv-others/bin/python'; exit 2; }
 	OURS=$(BIN)/python $(OTHERS) benchmarks/others.py
+
+upgrade: setup ## verify a workspace that another MuJoCo built; OTHER names a Python with rpg and that MuJoCo
+	@test -n "$(OTHER)" || { printf '%s\n' \
+	  'another MuJoCo needs an environment of its own:' \
+	  '  python3.11 -m venv .venv-other' \
+	  '  .venv-other/bin/pip install mujoco==3.5.0 --editable .' \
+	  '  make upgrade OTHER=.venv-other/bin/python'; exit 2; }
+	OTHER_PYTHON=$(abspath $(OTHER)) $(BIN)/pytest tests/batch/test_two_versions.py
 
 corpus: setup ## report how the corpus of instructions fares: right, refused, wrong
 	$(BIN)/python -m tests.corpus.run

@@ -13,6 +13,7 @@ from rpg.benchmark.measure import Turn, measure, share
 from rpg.benchmark.page import page
 from rpg.benchmark.suites import SUITES, read_suite
 from rpg.benchmark.table import as_data, as_latex, rows
+from rpg.cli.main import run
 from rpg.core.diagnostics import UsageError
 
 
@@ -49,6 +50,37 @@ def test_kappa_of_a_worked_example() -> None:
     same = agreement([Ratings(rater=str(i), verdicts={"a": True, "b": False}) for i in range(3)])
     assert same.kappa == pytest.approx(1.0)
     assert agreement([Ratings(rater="x", verdicts={"a": True})] * 2).kappa is None
+
+
+def test_an_edit_is_shown_with_what_was_said_before_it(tmp_path: Path) -> None:
+    turns = [
+        Turn(case=case, number=number, words=f"{case} {number}", directory=str(tmp_path), task_success=True)
+        for case in ("a", "b")
+        for number in range(3)
+    ]
+    data = re.search(r'id="tasks">(.*?)</script>', page(turns), re.DOTALL)
+    assert data is not None
+    assert [task["before"] for task in json.loads(data[1])] == [
+        [],
+        ["a 0"],
+        ["a 0", "a 1"],
+        [],
+        ["b 0"],
+        ["b 0", "b 1"],
+    ]
+
+
+def test_verdicts_are_set_beside_the_published_ones(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    files = []
+    for rater, verdict in (("Ann", True), ("Bob", False)):
+        files.append(tmp_path / f"{rater}.json")
+        files[-1].write_text(json.dumps({"rater": rater, "verdicts": {"a/0": True, "a/1": verdict}}))
+    arguments = [part for path in files for part in ("--verdicts", str(path))]
+    assert run(["bench", *arguments]) == 0
+    said = capsys.readouterr().out
+    assert "75.0 % of verdicts say right; 2 people judged 2 tasks" in said and "GenSim 70.0 ± 28.4" in said
+    assert run(["bench", "--json", *arguments]) == 0
+    assert json.loads(capsys.readouterr().out)["published"]["Cursor"] == [80.0, 24.8]
 
 
 def test_a_file_that_is_no_export_is_said_to_be_none(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from importlib import import_module
 
+from rpg.batch.memory import give_back
 from rpg.headless import load_mujoco
 
 MODULES = (
@@ -14,6 +15,7 @@ MODULES = (
     "rpg.upgrade",
 )
 
+give_back()
 load_mujoco()
 for module in MODULES:
     import_module(module)

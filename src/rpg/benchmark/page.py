@@ -13,9 +13,15 @@ PICTURES = {"start": "initial.png", "goal": "goal.png"}
 
 
 def page(turns: list[Turn]) -> str:
-    """The page as HTML; it loads nothing from elsewhere."""
+    """The page as HTML; it loads nothing from elsewhere. Above an edit stands what was said before it."""
     tasks = [
-        {"key": turn.key, "words": turn.words, "goal_text": turn.goal_text, "pictures": _pictures(turn.directory)}
+        {
+            "key": turn.key,
+            "before": [other.words for other in turns if other.case == turn.case and other.number < turn.number],
+            "words": turn.words,
+            "goal_text": turn.goal_text,
+            "pictures": _pictures(turn.directory),
+        }
         for turn in turns
         if turn.directory
     ]

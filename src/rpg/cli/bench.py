@@ -93,12 +93,15 @@ def _agreement(console: Output, paths: list[Path]) -> None:
     from dataclasses import asdict
 
     from rpg.benchmark.agreement import agreement, read_ratings
+    from rpg.benchmark.table import VERIFIED
 
     found = agreement(read_ratings(paths))
-    console.document(asdict(found))
+    console.document({**asdict(found), "published": VERIFIED})
     kappa = "undefined" if found.kappa is None else f"{found.kappa:.2f}"
     console.result.print(
         f"{found.accepted:.1f} % of verdicts say right; {found.raters} people judged {found.tasks} tasks in common, "
         f"{found.unanimous:.1f} % of them unanimously; Fleiss' kappa {kappa}",
         soft_wrap=True,
     )
+    published = ", ".join(f"{name} {percent:.1f} ± {half:.1f}" for name, (percent, half) in VERIFIED.items())
+    console.result.print(f"published, accepted by people over the ten sessions: {published}", soft_wrap=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import lru_cache
 
 from rpg.language import lexicon
 from rpg.language import meaning as m
@@ -18,7 +18,7 @@ from rpg.language.grammar.sizes import dimensions
 from rpg.language.tokens import Token, tokenize
 
 
-@cache
+@lru_cache(maxsize=1024)
 def phrases(text: str) -> tuple[str, ...]:
     """The phrases of a table, which are written with bars between them."""
     return tuple(phrase.strip() for phrase in text.split("|"))
@@ -31,7 +31,7 @@ def longest(p: Parser, i: int, table: str | tuple[str, ...]) -> int:
     return max((p.seq(i, phrase) for phrase in _by_first_word(table).get(p.words[i], ())), default=0)
 
 
-@cache
+@lru_cache(maxsize=1024)
 def _by_first_word(table: str | tuple[str, ...]) -> dict[str, tuple[str, ...]]:
     found: dict[str, tuple[str, ...]] = {}
     for phrase in phrases(table) if isinstance(table, str) else table:

@@ -7,7 +7,7 @@ position or 0 for "no".
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from functools import cache, wraps
+from functools import lru_cache, wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from rpg.core.diagnostics import Span
@@ -28,7 +28,7 @@ class TooMuchWork(Exception):
     """The sentence is too tangled to parse within bounds."""
 
 
-@cache
+@lru_cache(maxsize=1024)
 def by_first(phrases: tuple[str, ...]) -> dict[str, list[tuple[str, ...]]]:
     """Phrases as words, by their first word."""
     table: dict[str, list[tuple[str, ...]]] = {}
@@ -142,7 +142,7 @@ class Parser:
         return None if whole is None else float(whole)
 
 
-@cache
+@lru_cache(maxsize=4096)
 def _split(phrase: str) -> tuple[str, ...]:
     return tuple(phrase.split())
 

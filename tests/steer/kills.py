@@ -112,7 +112,7 @@ def written(tasks: Path) -> set[str]:
 def _names(directory: Path) -> list[str]:
     """What is in a directory; nothing where it has just gone."""
     with suppress(FileNotFoundError, NotADirectoryError):
-        return os.listdir(directory)
+        return [path.name for path in directory.iterdir()]
     return []
 
 

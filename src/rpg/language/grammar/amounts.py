@@ -78,6 +78,7 @@ def amount(p: Parser, i: int) -> Results[Amount]:
 def quantity(p: Parser, i: int) -> Results[Quantity]:
     """Everything that may stand before the adjectives of a noun phrase."""
     yield from _universal(p, i)
+    yield from _shares(p, i)
     if (
         p.words[i : i + 1] in (["n"], ["k"])
         and i + 1 < p.end
@@ -115,6 +116,25 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
     yield from _others(p, i)
 
 
+_SHARES = {
+    "half of": "half", "half": "half", "one half of": "half", "a half of": "half", "exactly half of": "half",
+    "a third of": "third", "one third of": "third", "a quarter of": "quarter", "one quarter of": "quarter",
+    "most of": "most", "the majority of": "most", "a majority of": "most", "more than half of": "most",
+    "not all of": "not all", "not all": "not all", "not every one of": "not all", "some but not all": "some",
+}  # fmt: skip
+
+
+def _shares(p: Parser, i: int) -> Results[Quantity]:
+    """ "half of the", "most of the", "not all of the", "all but one of the": a share of a number."""
+    for phrase, j in p.standing(i, _SHARES):
+        if p.words[j : j + 1] and p.words[j] in THE | {"them", "all"}:
+            yield Quantity(_SHARES[phrase], None, True, partitive=True), j
+    if j := p.any_of(i, ("all but", "all except", "everything but")):
+        for found, k in count(p, j):
+            if of := p.one(k, "of"):
+                yield Quantity("all but", Amount(found, found), True, partitive=True), of
+
+
 def _universal(p: Parser, i: int) -> Results[Quantity]:
     for word, det in (("all", "all"), ("both", "both"), ("each", "each"), ("every", "each"), ("any", "any"),
         ("no", "no"),
@@ -143,6 +163,8 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
         if det in ("all", "any", "no"):
             for found, k in amount(p, j):
                 yield Quantity(det, found, found.high != 1), k
+                if det == "no" and (of := p.one(k, "of")):
+                    yield Quantity(det, found, True, partitive=True), of
 
 
 def _others(p: Parser, i: int) -> Results[Quantity]:

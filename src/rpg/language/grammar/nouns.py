@@ -13,8 +13,8 @@ from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
 from rpg.language.grammar.pronouns import pronoun
-from rpg.language.grammar.retold import retold, tally
-from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
+from rpg.language.grammar.retold import part_after, restates, retold, shares_head, tally, universal
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""
@@ -29,6 +29,10 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
     if k := p.one(i, "neither"):
         for item, j in simple(p, k):
             yield from ((replace(found, op="nor"), e) for found, e in _list(p, i, (item,), j, None) if found.op == "or")
+    if k := p.one(i, "only"):
+        for item, j in simple(p, k):
+            if isinstance(item, Noun) and item.amount in (None, Amount(1, 1)) and item.det in ("the", "a", "bare"):
+                yield Coord(op="only", items=(item,), span=p.span(i, j)), j
     for item, j in simple(p, start) if start > i else ():
         yield from (
             (replace(found, cost=0), k) for found, k in _list(p, i, (item,), j, None) if isinstance(found, Coord)
@@ -86,8 +90,14 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
     comma = p.opt(at, ",", ";")
     joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
     word = p.words[comma] if joined else ""
+    whole = len(items) == 1 and universal(items[0])
+    if whole and p.words[comma : comma + 1] == ["but"] and p.words[comma + 1] not in ("not", "only", "first"):
+        for item, j in noun_phrase(p, p.reach(comma + 1)):
+            if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in ("the", "all")):
+                op = "only" if isinstance(items[0], Pronoun) and items[0].word == "nothing" else "except"
+                yield Coord(op=op, items=(*items, item), span=p.span(i, j)), j
     if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
-        for item, j in simple(p, k):
+        for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
             yield Coord(op="except", items=(*items, item), span=p.span(i, j)), j
     if not joined and (k := p.any_of(comma, ("followed by", "then"))):
         joined, word = k, "then"
@@ -104,26 +114,19 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
             continue
         if isinstance(item, Noun) and isinstance(item.part_of, Noun) and item.part_of.det == "bare" and not item.cost:
             item = replace(item, cost=2)
-        if _part_after(items[-1], item):
+        if part_after(items[-1], item):
             item = replace(item, cost=item.cost + 3)
         whole = (*items, item)
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
             yield Coord(op="xor", items=whole, span=p.span(i, k)), k
         if joined:
-            cost = 6 if retold(whole) else 2 if now == "then" or _shares_head(items[-1], item) else 0
+            cost = 6 if retold(whole) else 2 if now == "then" or shares_head(items[-1], item) else 0
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from _list(p, i, whole, j, now)
         else:
             if not restates(items[-1], item):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from _list(p, i, whole, j, op or "comma")
-
-
-def restates(before: Meaning, item: Meaning) -> bool:
-    """ "a square of red blocks, three rows of three": with neither "and" nor blocks of its own, it tells of the first."""
-    if not (isinstance(before, Structure) and isinstance(item, Structure)):
-        return False
-    return item.members is None or (isinstance(item.members, Noun) and item.members.head == "any")
 
 
 def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:
@@ -134,20 +137,6 @@ def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:
     for members, j in simple(p, of):
         if isinstance(members, Noun):
             yield replace(before, members=members, sizes=(), dims=(), details=(), span=p.span(i, j)), j
-
-
-def _part_after(before: Meaning, item: Meaning) -> bool:
-    """ "a tower with black ends and white ..." goes on with the tower's parts."""
-    parts = isinstance(before, Structure) and any(isinstance(d, Absolute | Coord) for d in before.details)
-    return parts and not isinstance(item, Structure)
-
-
-def _shares_head(before: Meaning, item: Meaning) -> bool:
-    """ "the red and blue blocks": the plural noun stands for both, it is not "the red one and several blue blocks"."""
-    if not (isinstance(before, Noun) and isinstance(item, Noun)):
-        return False
-    bare = item.det == "bare" and item.plural and item.amount is None and item.head != "any" and item.traits.colors
-    return bool(bare and before.head == "any" and before.traits.colors)
 
 
 @rule
@@ -332,7 +321,7 @@ def _goes_on(p: Parser, k: int) -> bool:
         lexicon.SIZE,
         lexicon.PATCH,
     )
-    return any(word in table for table in tables) or word in (
+    return (word != "in" and any(word in table for table in tables)) or word in (
         "of",
         "by",
         "x",

@@ -19,7 +19,9 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Pronoun(word="them", span=p.span(i, j)), j
     for phrase, j in p.standing(i, ("each other", "one another", "the other ones", "the other one", "the others",
                    "the rest", "others",
-                   "the other two", "the latter", "the former", "everything else", "both of them", "all of them",
+                   "the other two",
+                   "the other half", "the other third", "the latter", "the former", "everything else",
+                   "both of them", "all of them",
                    "everything", "both",
                    "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
                    "the other", "one", "nothing else", "nothing", "either of them", "neither of them", "each of them",

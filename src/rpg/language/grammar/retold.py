@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Meaning, Noun, Traits
+from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Pronoun, Structure, Traits
 
 
 def tally(items: tuple[Meaning, ...]) -> int:
@@ -21,3 +21,31 @@ def retold(items: tuple[Meaning, ...]) -> bool:
     if not isinstance(whole, Noun) or whole.traits != Traits() or whole.amount is None or len(items) < 3:
         return False
     return tally(items[1:]) == whole.amount.low
+
+
+def universal(item: Meaning) -> bool:
+    """ "all blocks", "everything", "nothing": what "but" takes something from."""
+    if isinstance(item, Pronoun):
+        return item.word in ("everything", "all", "nothing")
+    return isinstance(item, Noun) and item.det in ("all", "no") and item.amount is None
+
+
+def restates(before: Meaning, item: Meaning) -> bool:
+    """ "a square of red blocks, three rows of three": with neither "and" nor blocks of its own, it tells of it."""
+    if not (isinstance(before, Structure) and isinstance(item, Structure)):
+        return False
+    return item.members is None or (isinstance(item.members, Noun) and item.members.head == "any")
+
+
+def part_after(before: Meaning, item: Meaning) -> bool:
+    """ "a tower with black ends and white ..." goes on with the tower's parts."""
+    parts = isinstance(before, Structure) and any(isinstance(d, Absolute | Coord) for d in before.details)
+    return parts and not isinstance(item, Structure)
+
+
+def shares_head(before: Meaning, item: Meaning) -> bool:
+    """ "the red and blue blocks": the plural noun stands for both, it is not "the red one and several blue blocks"."""
+    if not (isinstance(before, Noun) and isinstance(item, Noun)):
+        return False
+    bare = item.det == "bare" and item.plural and item.amount is None and item.head != "any" and item.traits.colors
+    return bool(bare and before.head == "any" and before.traits.colors)

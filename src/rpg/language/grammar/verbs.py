@@ -77,7 +77,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         yield from reverse(p, i, j)
         return
     yield from remade(p, i, j, sense, lemma)
-    only = p.one(j, "only") if sense in ("place", "stack", "swap", "turn") else 0
+    only = p.one(j, "only") if lemma == "move" else 0
     alone = (Manner(kind="only", span=p.span(j, only)),) if only else ()
     for theme, k in noun_phrase(p, only or j):
         k = p.opt(k, "places", "positions") if sense == "swap" else k

@@ -12,6 +12,7 @@ from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, O
 from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.members import certain
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, places
 from rpg.passes.schema.resolve.positions import alternatives
@@ -181,8 +182,7 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
         )
     if not isinstance(target, Structure):
         raise refuse("misplaced", "this is nothing that blocks can form", target.span)
-    if theme.quant is not None:
-        raise refuse("ambiguous", "it is not said which of the blocks", theme.span, "name the blocks")
+    theme = certain(theme, scene)
     built, goals = make(target, spec, theme, scene, scope)
     if uses_orders(built):
         spec.orders = []

@@ -20,6 +20,8 @@ def listed(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     key, values = ("labels", labels) if len(labels) > 1 else ("colors", noun.traits.colors)
     if key == "labels" and len(noun.traits.colors) > 1:
         raise refuse("ambiguous", "it is not said which of these has which colour", noun.span, "name them one by one")
+    if count is None and scene.each is not None and key == "colors" and noun.plural and not patch:
+        count = scene.each[0] * len(values)
     shares = _shares(noun, scope, len(values), count)
     names: list[str] = []
     for value, share in zip(values, shares, strict=True):
@@ -96,10 +98,15 @@ def continued(labels: tuple[str, ...], count: int | None) -> tuple[str, ...]:
     return tuple(row[start : start + max(total, len(labels))])
 
 
+def fewer_than(amount: Amount | None) -> Amount:
+    """ "no red block": none; "no two of the red blocks": one at most."""
+    return Amount(0, amount.low - 1 if amount is not None and amount.low > 1 else 0, True)
+
+
 def quantified(found: Ref, noun: Noun) -> Ref:
     """Which part of the names is meant: none, any, at least two ..."""
     if noun.det == "no":
-        return replace(found, quant=Amount(0, 0, True))
+        return replace(found, quant=fewer_than(noun.amount))
     if noun.det == "any":
         return replace(found, quant=Amount(1, None, True))
     if noun.amount is not None and noun.amount.strict and noun.det != "the":

@@ -60,6 +60,8 @@ def members_of(
     there = declared(shape.traits, scene)
     if len(there) > 1 and (count is None or len(there) == count):
         return there
+    if count is None and scene.each is not None and len(shape.traits.colors) == 1:
+        count = scene.each[0]
     if count is None:
         count = default
         scene.assume(f"the number of blocks is not said: {default}")
@@ -96,7 +98,7 @@ def _agrees(shape: Structure, names: tuple[str, ...], scene: Scene) -> None:
 
 def certain(ref: Ref, scene: Scene) -> Ref:
     """The very blocks that are meant: of look-alikes as many as are asked for; else the phrase must say which."""
-    if ref.op in ("or", "nor", "xor", "except"):
+    if ref.op in ("or", "nor", "xor", "except", "only"):
         if ref.op == "except":
             return ref.parts[0]
         raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")

@@ -16,7 +16,6 @@ from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.operands import LEVEL, foot
 from rpg.passes.schema.resolve.world import Ref, refuse
 
-
 MOST_CHAINED = 4
 """Structures that may stand side by side in any order."""
 
@@ -26,7 +25,7 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
     names = theme.names
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
-    if theme.quant is not None and theme.quant.high == 0 and len(names) > 1:
+    if theme.quant is not None and theme.quant.low == 0 and theme.quant.high in (0, 1) and len(names) > 1:
         return _none_of_them(theme, loc, span)
     if len(names) < 2:
         raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")

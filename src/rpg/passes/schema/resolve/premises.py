@@ -26,6 +26,9 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
             kept += facts
         else:
             scene.start_goals += [f for f in facts if f not in scene.start_goals]
+    for names, patches, span in scene.exclusive:
+        others = [t.name for t in scene.blocks() if t.name not in names]
+        kept += [g.Not(goal=r.OnPatch(a=(n,), patch=p, span=span), span=span) for n in others for p in patches]
     still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
     if still:
         kept.append(r.Stayed(a=still))

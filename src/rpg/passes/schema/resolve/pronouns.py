@@ -8,7 +8,8 @@ from rpg.language.meaning import Noun, Pronoun
 from rpg.passes.schema.resolve.world import Mention, Ref, Scene, Scope, refuse
 
 _EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
-_REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two", "everything else",
+_REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two",
+                   "the other half", "the other third", "everything else",
     "the remaining ones", "the remainder", "all others",
                    "all the others", "all the rest"})  # fmt: skip
 _OTHER = frozenset({"the other one", "the other", "the second one", "another"})
@@ -22,6 +23,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=tuple(word.word[1:].split()), plural=" " in word.word)
     if word.word == "same":
         return _last_theme(scene, word)
+    if word.word in _NUMBERED and len(scene.built) > 1:
+        return _numbered(word, scene)
     if word.word in _REST or word.word in _OTHER:
         noun = Noun(head="any", det="other", plural=word.word in _REST, span=word.span)
         return others(noun, scene, scope, scope.like_patch)
@@ -47,6 +50,18 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
         return _one(word, scene, scope)
     return _them(word, scene, scope)
+
+
+_NUMBERED = {"the first one": 0, "the second one": 1, "the other one": None, "the other": None}
+
+
+def _numbered(word: Pronoun, scene: Scene) -> Ref:
+    """ "the second one" where two structures were built: the second of them."""
+    index = _NUMBERED[word.word]
+    if index is None or len({b.kind for b in scene.built}) > 1:
+        raise refuse("ambiguous", f"it is not clear what {word.word!r} is", word.span, "name it")
+    built = scene.built[index]
+    return Ref(names=built.members, built=(built,), span=word.span)
 
 
 def _last_theme(scene: Scene, word: Pronoun) -> Ref:

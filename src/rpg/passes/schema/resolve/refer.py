@@ -6,11 +6,15 @@ from dataclasses import replace
 
 from rpg.language.grammar.retold import retold
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
-from rpg.passes.schema.resolve.listing import listed, quantified
+from rpg.passes.schema.resolve.listing import fewer_than, listed, quantified
 from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
+from rpg.passes.schema.resolve.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things import Premise, alike, compared, create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+
+OTHERS = 3
+"""Blocks besides those that "all blocks except ..." names, where none were spoken of."""
 
 
 def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
@@ -44,6 +48,10 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
 def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "except":
         return _except(meaning, scene, scope)
+    if meaning.op == "only":
+        alone = refer(meaning.items[-1], scene, scope)
+        scene.mentions.pop()
+        return replace(alone, op="only", plural=len(alone.names) > 1)
     if retold(meaning.items):
         raise refuse("ambiguous", "these could be further blocks, or what was counted before told apart", meaning.span,
                      "say 'and' between further blocks, or leave the number out")  # fmt: skip
@@ -107,14 +115,25 @@ def _repeats(item: Noun, seen: list[Traits], scene: Scene) -> bool:
 def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     """ "all blocks except the red one", "the red but not the blue block"."""
     out = refer(meaning.items[-1], scene, scope)
+    scene.spare.update(out.names)
     whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
     del scene.mentions[-len(meaning.items) :]
     names = tuple(dict.fromkeys(n for part in whole for n in part.names if n not in out.names))
+    if not names and _everything(meaning.items[0]) and not out.patch:
+        scene.new_batch()
+        names = tuple(create(Traits(), scene, False).name for _ in range(OTHERS))
+        scene.assume(f"how many other blocks there are is not said: {OTHERS}")
     if not names:
         raise refuse("no-referent", "no block is left to speak of", meaning.span)
     return Ref(
         names=names, patch=whole[0].patch, op="except", parts=(Ref(names=names), out), plural=True, span=meaning.span
     )
+
+
+def _everything(meaning: Meaning) -> bool:
+    whole = isinstance(meaning, Noun) and meaning.det in ("all", "each") and meaning.head == "block"
+    plain = whole and isinstance(meaning, Noun) and meaning.traits == Traits()
+    return plain or (isinstance(meaning, Pronoun) and meaning.word in ("everything", "all"))
 
 
 def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
@@ -223,7 +242,10 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if noun.det in ("all", "each", "both"):
         return replace(whole, each=noun.det == "each", quant=None)
     if noun.det == "no":
-        return replace(whole, quant=Amount(0, 0, True))
+        return replace(whole, quant=fewer_than(noun.amount))
+    if noun.det in SHARES:
+        amount = share_of(noun, whole, scene)
+        noun = replace(noun, amount=amount)
     if noun.det == "any" and scene.speaks_of_rest and noun.amount == Amount(1, 1):
         return _some_of(whole, 1, noun, scene)
     if noun.det == "any":

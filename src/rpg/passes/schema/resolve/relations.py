@@ -9,13 +9,13 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.ir.node import EACH, Highest, Lowest, Operand
+from rpg.ir.node import Highest, Lowest, Operand
 from rpg.ir.order import Order
 from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.passes.schema.resolve.corners import corners
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import reciprocal
 from rpg.passes.schema.resolve.operands import DIRECTIONS, LEVEL, base_of, count, crown, foot, measure, spread
-from rpg.passes.schema.resolve.corners import corners
 from rpg.passes.schema.resolve.patches import (
     indefinite,
     matching_patches,
@@ -24,6 +24,7 @@ from rpg.passes.schema.resolve.patches import (
     one_lot_each,
 )
 from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.stacking import vertical
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -35,8 +36,10 @@ PATCH_MIDDLE = 0.02
 
 def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> Atoms:
     """The goals that "theme is <meaning>" states."""
+    if theme.op == "only" and not (isinstance(meaning, Loc) and meaning.landmark is not None):
+        raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
     match meaning:
-        case In(region="each_corner"):
+        case In(region="each_corner" | "each_corner?"):
             return corners(theme, meaning, scene, span)
         case In():
             return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
@@ -138,6 +141,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
             "misplaced", "'except' does not fit a place", loc.span, "say 'all blocks except ...' where they are named"
         )
     _check_self(theme, mark, loc)
+    if theme.op == "only":
+        theme = _alone(theme, mark, loc, scene)
     if mark.matching:
         return matching_patches(theme, mark, scene, span)
     if loc.rel == "in" and not mark.patch:
@@ -145,6 +150,14 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if mark.patch:
         return _patch(theme, mark, loc, scene, span)
     return [_landmarks(theme, mark, loc, scene, span)]
+
+
+def _alone(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
+    """ "only the red block is on the patch": it is, and no other block that the task has."""
+    if not mark.patch or loc.rel not in ("on", "in") or loc.negated or theme.quant is not None:
+        raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
+    scene.exclusive.append((theme.names, mark.names, loc.span))
+    return replace(theme, op="and")
 
 
 def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:
@@ -173,7 +186,7 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         if (len(lots[0]) == 1 or loc.rel != "on") and theme.quant is None:
             return conj([_relate(Ref(names=lot), Ref(names=(b,)), loc, scene, span) for lot, b in pairs], span)
     if loc.rel in ("on", "above", "under"):
-        return _vertical(theme, mark, loc, scene, span)
+        return vertical(theme, mark, loc, scene, span)
     if loc.rel in DIRECTIONS:
         return _directional(theme, mark, loc, scene, span)
     if loc.rel == "distance":
@@ -209,75 +222,6 @@ def _beside_foot(theme: Ref, mark: Ref, scene: Scene) -> Operand:
     """The landmark's foot, unless both stand in the same tower."""
     operand = foot(mark)
     return _carrier(operand, mark, scene)
-
-
-def _vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
-    if loc.rel == "under":
-        return _under(theme, mark, loc, scene, span)
-    if (loc.rel == "above" and not ({"directly", "immediate"} & set(loc.mods))) or "somewhere" in loc.mods:
-        b = crown(mark) if mark.built else mark.names
-        return spread(theme, lambda a: r.Above(a=a, b=b, span=span), span)
-    if theme.quant is None and theme.op == "and" and len(theme.names) > 1 and len(mark.names) == 1 and not theme.built:
-        return _several_on_one(theme, mark, scene, span)
-    if theme.built and theme.built[0].kind == "stack":
-        return _tower_on(theme, mark, scene, span)
-    if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
-        return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
-    b = crown(mark)
-    if not isinstance(b, Lowest | Highest) and len(b) > 1:
-        raise refuse(
-            "ambiguous",
-            "one block cannot lie on several blocks; it is not clear which is meant",
-            loc.span,
-            "name one of them",
-        )
-    return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
-
-
-def _on(a: str, b: Operand, scene: Scene, span: Span) -> g.Goal:
-    return _on_operand((a,), b, scene, span)
-
-
-def _on_operand(a: Operand, b: Operand, scene: Scene, span: Span) -> g.Goal:
-    if (
-        not isinstance(a, Lowest | Highest)
-        and not isinstance(b, Lowest | Highest)
-        and len(a) == len(b) == 1
-        and EACH not in (*a, *b)
-    ):
-        scene.stacked(a[0], b[0], span)
-    return r.On(a=a, b=b, span=span)
-
-
-def _several_on_one(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
-    """ "stack the green and the yellow block on the red one": a tower on it in the order named, if it says so."""
-    raise refuse(
-        "ambiguous", "several blocks on one: a tower of them in the order named, or all side by side on it?", span,
-        "say which block goes on which",
-    )  # fmt: skip
-
-
-def _tower_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
-    """A tower put on a block goes on with it: one stack."""
-    tower = theme.built[0]
-    base = crown(mark)
-    if tower.ordered:
-        return _on(tower.members[0], base, scene, span)
-    return r.On(a=Lowest(lowest=tower.members), b=base, span=span)
-
-
-def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
-    direct = {"directly", "immediate"} & set(loc.mods)
-    lower = crown(theme) if theme.built else theme.names
-    upper: Operand = foot(mark) if mark.built else mark.names
-    if (len(theme.names) > 1 and not theme.built) or (len(mark.names) > 1 and not mark.built):
-        parts = [r.Above(a=(b,), b=(a,), span=span) for a in theme.names for b in mark.names]
-        return conj(parts, span)
-    if direct:
-        return _on_operand(upper, lower, scene, span)
-    if not isinstance(upper, Lowest | Highest) and not isinstance(lower, Lowest | Highest):
-        scene.on_top.setdefault(upper[0], lower[0])
-    return r.Above(a=upper, b=lower, span=span)
 
 
 def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

@@ -1,0 +1,82 @@
+"""Blocks on, above and under each other: what a vertical relation says, and which towers it makes."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import EACH, Highest, Lowest, Operand
+from rpg.language.meaning import Loc
+from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.operands import crown, foot, spread
+from rpg.passes.schema.resolve.world import Ref, Scene, refuse
+
+
+def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    """On, above, under: stacks come into being."""
+    if loc.rel == "under":
+        return _under(theme, mark, loc, scene, span)
+    if (loc.rel == "above" and not ({"directly", "immediate"} & set(loc.mods))) or "somewhere" in loc.mods:
+        b = crown(mark) if mark.built else mark.names
+        return spread(theme, lambda a: r.Above(a=a, b=b, span=span), span)
+    if theme.quant is None and theme.op == "and" and len(theme.names) > 1 and len(mark.names) == 1 and not theme.built:
+        return _several_on_one(theme, mark, scene, span)
+    if theme.built and theme.built[0].kind == "stack":
+        return _tower_on(theme, mark, scene, span)
+    if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
+        return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
+    b = crown(mark)
+    if not isinstance(b, Lowest | Highest) and len(b) > 1:
+        raise refuse(
+            "ambiguous",
+            "one block cannot lie on several blocks; it is not clear which is meant",
+            loc.span,
+            "name one of them",
+        )
+    return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
+
+
+def _on(a: str, b: Operand, scene: Scene, span: Span) -> g.Goal:
+    return _on_operand((a,), b, scene, span)
+
+
+def _on_operand(a: Operand, b: Operand, scene: Scene, span: Span) -> g.Goal:
+    if (
+        not isinstance(a, Lowest | Highest)
+        and not isinstance(b, Lowest | Highest)
+        and len(a) == len(b) == 1
+        and EACH not in (*a, *b)
+    ):
+        scene.stacked(a[0], b[0], span)
+    return r.On(a=a, b=b, span=span)
+
+
+def _several_on_one(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    """ "stack the green and the yellow block on the red one": a tower on it in the order named, if it says so."""
+    raise refuse(
+        "ambiguous", "several blocks on one: a tower of them in the order named, or all side by side on it?", span,
+        "say which block goes on which",
+    )  # fmt: skip
+
+
+def _tower_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    """A tower put on a block goes on with it: one stack."""
+    tower = theme.built[0]
+    base = crown(mark)
+    if tower.ordered:
+        return _on(tower.members[0], base, scene, span)
+    return r.On(a=Lowest(lowest=tower.members), b=base, span=span)
+
+
+def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    direct = {"directly", "immediate"} & set(loc.mods)
+    lower = crown(theme) if theme.built else theme.names
+    upper: Operand = foot(mark) if mark.built else mark.names
+    if (len(theme.names) > 1 and not theme.built) or (len(mark.names) > 1 and not mark.built):
+        parts = [r.Above(a=(b,), b=(a,), span=span) for a in theme.names for b in mark.names]
+        return conj(parts, span)
+    if direct:
+        return _on_operand(upper, lower, scene, span)
+    if not isinstance(upper, Lowest | Highest) and not isinstance(lower, Lowest | Highest):
+        scene.on_top.setdefault(upper[0], lower[0])
+    return r.Above(a=upper, b=lower, span=span)

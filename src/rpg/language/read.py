@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language.grammar.chains import chain
@@ -13,6 +13,8 @@ from rpg.language.tokens import Token
 
 MAX_KEPT = 24
 _ENDS = frozenset({".", "!", "?"})
+_BRACKETS = frozenset({"(", ")", "[", "]"})
+_TELLING = frozenset({"the", "which", "that", "not", "it", "this", "whose", "where", "i", "or"})
 _THEN = (
     "and then",
     "then",
@@ -114,10 +116,30 @@ def read_sentence(tokens: list[Token]) -> Sentence:
         found = [(cost_of(c), n, c) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]
     except TooMuchWork:
         raise Refusal([_tangled(p)]) from None
+    if not found and _adds(tokens):
+        return read_sentence(_unbracketed(tokens))
     if not found:
         raise Refusal([stuck(p)])
     found.sort(key=lambda item: item[:2])
     return Sentence(link, tuple(c for _, _, c in found[:MAX_KEPT]))
+
+
+def _adds(tokens: list[Token]) -> bool:
+    """Whether there are brackets, and what they hold adds something instead of telling which thing is meant."""
+    inside = [tokens[n + 1].word for n, t in enumerate(tokens[:-1]) if t.word in ("(", "[")]
+    return bool(inside) and not any(word in _TELLING for word in inside)
+
+
+def _unbracketed(tokens: list[Token]) -> list[Token]:
+    """What stands in brackets, set off by commas."""
+    out: list[Token] = []
+    for index, token in enumerate(tokens):
+        after = tokens[index + 1].word if index + 1 < len(tokens) else ","
+        if token.word not in _BRACKETS:
+            out.append(token)
+        elif out and out[-1].word not in (",", ":") and after not in (",", ":"):
+            out.append(replace(token, kind="punct", word=","))
+    return out
 
 
 def _ends(p: Parser, j: int) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.language.grammar.clauses import clause
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.frames import THEN
+from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.nouns import noun_phrase, restates
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.meaning import Chain, Clause, Meaning, Structure
@@ -38,6 +39,11 @@ def chain(p: Parser, i: int) -> Results[Chain]:
 def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
     if len(had) > 16:
         return
+    if colon := p.one(at, ":"):
+        for item, k in inventory(p, colon):
+            whole = (*had, item)
+            yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
+            yield from _more(p, i, whole, (*links, "and"), k)
     for link, j in _link(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
         items = [*clause(p, j), *(gerund_single(p, j) if link in ("before", "after") else ())]

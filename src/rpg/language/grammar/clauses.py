@@ -11,6 +11,7 @@ from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG
 from rpg.language.grammar.gaps import gap
 from rpg.language.grammar.having import having
+from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.piled import piled
@@ -57,6 +58,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     if mode != "start":
         yield from part_clause(p, i)
     yield from _for_each(p, i)
+    yield from inventory(p, i)
 
 
 @rule
@@ -178,7 +180,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
         yield from verb_phrase(p, i, ("ing",))
     if k := p.one(i, "only"):
         for found, end in verb_phrase(p, k, ("base",)):
-            if found.verb in ("place", "stack", "swap", "turn") and found.theme is not None:
+            if found.lemma == "move" and found.theme is not None:
                 alone = Manner(kind="only", span=p.span(i, k))
                 yield replace(found, adjuncts=(*found.adjuncts, alone), span=p.span(i, end)), end
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
@@ -218,21 +220,17 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
             yield Clause(verb="exist", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)), end
 
 
+_VAGUE = frozenset({"it", "them", "they", "that", "this", "one", "each", "all", "both"})
+_WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
+"""After these "it" and "them" are what is described: "I want them in a row"."""
+
+
 @rule
 def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "a tower of three green blocks", "three red blocks stacked on ...": a picture of the end."""
     for theme, j in noun_phrase(p, i):
-        if isinstance(theme, Pronoun) and theme.word in (
-            "it",
-            "them",
-            "they",
-            "that",
-            "this",
-            "one",
-            "each",
-            "all",
-            "both",
-        ):
+        wished = i > 0 and p.words[i - 1] in _WISHING and isinstance(theme, Pronoun) and theme.word in ("it", "them")
+        if isinstance(theme, Pronoun) and theme.word in _VAGUE and not wished:
             continue
         shaped = isinstance(theme, Structure) or (
             isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items)

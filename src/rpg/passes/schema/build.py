@@ -26,6 +26,7 @@ from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.moments import in_time
+from rpg.passes.schema.resolve.inventory import each_agrees
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.tidy import once, tidy
@@ -192,6 +193,7 @@ def _schema(open_: dict[str, str], **fields: Any) -> Feasibility:
 def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
     """Every block that was spoken of must matter: one that no condition mentions was lost on the way."""
     check_besides(scene)
+    each_agrees(scene)
     for traits, count, span in scene.closed:
         there = len(matching(traits, scene, False))
         if there != count:
@@ -226,7 +228,8 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
         | {n for heap in scene.heaps for n in heap}
     )
     for thing in scene.things.values():
-        if thing.name in told or thing.extra or thing.declared or thing.name in scene.spare:
+        listed = thing.declared and thing.name not in scene.tallied
+        if thing.name in told or thing.extra or listed or thing.name in scene.spare:
             continue
         span = next((m.ref.span for m in scene.mentions if thing.name in m.ref.names), chains[0].span)
         raise refuse(

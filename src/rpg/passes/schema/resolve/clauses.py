@@ -25,6 +25,7 @@ from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
+from rpg.passes.schema.resolve.inventory import tally, told_apart
 from rpg.passes.schema.resolve.logic import conj, negation
 from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, places
@@ -239,25 +240,12 @@ def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 
-def _told_apart(theme: Meaning | None) -> Meaning | None:
-    """ "four blocks, two red and two blue": the four, told apart."""
-    if not isinstance(theme, Coord) or theme.op != "and" or len(theme.items) < 3:
-        return theme
-    first, *rest = theme.items
-    if not isinstance(first, Noun) or first.head != "block" or first.amount is None or first.traits != Traits():
-        return theme
-    amounts = [item.amount for item in rest if isinstance(item, Noun) and item.head == "any"]
-    if len(amounts) != len(rest):
-        return theme
-    if sum(a.low if a else 1 for a in amounts) != first.amount.low:
-        raise refuse("ambiguous", "it is not clear how many blocks there are", theme.span, "say how many of each")
-    return replace(theme, items=tuple(rest))
-
-
 def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "there are three red blocks": objects; with a place in a goal: a condition."""
+    if clause.lemma == "tally":
+        return tally(clause, spec, scene, scope)
     if clause.mode == "given":
-        clause = replace(clause, theme=_told_apart(clause.theme))
+        clause = replace(clause, theme=told_apart(clause.theme))
         if is_shape(clause.theme) and (spec.toward or spec.orders or spec.ats or spec.absolutes or spec.sizes):
             return _there_already(clause, spec, scene, scope)
         theme = refer(clause.theme, scene, replace(scope, given=True, start=True)) if clause.theme else Ref()

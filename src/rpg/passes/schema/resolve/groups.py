@@ -164,6 +164,10 @@ def sort_into(
             asked=shape.amount.low,
             groups=len(keyed),
         )
+    size = group_size(shape) if shape is not None else None
+    if size is not None and any(len(v) != size for v in keyed.values()):
+        raise refuse("count-mismatch", f"groups of {size} are asked for, but sorting gives others", span,
+                     "say how many blocks of each kind there are", size=size)  # fmt: skip
     groups = tuple(tuple(v) for v in keyed.values())
     spec.places = [p for p in spec.places if getattr(p, "rel", "") not in ("apart",)]
     built = [scene.add_built("pile", v, False, span) for v in groups]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import string
 
 from rpg.language.meaning import Noun, Traits
-from rpg.passes.schema.resolve.things import alike, create, elastic, give, matching, open_to
+from rpg.passes.schema.resolve.things import alike, create, elastic, give, is_open, matching, open_to
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse, said
 
 
@@ -58,7 +58,7 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
         chosen = claimed
     else:
         scene.new_batch()
-        chosen = elastic([create(noun.traits, scene, patch) for _ in range(count)], noun, patch)
+        chosen = _marked([create(noun.traits, scene, patch) for _ in range(count)], noun, scene, patch)
         for thing in chosen:
             thing.declared = scope.given
     if not scope.given:
@@ -143,11 +143,13 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
         return tuple(t.name for t in found)
     if len(found) >= (2 if noun.plural and noun.traits.colors else 1) or (found and noun.det in ("all", "each")):
         return tuple(t.name for t in found)
-    if found and not noun.plural:
+    if found and (not noun.plural or all(t.name in scene.tallied for t in found)):
         return tuple(t.name for t in found)
     count = wanted(noun, scene, scope, patch)
     scene.new_batch()
-    found = found + elastic([create(noun.traits, scene, patch) for _ in range(max(0, count - len(found)))], noun, patch)
+    found = found + _marked(
+        [create(noun.traits, scene, patch) for _ in range(max(0, count - len(found)))], noun, scene, patch
+    )
     return tuple(t.name for t in found)
 
 
@@ -165,12 +167,23 @@ def _shown_on(noun: Noun, scene: Scene) -> str | None:
 
 def wanted(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> int:
     """How many objects a phrase brings in; a default where it does not say."""
+    if counted_each(noun, scene, patch) and scene.each is not None:
+        return scene.each[0]
     if noun.amount is not None:
         low, high = noun.amount.low, noun.amount.high
         return high if high is not None and high > low else low or 1
     if not noun.plural and noun.det in ("a", "the", "bare", "another", "its"):
         return 1
     return scope.need or (3 if noun.det in ("all", "each", "any", "no", "some") else 2)
+
+
+def _marked(things: list[Thing], noun: Noun, scene: Scene, patch: bool) -> list[Thing]:
+    return things if counted_each(noun, scene, patch) else elastic(things, noun, patch)
+
+
+def counted_each(noun: Noun, scene: Scene, patch: bool) -> bool:
+    """ "the red blocks" where "there are two of each"."""
+    return scene.each is not None and not patch and is_open(noun) and len(noun.traits.colors) == 1
 
 
 def _pick(noun: Noun, found: list[Thing], scene: Scene, scope: Scope) -> Thing:

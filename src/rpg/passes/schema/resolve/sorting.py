@@ -8,7 +8,15 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
-from rpg.passes.schema.resolve.groups import attribute_of, fill, share_out, sort_into
+from rpg.passes.schema.resolve.groups import (
+    DEFAULT_EACH,
+    DEFAULT_GROUPS,
+    attribute_of,
+    fill,
+    group_size,
+    share_out,
+    sort_into,
+)
 from rpg.passes.schema.resolve.members import certain
 from rpg.passes.schema.resolve.mutual import reciprocal
 from rpg.passes.schema.resolve.patches import matching_patches
@@ -43,12 +51,17 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return shaped(clause, spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     need = 4 if line or ordered else SIDE if clause.lemma in DIVIDES and (apart or spec.usings) else 6
-    each = 1 if line or ordered else 2
+    each = 1 if line or ordered else _lot(spec, scene)
+    need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     if line or ordered:
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
     if (patched := _onto_patches(theme, attribute, spec, scene, clause)) is not None:
         return patched
+    lots = tuple(part.names for part in theme.parts)
+    if apart is not None and _of_each_other(apart) and len(lots) > 1 and attribute is None and not spec.intos:
+        spec.places.remove(apart)
+        return [s.GroupBy(groups=lots, span=clause.span), *places(theme, spec, scene, scope, clause.span)]
     if clause.lemma in GATHERS and attribute is None and not spec.intos:
         spec.places = [p for p in spec.places if not _together(p)]
         node = s.GroupBy(groups=(theme.names,), span=clause.span)
@@ -66,10 +79,21 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return goals + places(ref, spec, scene, scope, clause.span)
 
 
+def _lot(spec: Spec, scene: Scene) -> int:
+    """How many blocks each group has, where their number is open."""
+    shape = next((i.structure for i in spec.intos if getattr(i.structure, "kind", "") == "pile"), None)
+    size = group_size(shape) if isinstance(shape, Structure) else None
+    return size or (scene.each[0] if scene.each else DEFAULT_EACH)
+
+
 def _together(place: Meaning) -> bool:
     """ "gather the blocks together", "close to each other": what the verb says already."""
     mark = place.landmark if isinstance(place, Loc) and place.rel in ("near", "together") else None
     return isinstance(mark, Pronoun) and mark.word in ("each other", "one another")
+
+
+def _of_each_other(place: Loc) -> bool:
+    return place.rel == "apart" and isinstance(place.landmark, Pronoun) and place.landmark.word == "each other"
 
 
 def _onto_patches(theme: Ref, attribute: str | None, spec: Spec, scene: Scene, clause: Clause) -> Goals | None:

@@ -29,7 +29,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         or any(_matching(p) for p in (*spec.places, *(x for a in spec.absolutes for x in a.adjuncts)))
     )
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
-    per = shape.extent("size", "high", "layers")
+    per = shape.extent("size", "high", "layers") or (scene.each[0] if scene.each else None)
     equal = spec.manner("equal") is not None
     fresh = theme is None
     theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)

@@ -1,0 +1,151 @@
+"""What blocks there are, said in a clause of its own: "two of each", "2 red, 2 blue", "take digits 1 to 6".
+
+Such a clause names things and no relation; it completes what the other clauses left open.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar import amounts
+from rpg.language.grammar.adjectives import color
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.sizes import IN_TOTAL
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits
+
+_LEADS = (
+    "there are", "there is", "there have", "we have", "you have", "i have", "we have got", "you get", "you have got",
+    "we take", "you take", "we use", "take", "use", "using", "given are", "given", "consider", "they are", "these are",
+    "those are", "it is", "namely", "that is", "we are given", "you are given", "with", "here are", "get", "we got",
+    "i have got", "i got", "and there are", "use only", "take only", "available are", "available :", "blocks :",
+    "cubes :", "inventory :", "material :", "materials :", "have", "we work with", "from", "out of", "made of",
+    "we start with", "you start with", "start with", "starting with", "it starts with", "the blocks are", "the cubes are", "all blocks are",
+)  # fmt: skip
+_EACH = (
+    "of each color", "of each kind", "of each type", "of each sort", "of each", "of every color", "of every kind",
+    "per color", "each", "apiece", "in each color", "for each color", "of both", "of both colors", "of each one",
+    "from each color", "of either color", "per kind", "in every color", "for every color", "of each of them",
+    "of each of the colors", "of both kinds", "of each shade",
+)  # fmt: skip
+_OF_LISTED = (
+    "each of",
+    "of each of the colors",
+    "of each of",
+    "each in",
+    "of each :",
+    "each :",
+    "of each of these colors :",
+)
+_OPENERS = frozenset({",", ":", ";", "("})
+_ARE = ("are", "is", "number", "are exactly", "should be", "must be", "will be", "count")
+_BETWEEN = ("and also", "and", "plus", "&", "+", "as well as", "and then")
+
+
+@rule
+def inventory(p: Parser, i: int) -> Results[Clause]:
+    """The things there are; `lemma` "tally" where nothing says so but the list itself."""
+    lead = p.any_of(i, _LEADS)
+    if lead:
+        for theme, told, j in _contents(p, p.opt(lead, "exactly", "just", "only", ":")):
+            yield _given(p, i, j, theme, told, 1), j
+    if i == 0 or p.words[i - 1] in _OPENERS:
+        for theme, told, j in _contents(p, i):
+            yield _given(p, i, j, theme, told, 2), j
+    yield from _numbered(p, i)
+
+
+def _given(p: Parser, i: int, j: int, theme: Meaning | None, told: tuple[Size, ...], cost: int) -> Clause:
+    return Clause(
+        verb="exist", lemma="tally", theme=theme, adjuncts=told, mode="given", span=p.span(i, j), cost=cost
+    )  # fmt: skip
+
+
+def _contents(p: Parser, i: int) -> list[tuple[Meaning | None, tuple[Size, ...], int]]:
+    """Things with their numbers, or a number that holds of each kind."""
+    found: list[tuple[Meaning | None, tuple[Size, ...], int]] = []
+    for many, j in amounts.amount(p, i):
+        k = p.any_of(j, ("blocks", "cubes", "block", "cube", "bricks", "boxes", "pieces", "ones", "of them")) or j
+        if end := p.any_of(k, _EACH):
+            found.append((None, (Size(what="each", amount=many, span=p.span(i, end)),), end))
+        if end := p.any_of(k, IN_TOTAL):
+            block = Noun(head="block", amount=many, plural=many.high != 1, span=p.span(i, end))
+            found.append((block, (), end))
+    found += [(_whole(p, i, j, items), (), j) for items, j in _run(p, i)]
+    return found
+
+
+def _whole(p: Parser, i: int, j: int, items: tuple[Noun, ...]) -> Meaning:
+    return items[0] if len(items) == 1 else Coord(op="and", items=items, span=p.span(i, j))
+
+
+@rule
+def _run(p: Parser, i: int) -> Results[tuple[Noun, ...]]:
+    """Counted things, one after the other."""
+    for first, j in _item(p, i):
+        yield first, j
+        after = p.opt(j, ",", ":", ";")
+        after = p.any_of(after, _BETWEEN) or after
+        for rest, k in _run(p, after) if after > j else ():
+            yield (*first, *rest), k
+
+
+def _item(p: Parser, i: int) -> Results[tuple[Noun, ...]]:
+    yield from (((theme,), j) for theme, j in simple(p, i) if isinstance(theme, Noun) and _counted(theme))
+    for many, j in amounts.count(p, i):
+        for named, k in color(p, p.opt(j, "is", "are")) if p.words[j : j + 1] in (["is"], ["are"]) else ():
+            yield (_of_color(named, many, p.span(i, k)),), k
+    for named, j in color(p, i):
+        for many, k in amounts.count(p, p.opt(j, ":", "-", "=", "x")):
+            k = p.opt(k, "blocks", "cubes", "block", "cube")
+            yield (_of_color(named, many, p.span(i, k)),), k
+    for many, j in amounts.count(p, i):
+        k = p.any_of(p.opt(j, "block", "blocks", "cube", "cubes"), _OF_LISTED)
+        for items, end in _colors(p, k) if k else ():
+            yield tuple(_of_color(c, many, p.span(i, end)) for c in items), end
+
+
+def _of_color(named: str, many: int, span: tuple[int, int]) -> Noun:
+    return Noun(head="block", amount=Amount(many, many), plural=many > 1, traits=Traits(colors=(named,)), span=span)
+
+
+def _colors(p: Parser, i: int) -> Results[tuple[str, ...]]:
+    listed: list[str] = []
+    while (found := next(iter(color(p, i)), None)) is not None:
+        listed.append(found[0])
+        i = found[1]
+        if len(listed) > 1:
+            yield tuple(listed), i
+        comma = p.opt(i, ",")
+        i = p.opt(comma, "and", "&")
+
+
+def _counted(theme: Noun) -> bool:
+    """Whether a phrase brings up blocks and says how many."""
+    plain = theme.part_of is None and not theme.conditions and theme.head != "patch"
+    marks = theme.traits
+    plain = plain and marks.rank is None and not marks.matching and not marks.either and theme.det in ("bare", "a")
+    exact = theme.amount is not None and theme.amount.low == theme.amount.high and not theme.amount.strict
+    return plain and (exact or (bool(marks.labels) and theme.amount is None and not marks.open_ended))
+
+
+def _numbered(p: Parser, i: int) -> Results[Clause]:
+    """ "the blue cubes are three", "the blocks are two red and two green"."""
+    for theme, j in noun_phrase(p, i):
+        k = p.any_of(j, _ARE)
+        if not k or not (
+            isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det in ("the", "bare", "its"))
+        ):
+            continue
+        if isinstance(theme, Noun) and theme.plural and theme.head == "block" and theme.amount is None:
+            for many, end in amounts.amount(p, k):
+                if p.words[end] not in lexicon.BLOCK and p.words[end] not in lexicon.UNIT:
+                    end = p.any_of(end, ("in number", "of them", *IN_TOTAL)) or end
+                    counted = replace(theme, det="bare", amount=many, span=p.span(i, end))
+                    yield _given(p, i, end, counted, (), 1), end
+        told = isinstance(theme, Pronoun) and theme.word in ("they", "these", "those")
+        if told or (isinstance(theme, Noun) and theme.plural and theme.traits == Traits() and theme.head == "block"):
+            for items, end in _run(p, k):
+                if len(items) > 1:
+                    yield _given(p, i, end, _whole(p, k, end, items), (), 1), end

@@ -1,0 +1,73 @@
+"""What blocks there are by a list of their own: it completes the other clauses, and must agree with them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits
+from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Scene, Scope, refuse
+
+
+def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
+    """ "2 red, 2 blue", "two of each": things that the other clauses speak of."""
+    for size in [z for z in spec.sizes if z.what == "each" and z.amount is not None]:
+        spec.sizes.remove(size)
+        amount = size.amount or Amount(1, 1)
+        if amount.low != amount.high or (scene.each is not None and scene.each[0] != amount.low):
+            raise refuse("ambiguous", "it is not said how many of each there are", size.span, "say one number")
+        scene.each = (amount.low, size.span)
+    whole = told_apart(clause.theme)
+    if whole is None:
+        return []
+    if whole != clause.theme and isinstance(clause.theme, Coord):
+        _counts(clause.theme.items[0], scene)
+    found = refer(whole, scene, replace(scope, given=True, start=True))
+    scene.mentions[-1].role = "given"
+    for item in whole.items if isinstance(whole, Coord) else (whole,):
+        _counts(item, scene)
+    for name in found.names:
+        scene.things[name].declared = True
+        scene.tallied.add(name)
+    return []
+
+
+def _counts(item: Meaning, scene: Scene) -> None:
+    """There are as many as are listed, no more."""
+    if isinstance(item, Noun) and item.amount is not None and not item.traits.extra and not item.traits.labels:
+        scene.closed.append((replace(item.traits, scheme=None), item.amount.low, item.span))
+
+
+def told_apart(theme: Meaning | None) -> Meaning | None:
+    """ "four blocks, two red and two blue": the four, told apart."""
+    if not isinstance(theme, Coord) or theme.op != "and" or len(theme.items) < 3:
+        return theme
+    first, *rest = theme.items
+    if not isinstance(first, Noun) or first.head != "block" or first.amount is None or first.traits != Traits():
+        return theme
+    amounts = [item.amount for item in rest if isinstance(item, Noun) and item.traits.colors]
+    if len(amounts) != len(rest):
+        return theme
+    if sum(a.low if a else 1 for a in amounts) != first.amount.low:
+        raise refuse("ambiguous", "it is not clear how many blocks there are", theme.span, "say how many of each")
+    return replace(theme, items=tuple(rest))
+
+
+def each_agrees(scene: Scene) -> None:
+    """ "two of each" holds of every kind of block there is."""
+    if scene.each is None:
+        return
+    many, span = scene.each
+    kinds = Counter((t.label or t.color, t.kind) for t in scene.blocks() if not t.extra)
+    odd = next(((look, n) for (look, _), n in kinds.items() if n != many), None)
+    if odd is not None:
+        raise refuse(
+            "count-mismatch", f"there are {many} of each, but {odd[1]} {odd[0]}", span, "say how many of each kind",
+            each=many, there=odd[1],
+        )  # fmt: skip
+
+
+__all__ = ["each_agrees", "tally", "told_apart"]

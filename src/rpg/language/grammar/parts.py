@@ -157,7 +157,8 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
             yield Absolute(theme=theme, adjuncts=(rest,), span=p.span(i, end)), end
         if lead := p.any_of(k, _LEADS):
             for place, end in part(p, lead, unit):
-                if isinstance(place, Places):
+                on_block = p.words[k] == "on" and p.words[end - 1] in _UNITS and _UNITS[p.words[end - 1]] == "block"
+                if isinstance(place, Places) and not on_block:
                     yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
 
 

@@ -78,7 +78,7 @@ def region(p: Parser, i: int) -> Results[In]:
             yield In(region=name, span=p.span(i, k)), k
     if k := p.any_of(exact, _EACH_CORNER):
         end = _of_table(p, k)
-        yield In(region="each_corner", span=p.span(i, end or k), cost=0 if end else 2), end or k
+        yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
     if j := p.any_of(i, ("on the table's", "to the table's", "in the table's", "at the table's")):
         pass
     if (k := p.any_of(i, ("on the table", "in the table"))) and p.one(k, "'s"):

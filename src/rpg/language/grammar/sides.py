@@ -109,6 +109,8 @@ def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
         for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
             if end := p.any_of(k, (f"of the {noun}", f"of this {noun}", f"of that {noun}")):
                 yield At(side=side, whole=whole, span=p.span(i, end)), end
+        if p.words[k - 1] == "block" and p.words[i] == "on":
+            return
         of_it = p.seq(k, "of it") if side in ("top", "bottom", "middle") else 0
         yield At(side=side, span=p.span(i, k)), of_it or k
     counted = word in ("first", "last", *lexicon.ORDINAL)

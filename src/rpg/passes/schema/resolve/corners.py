@@ -18,6 +18,8 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     names = theme.names
     if theme.quant is not None or theme.op != "and" or theme.built or theme.patch or meaning.negated or not names:
         raise refuse("ambiguous", "it is not clear which blocks go into the corners", span, "say what each corner gets")
+    if meaning.region.endswith("?") and (scene.built or any(t.patch for t in scene.things.values())):
+        raise refuse("ambiguous", "it is not clear of what these are the corners", meaning.span, "say 'of the table'")
     if len(names) == len(CORNERS):
         things = [scene.things[n] for n in names]
         if all(t.color is None and t.label is None and t.kind is None for t in things):

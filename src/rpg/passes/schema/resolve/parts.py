@@ -167,7 +167,7 @@ def _counted(item: Absolute) -> bool:
 def _told(theme: Meaning) -> bool:
     """Whether it is said how the blocks of a part look, and not only how many there are."""
     if isinstance(theme, Noun):
-        return replace(theme.traits, kind=None) != Traits()
+        return replace(theme.traits, kind=None) != Traits() or theme.det not in ("bare", "a")
     return not (isinstance(theme, Pronoun) and theme.word == "one")
 
 

@@ -78,6 +78,12 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         raise refuse(
             "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
         )
+    line = next((b for b in scene.built if b.kind in SIDES and not set(ref.names) & set(b.members)), None)
+    if line is not None and line.kind != "stack" and at_.side in SIDES[line.kind]:
+        raise refuse(
+            "ambiguous", f"this could be a side of the table or an end of the {line.kind}", at_.span,
+            f"say 'of the table', or name the block among those of the {line.kind}",
+        )  # fmt: skip
     if at_.side != "middle" and any(isinstance(a, r.LeftOf | r.RightOf | r.InFrontOf | r.Behind) for a in atoms(goal)):
         raise refuse(
             "ambiguous",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Noun, Pronoun, Size, Structure, Traits
+from rpg.language.meaning import At, Noun, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.parts import widened

@@ -17,13 +17,13 @@ OUTCOMES = ("right", "refused", "wrong", "crash")
 
 
 def read(entry: Entry) -> Read:
-    """The schema pass and what the compiler decides, without physics; what has to be refused is also arranged."""
+    """The schema pass and what the compiler decides, without physics; what is or may be refused is also arranged."""
     try:
         schema, diagnostics = BuiltinFrontEnd().read(entry.text)
         if schema is None:
             return None, diagnostics
         schema = prepared(schema)
-        if entry.refuse:
+        if entry.refuse or entry.may_refuse:
             goal_path(schema, Random(0))
         return schema, diagnostics
     except Refusal as refusal:

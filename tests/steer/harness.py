@@ -108,10 +108,14 @@ def _differs(turn: dict[str, Any], done: Steered, head: int) -> tuple[str, Score
     for look in turn.get("same", []):
         if look not in untouched or any(looks[name] == look for name in done.proof.positions.moved):
             return f"the start of {look} is not kept", "wrong"
-    states = {key: tuple((str(s),) for s in turn.get(key, ())) for key in ("hold", "miss")}
+    states = {key: tuple(_trajectory(state) for state in turn.get(key, ())) for key in ("hold", "miss")}
     entry = Entry("", "", turn["edit"], assets=turn.get("assets"), hold=states["hold"], miss=states["miss"])
     why = _disagreement(entry, schema)
     return (why, "wrong") if why and not why.endswith("start in a heap") else ("", "right")
+
+
+def _trajectory(state: str | list[str]) -> tuple[str, ...]:
+    return tuple(state) if isinstance(state, list) else (str(state),)
 
 
 def _replays(done: Steered) -> bool:

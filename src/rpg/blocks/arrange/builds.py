@@ -7,12 +7,11 @@ from itertools import islice
 from random import Random
 
 from rpg.blocks.arrange.alternatives import Conjunction
-from rpg.blocks.arrange.seats import reseated
-from rpg.blocks.constants import TABLE_Z
+from rpg.blocks.arrange.seats import alone, reseated
 from rpg.blocks.predicate import Cluster
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.predicates.common import SPANS
-from rpg.blocks.state import IDENTITY, BlockState, World
+from rpg.blocks.state import World
 from rpg.ir import goal as g
 from rpg.ir import structures
 from rpg.ir.node import Node
@@ -30,7 +29,6 @@ MAX_BUILDS = 12
 MOST_BUILDS = 40
 MOST_STRETCHED = 24
 STRETCHES = (1.5, 1.25)
-CENTRE = (0.55, 0.0)
 
 
 def layouts_of(
@@ -42,16 +40,16 @@ def layouts_of(
     there is no way to lay it out, there is none to arrange the whole.
     """
     wanted = [literal.atom for literal in literals if literal.holds]
-    found = [(atom, _builds(atom, world, rng, thorough)) for atom in wanted if atom.kind in STRUCTURES]
-    for atom, builds in found:
+    found = [(atom, *_builds(atom, world, rng, thorough)) for atom in wanted if atom.kind in STRUCTURES]
+    for atom, usual, wide in found:
         inside = set(names(atom))
         asked = [part for part in literals if part.atom is not atom and _within(part.atom, inside)]
-        if any(_covers(other, atom) or _parts_of(other, atom) for other, _ in found):
-            yield atom, [[], *builds]
+        if any(_covers(other, atom) or _parts_of(other, atom) for other, *_ in found):
+            yield atom, [[], *usual, *wide]
             continue
-        first = builds[: MOST_RESEATED if thorough else 1] if asked else []
+        first = [*usual[: MOST_RESEATED if thorough else 1], *wide[:MOST_RESEATED]] if asked else []
         seated = [reseated(atom, clusters, asked, world, thorough) for clusters in first]
-        yield atom, [*(clusters for clusters in seated if clusters is not None), *builds]
+        yield atom, [*(clusters for clusters in seated if clusters is not None), *usual, *wide]
 
 
 def _covers(other: g.Atom, atom: g.Atom) -> bool:
@@ -71,17 +69,18 @@ def _within(atom: g.Atom, blocks: set[str]) -> bool:
     return atom.kind not in ABSOLUTE and blocks.issuperset(names(atom))
 
 
-def _builds(atom: g.Atom, world: World, rng: Random, thorough: bool) -> list[list[Cluster]]:
+def _builds(atom: g.Atom, world: World, rng: Random, thorough: bool) -> tuple[list[list[Cluster]], list[list[Cluster]]]:
+    """The usual ways to lay a structure out, and wider ones."""
     found = list(islice(PREDICATES[atom.kind].build(atom, world, rng), MOST_BUILDS if thorough else MAX_BUILDS))
     if not thorough or any(name in world.patches for name in names(atom)):
-        return found
-    wider = (
-        stretched
+        return found, []
+    wider = [
+        [stretched]
         for factor in STRETCHES
         for clusters in found[:MOST_STRETCHED]
         if len(clusters) == 1 and (stretched := _stretched(atom, clusters[0], factor, world)) is not None
-    )
-    return [*found, *([cluster] for cluster in wider)]
+    ]
+    return found, wider
 
 
 def _stretched(atom: g.Atom, cluster: Cluster, factor: float, world: World) -> Cluster | None:
@@ -92,6 +91,6 @@ def _stretched(atom: g.Atom, cluster: Cluster, factor: float, world: World) -> C
     if not flat or wide or cluster.fixed:
         return None
     poses = {name: ((factor * x, factor * y, z), quat) for name, ((x, y, z), quat) in cluster.poses.items()}
-    position = {n: (x + CENTRE[0], y + CENTRE[1], z + TABLE_Z) for n, ((x, y, z), _) in poses.items()}
-    state = BlockState(world, position, {n: quat or IDENTITY for n, (_, quat) in poses.items()})
-    return Cluster(poses) if PREDICATES[atom.kind].evaluate(atom, state).margin > 0.05 else None
+    made = Cluster(poses)
+    seats = {name: (0, *pose) for name, pose in poses.items()}
+    return made if PREDICATES[atom.kind].evaluate(atom, alone(atom, seats, world)).margin > 0.05 else None

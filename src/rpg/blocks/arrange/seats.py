@@ -12,6 +12,7 @@ from rpg.blocks.predicate import Cluster
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World
 from rpg.ir import goal as g
+from rpg.ir.walk import names
 
 UPRIGHT = frozenset({"on", "above", "clear", "stack"})
 """Conditions that do not depend on where the pieces of a structure stand relative to each other."""
@@ -26,14 +27,32 @@ SPOILT = 10.0
 """How much worse a structure that no longer holds is than a condition that does not."""
 
 
+Seats = dict[str, tuple[int, Vec3, Quat | None]]
+"""By block: the piece of the structure it is in, its place there, and its turn if that matters."""
+
+
+def alone(atom: g.Atom, seats: Seats, world: World) -> BlockState:
+    """A structure by itself, its pieces and the blocks that it has no seat for far from each other."""
+    pieces = 1 + max(piece for piece, _, _ in seats.values())
+    spare = [name for name in names(atom) if name in world.blocks and name not in seats]
+    position = {name: (x + FAR * piece, y, z + TABLE_Z) for name, (piece, (x, y, z), _) in seats.items()}
+    position |= {name: (FAR * (pieces + k), 0.0, TABLE_Z + world.edge[name] / 2) for k, name in enumerate(spare)}
+    return BlockState(world, position, {name: quat or IDENTITY for name, (_, _, quat) in seats.items()})
+
+
 def reseated(
     atom: g.Atom, clusters: Sequence[Cluster], asked: Sequence[Literal], world: World, thorough: bool
 ) -> list[Cluster] | None:
     """The layout with blocks of one size exchanged so that `asked` holds; None if that is not found, or needed.
 
-    `asked` mentions blocks of the structure only.
+    Of `asked`, what mentions blocks that the structure leaves without a place (a letter its word does not need) waits.
     """
-    kept = [literal for literal in asked if len(clusters) == 1 or literal.atom.kind in UPRIGHT]
+    seats = {name for cluster in clusters for name in cluster.poses}
+    kept = [
+        literal
+        for literal in asked
+        if seats.issuperset(names(literal.atom)) and (len(clusters) == 1 or literal.atom.kind in UPRIGHT)
+    ]
     if not kept or any(cluster.fixed for cluster in clusters):
         return None
     table = _Table(atom, clusters, kept, world)
@@ -53,7 +72,9 @@ class _Table:
     def __init__(self, atom: g.Atom, clusters: Sequence[Cluster], asked: list[Literal], world: World) -> None:
         self.atom, self.asked, self.world = atom, asked, world
         self.count = len(clusters)
-        self.seats = {n: (k, place, quat) for k, c in enumerate(clusters) for n, (place, quat) in c.poses.items()}
+        self.seats: Seats = {
+            n: (k, place, quat) for k, c in enumerate(clusters) for n, (place, quat) in c.poses.items()
+        }
         self.whole = PREDICATES[atom.kind].evaluate(atom, self._state()).value
 
     def improved(self) -> bool:
@@ -113,8 +134,4 @@ class _Table:
         return [Cluster(poses) for poses in parts]
 
     def _state(self) -> BlockState:
-        return BlockState(
-            self.world,
-            {name: (x + FAR * k, y, z + TABLE_Z) for name, (k, (x, y, z), _) in self.seats.items()},
-            {name: quat or IDENTITY for name, (_, _, quat) in self.seats.items()},
-        )
+        return alone(self.atom, self.seats, self.world)

@@ -16,7 +16,8 @@ from rpg.blocks.visibility import reads
 SLANT = 40.0
 """Degrees by which a glyph is turned so that it is surely not upright: twice what is allowed."""
 ADJOINS_EDGES = 0.5
-"""A block whose gap to a text is at most this many edges adjoins it, in any direction."""
+"""A block whose gap to a text is at most this many edges adjoins it: one with a symbol in any direction, a plain one in
+the line of the text."""
 
 
 def legible(state: BlockState, names: Iterable[str], normal: Vec3, up: Vec3, excused: Iterable[str] = ()) -> Verdict:
@@ -31,7 +32,7 @@ def legible(state: BlockState, names: Iterable[str], normal: Vec3, up: Vec3, exc
 def apart(
     state: BlockState, sequence: Sequence[str], direction: tuple[float, float], gap_edges: float, symbols: bool = False
 ) -> Verdict:
-    """Nothing else adjoins a row along `direction`: no block close to it or on it, no symbol that would be read on.
+    """Nothing else adjoins a row along `direction`: no block on it or next in its line, no symbol close to it.
 
     `symbols`: only blocks that show one are looked at.
     """
@@ -41,28 +42,27 @@ def apart(
         lettered = bool(traits.symbol(other))
         if symbols and not lettered:
             continue
-        if lettered:
-            margin = min(margin, _reading_on(state, sequence, direction, gap_edges, other))
+        margin = min(margin, _reading_on(state, sequence, direction, gap_edges if lettered else ADJOINS_EDGES, other))
         for name in sequence:
-            margin = min(margin, _closeness(state, name, other))
+            margin = min(margin, _closeness(state, name, other, lettered))
     return holds(margin) if margin != 0.0 else FALSE
 
 
-def _closeness(state: BlockState, name: str, other: str) -> float:
+def _closeness(state: BlockState, name: str, other: str, lettered: bool) -> float:
     """How far `other` is from adjoining `name`, over the distance at which it does; -1 where it lies on it."""
     edge = pair_edge(state, name, other)
     (ax, ay, az), (bx, by, bz) = state.position[name], state.position[other]
     if max(abs(ax - bx), abs(ay - by)) > 4.0 * edge:
         return 1.0
     if abs(az - bz) < edge * 0.75:
-        return footprint_gap(state, name, other) / (ADJOINS_EDGES * edge) - 1.0
+        return footprint_gap(state, name, other) / (ADJOINS_EDGES * edge) - 1.0 if lettered else 1.0
     return -1.0 if rests_on(state, other, name) else 1.0
 
 
 def _reading_on(
     state: BlockState, sequence: Sequence[str], direction: tuple[float, float], gap_edges: float, other: str
 ) -> float:
-    """How far `other` is from being read as the row's next symbol, before its first or after its last."""
+    """How far `other` is from being taken for the row's next cube, before its first or after its last."""
     ux, uy = direction
     margin = 1.0
     for end, sign in ((sequence[0], -1.0), (sequence[-1], 1.0)):

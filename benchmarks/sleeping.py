@@ -1,28 +1,27 @@
-"""Whether MuJoCo's sleeping bodies would help the gates: are verdicts the same, and what is gained.
+"""What sleeping bodies give the gate of the goal state, and whether any verdict depends on them.
 
-`python benchmarks/sleeping.py [STACKS]` lets marginal stacks (2,100 unless told) stand for as long as the gate of the
-goal state does, awake and with sleep allowed, and compares what that gate would say; then it times scenes that rest.
+`python benchmarks/sleeping.py [SCENES] [TOWERS]` lets marginal scenes (2,100 unless told) stand for as long as that
+gate does, awake and with sleep allowed, and compares what it would say; finds for so many towers (20) the overhang at
+which they begin to fall, with sleep and without; and times scenes at rest.
 """
 
 from __future__ import annotations
 
 import math
 import os
+import statistics
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from random import Random
 
 os.environ.setdefault("MUJOCO_GL", "disable")
 
-import mujoco
-
 from rpg.blocks.constants import TABLE_SIZE, TABLE_X, TABLE_Z
-from rpg.blocks.physics import Physics
-from rpg.blocks.scene import build_spec
+from rpg.blocks.physics import SLEEPS_BELOW, Physics
 from rpg.blocks.state import BlockState, Quat, Vec3, World
 from rpg.ir.assets import ColoredCube
 from rpg.passes.validate import Measures
@@ -35,13 +34,15 @@ CENTER = (0.5, 0.0)
 SIZES = (2, 5, 14, 27)
 MEASURES = Measures()
 STEPS = MEASURES.settle_steps + MEASURES.hold_steps
-TOLERANCES = (None, 1e-4, 1e-6)
-"""Speeds below which bodies fall asleep; the middle one is MuJoCo's default, None keeps everything awake."""
+TOLERANCES = (1e-3, SLEEPS_BELOW)
+"""Speeds (m/s) below which bodies fall asleep: MuJoCo 4's own, and that of the gates."""
+FINEST = 1e-7
+"""How closely (m) the overhang at which a tower begins to fall is found."""
 
 
 @dataclass(frozen=True)
 class Case:
-    """A scene that stands or falls by a hair: the lower corner's poses of every cube, and what kind it is."""
+    """A scene that stands or falls by a hair: centres (m) and yaws (rad) of its cubes, and what kind it is."""
 
     kind: str
     positions: tuple[Vec3, ...]
@@ -91,7 +92,11 @@ def tower(rng: Random) -> Case:
     count = rng.randint(2, 6)
     broken = rng.randrange(1, count)
     yaw = rng.choice((0.0, rng.uniform(0.0, math.pi / 4)))
-    beyond = EDGE / 2 + rng.uniform(-NEAR, NEAR)
+    return overhanging(count, broken, yaw, EDGE / 2 + rng.uniform(-NEAR, NEAR))
+
+
+def overhanging(count: int, broken: int, yaw: float, beyond: float) -> Case:
+    """A tower whose blocks from `broken` on stand `beyond` (m) to the side."""
     x, y = CENTER
     positions = [
         (x + beyond * math.cos(yaw) * (i >= broken), y + beyond * math.sin(yaw) * (i >= broken), level(i))
@@ -127,17 +132,11 @@ def table_edge(rng: Random) -> Case:
     return Case("table edge", positions, (rng.uniform(0.0, math.pi / 2),) * count)
 
 
-def model_of(world: World, tolerance: float | None) -> mujoco.MjModel:
-    spec = build_spec(world.assets.values())
-    if tolerance is not None:
-        spec.option.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
-        spec.option.sleep_tolerance = tolerance
-    return spec.compile()
-
-
-def outcome(case: Case, model: mujoco.MjModel) -> tuple[Outcome, bytes]:
-    """What becomes of a case, and the bits of its last state."""
-    physics = Physics(case.state.world, model)
+def outcome(case: Case, below: float | None) -> tuple[Outcome, bytes]:
+    """What becomes of a case with sleep allowed `below` that speed (None: never), and the bits of its last state."""
+    physics = Physics(case.state.world)
+    if below is not None:
+        physics.let_sleep(below)
     physics.write(case.state)
     for index in range(physics.count):
         physics.data.qvel[6 * index + 3 : 6 * index + 5] = (NUDGE, NUDGE if index % 2 else -NUDGE)
@@ -151,29 +150,53 @@ def outcome(case: Case, model: mujoco.MjModel) -> tuple[Outcome, bytes]:
         for place, then in zip(now.position.values(), case.positions, strict=True):
             drifts = drifts or math.dist(place, then) > MEASURES.drift_m
             topples = topples or abs(place[2] - then[2]) > MEASURES.topple_m
-        kept = kept and all(
-            abs(place[2] - then[2]) < EDGE / 4
-            for place, then in zip(now.position.values(), case.positions, strict=True)
-        )
+            kept = kept and abs(place[2] - then[2]) < EDGE / 4
         moves = bool(now.moving)
     return Outcome(topples, drifts, moves, kept), physics.data.qpos.tobytes()
 
 
-def compare(count: int) -> None:
-    """Print, for every tolerance, how many of the cases end otherwise than awake."""
-    listed = list(islice(cases(0), count))
-    models = {(n, t): model_of(world_of(n), t) for n in range(1, 7) for t in TOLERANCES}
-    found = [{t: outcome(case, models[len(case.positions), t]) for t in TOLERANCES} for case in listed]
-    standing = sum(each[None][0].kept for each in found)
-    print(f"{count} marginal scenes, of which {standing} keep standing awake")
-    for tolerance in TOLERANCES[1:]:
-        other = Counter(
-            case.kind for case, each in zip(listed, found, strict=True) if each[tolerance][0] != each[None][0]
-        )
-        bits = sum(each[tolerance][1] != each[None][1] for each in found)
+def compare(what: str, listed: Sequence[Case]) -> int:
+    """Print, for every tolerance, how many of the cases end otherwise than awake; their number."""
+    awake = [outcome(case, None) for case in listed]
+    standing = sum(found.kept for found, _ in awake)
+    print(f"{len(listed)} {what}, of which {standing} keep standing awake", flush=True)
+    total = 0
+    for tolerance in TOLERANCES:
+        asleep = [outcome(case, tolerance) for case in listed]
+        triples = list(zip(listed, asleep, awake, strict=True))
+        other = Counter(case.kind for case, (now, _), (then, _) in triples if now != then)
+        bits = sum(now != then for _, (_, now), (_, then) in triples)
         kinds = ", ".join(f"{number} {kind}" for kind, number in sorted(other.items())) or "none"
+        print(f"sleep below {tolerance:g} m/s: other verdicts {other.total()} ({kinds}); other bits {bits}", flush=True)
+        total += other.total()
+    return total
+
+
+def brink(count: int, broken: int, yaw: float, below: float | None) -> float:
+    """The overhang (m) from which on a tower falls, by bisection."""
+    stands, falls = EDGE / 2 - 2 * NEAR, EDGE / 2 + NEAR
+    while falls - stands > FINEST:
+        middle = (stands + falls) / 2
+        kept = outcome(overhanging(count, broken, yaw, middle), below)[0].kept
+        stands, falls = (middle, falls) if kept else (stands, middle)
+    return stands
+
+
+def brinks(count: int) -> None:
+    """Print by how much sleep moves the overhang at which towers begin to fall."""
+    rng = Random(1)
+    moved: dict[float, list[float]] = {tolerance: [] for tolerance in TOLERANCES}
+    for _ in range(count):
+        size = rng.randint(2, 5)
+        broken, yaw = rng.randrange(1, size), rng.choice((0.0, rng.uniform(0.0, math.pi / 4)))
+        awake = brink(size, broken, yaw, None)
+        for tolerance, found in moved.items():
+            found.append(abs(brink(size, broken, yaw, tolerance) - awake))
+    for tolerance, found in moved.items():
         print(
-            f"sleep below {tolerance:g}: other verdicts {sum(other.values())} ({kinds}); other bits {bits}", flush=True
+            f"sleep below {tolerance:g} m/s moves the brink of {count} towers by {1e6 * statistics.median(found):.1f} "
+            f"micrometres in the median, {1e6 * max(found):.1f} at most",
+            flush=True,
         )
 
 
@@ -189,8 +212,10 @@ def gain() -> None:
     """Print the time that scenes at rest take for the steps of the gate."""
     for count in SIZES:
         state, times = resting(count), []
-        for tolerance in TOLERANCES[:2]:
-            physics = Physics(state.world, model_of(state.world, tolerance))
+        for below in (None, SLEEPS_BELOW):
+            physics = Physics(state.world)
+            if below is not None:
+                physics.let_sleep(below)
             best = math.inf
             for _ in range(5):
                 physics.write(state)
@@ -202,6 +227,14 @@ def gain() -> None:
         print(f"{count:2} blocks at rest, {STEPS} control steps: {awake:7.2f} ms awake, {asleep:6.2f} ms asleep")
 
 
-if __name__ == "__main__":
+def main(scenes: int, towers: int) -> int:
+    """Everything; the exit status says whether any verdict depends on sleep."""
     gain()
-    compare(int(sys.argv[1]) if len(sys.argv) > 1 else 2100)
+    other = compare("marginal scenes", list(islice(cases(0), scenes)))
+    brinks(towers)
+    return int(other > 0)
+
+
+if __name__ == "__main__":
+    given = [int(argument) for argument in sys.argv[1:]]
+    sys.exit(main(given[0] if given else 2100, given[1] if len(given) > 1 else 20))

@@ -18,7 +18,8 @@ def tower(overhangs: tuple[float, ...]) -> BlockState:
     """Blocks on each other, each moved to the side by so much (m)."""
     world = World(tuple(ColoredCube(name=f"block_{i}", color="red", size=EDGE) for i in range(len(overhangs))))
     places = {
-        name: (0.5 + x, 0.0, TABLE_Z + EDGE * (i + 0.5)) for i, (name, x) in enumerate(zip(world.blocks, overhangs))
+        name: (0.5 + x, 0.0, TABLE_Z + EDGE * (i + 0.5))
+        for i, (name, x) in enumerate(zip(world.blocks, overhangs, strict=True))
     }
     return BlockState(world, places, dict.fromkeys(places, UPRIGHT))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 
 import mujoco
 import numpy as np
@@ -16,6 +17,9 @@ SETTLE_STEPS = 100
 QUIET_SPEED = 0.002
 """Speed (m/s) below which every block has settled for good."""
 QUIET_STEPS = 4
+SLEEPS_BELOW = 1e-4
+"""Speed (m/s) below which blocks fall asleep where they may. No verdict on marginal scenes depends on it: see
+benchmarks/sleeping.py."""
 SAME_POSE, SAME_SPEED = 1e-6, 0.01
 """Poses this close (m, and parts of quaternions) at such speeds (m/s, rad/s) at most count as the same state."""
 
@@ -66,6 +70,15 @@ class Physics:
         """Is every block where it was at the last `read`, to within SAME_POSE, and at rest?"""
         velocities, way = self._velocities, self._poses - self._read
         return bool(velocities.dot(velocities) < SAME_SPEED**2 and way.dot(way) < SAME_POSE**2)
+
+    def let_sleep(self, below: float = SLEEPS_BELOW) -> None:
+        """Blocks that rest may sleep from now on, until something touches them: steps pass them over.
+
+        Contacts of blocks that sleep are not listed.
+        """
+        self.model = copy(self.model)
+        self.model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+        self.model.opt.sleep_tolerance = below
 
     def step(self, control_steps: int = 1) -> None:
         """Advance by control steps of 1/20 s."""

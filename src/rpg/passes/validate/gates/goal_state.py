@@ -47,6 +47,7 @@ class GoalStateGate:
         task = bench.goal
         try:
             authored = task.reset(0)
+            task.physics.let_sleep()
             nudge(task)
             task.step(bench.measures.settle_steps)
         except Refusal as refusal:

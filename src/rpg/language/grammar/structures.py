@@ -149,6 +149,16 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
             yield _Before(marks=Marks({k: v for k, v in marks.items() if k not in ("target", "long", "size")})), j
     if p.lex(i, lexicon.BLOCK) is not None:
         yield _Before(), i + 1
+    rank = _RANKS.get(p.words[i]) if i < p.end else None
+    if rank:
+        yield _Before(marks=Marks({"rank": rank})), p.reach(i + 1)
+
+
+_RANKS = {
+    "left": "left", "right": "right", "front": "front", "back": "back", "middle": "middle", "last": "last",
+    "near": "front", "far": "back", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
+}  # fmt: skip
+"""Which of several structures is meant."""
 
 
 def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Results[Meaning]:
@@ -159,6 +169,14 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "with", ","))
         ):
             continue
+        rank = before.marks.get("rank")
+        if rank and (plural or quantity.det not in ("the", "a") or before.sizes or before.dims):
+            continue
+        if rank and quantity.det == "a":
+            if not rank.isdigit():
+                continue
+            marks = Marks({key: value for key, value in before.marks.items() if key != "rank"})
+            before, quantity = replace(before, marks=marks), Quantity("another", quantity.amount)
         if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
             continue
         if p.words[k - 1] in ("stairs", "steps") and quantity.amount is not None:
@@ -352,7 +370,10 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         for found, end in amounts.amount(p, k):
             size = Size(what="size", amount=found, span=p.span(k, end))
             cost = base.cost + (0 if base.plural else 1)
-            yield replace(base, sizes=(size,), span=p.span(i, end), cost=cost), p.opt(end, "each", "apiece")
+            yield (
+                replace(base, sizes=(size,), span=p.span(i, end), cost=cost),
+                p.opt(end, "each", "apiece") if base.plural else end,
+            )
 
 
 def members_amount(members: Meaning) -> Amount | None:

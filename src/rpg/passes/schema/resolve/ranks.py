@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Noun
+from rpg.language.meaning import At, Noun
+from rpg.passes.schema.resolve.positions import SIDES
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 _FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "word": "left"}
@@ -26,6 +27,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         found = _in(built, rank)
         if found is not None and (noun.head != "patch"):
             return Ref(names=(found,))
+    if (found_ := _among_alike(noun, rank, scene)) is not None:
+        return found_
     if rank.isdigit() or rank == "last":
         raise refuse(
             "no-referent",
@@ -36,6 +39,49 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     raise refuse(
         "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
     )
+
+
+def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
+    """ "the middle one" of a row of blocks that look alike: any of them, which is then said to stand there."""
+    built = scene.built[-1] if scene.built else None
+    if len(scene.built) > 1 and noun.head == "any" and rank.isdigit():
+        return _of_structures(noun, int(rank), scene)
+    if (
+        built is None
+        or built.ordered
+        or len(scene.built) > 1
+        or built.kind not in SIDES
+        or noun.head == "patch"
+        or scene.loose
+    ):
+        return None
+    things = [scene.things[n] for n in built.members]
+    looks = {(t.color, t.label, t.kind, t.size) for t in things}
+    colors = noun.traits.colors
+    if len(looks) > 1 or not things[0].color or any(n in scene.on_top for n in built.members):
+        return None
+    if colors and things[0].color not in colors:
+        return None
+    side = {"last": "first"}.get(rank, "first" if rank.isdigit() else rank)
+    if side not in ("first", "middle", *SIDES[built.kind][:2]):
+        return None
+    if side == "middle" and len(built.members) % 2 == 0:
+        return None
+    index = int(rank) if rank.isdigit() else -1 if rank == "last" else None
+    if index is not None and not -1 <= index <= len(built.members):
+        return None
+    name = built.members[0]
+    place = At(side=side, index=index, span=noun.span)
+    scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))
+    return Ref(names=(name,))
+
+
+def _of_structures(noun: Noun, index: int, scene: Scene) -> Ref:
+    """ "the first" where two towers were built: the first of them."""
+    if noun.traits.colors or len({b.kind for b in scene.built}) > 1 or index > len(scene.built):
+        raise refuse("ambiguous", "it is not clear which block or structure this is", noun.span, "name it")
+    built = scene.built[index - 1]
+    return Ref(names=built.members, built=(built,), span=noun.span)
 
 
 def _in(built: Built, rank: str) -> str | None:

@@ -141,6 +141,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
             "misplaced", "'except' does not fit a place", loc.span, "say 'all blocks except ...' where they are named"
         )
     _check_self(theme, mark, loc)
+    if loc.rel == "off" and "leaving" in loc.mods:
+        _begins_on(theme, mark, scene, span)
     if theme.op == "only":
         theme = _alone(theme, mark, loc, scene)
     if mark.matching:
@@ -160,8 +162,20 @@ def _alone(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
     return replace(theme, op="and")
 
 
+def _begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
+    """ "get the red block off the blue one": it starts there."""
+    for a, b in ((a, b) for a in theme.names for b in mark.names):
+        there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
+        if len(mark.names) == 1 and there not in scene.start_goals:
+            scene.start_goals.append(there)
+
+
 def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:
+    if mark.built and len(theme.built) > 1 and set(mark.names) < set(theme.names):
+        raise refuse("misplaced", "this is one of the structures themselves", loc.span, "say it of the other one")
     shared = set(theme.names) & set(mark.names)
+    if mark.built and any(part.names == mark.names for part in theme.parts):
+        raise refuse("self-reference", "a structure cannot be placed relative to itself", loc.span, "use two sentences")
     parts = (mark.built or theme.built) and theme.names != mark.names
     if shared and not theme.quant and not mark.quant and not parts:
         raise refuse("self-reference", "a block cannot be placed relative to itself", loc.span, "name another block")

@@ -88,6 +88,10 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     spec.orders, spec.patterns, spec.spacings, spec.toward, spec.usings = [], [], [], [], []
     spec.absolutes = own.absolutes
     if axis is not None:
+        ends = ("left", "right") if axis == "y" else ("front", "back")
+        scene.sides.update({built[0].key: ends[0], built[-1].key: ends[1]})
+        if count == 3:
+            scene.sides[built[1].key] = "middle"
         node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if axis == "y" else r.InFrontOf
         feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
         goals += [node(a=a, b=b, span=shape.span) for a, b in zip(feet, feet[1:], strict=False)]

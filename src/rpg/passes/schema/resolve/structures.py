@@ -72,12 +72,23 @@ def _known(shape: Structure, scene: Scene) -> list[Built]:
         if (n := exact_size(shape)) is not None and n != len(things):
             continue
         found.append(built)
-    return found
+    return _ranked(shape, found, scene)
+
+
+def _ranked(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
+    """ "the first tower", "the left stack": the one of those built that is meant."""
+    rank = shape.traits.rank
+    if rank is None:
+        return found
+    if len(found) > 1 and (rank.isdigit() or rank == "last"):
+        index = len(found) if rank == "last" else int(rank)
+        return found[index - 1 : index]
+    return [built for built in found if scene.sides.get(built.key) == rank]
 
 
 def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Build a structure (or several) from `theme`, its own members, or new blocks."""
-    if shape.det == "other" and theme is None:
+    if (shape.det == "other" and theme is None) or shape.traits.rank is not None:
         raise refuse("no-referent", "it is not clear what this is one of", shape.span, "say what the others are")
     shape = replace(
         shape,

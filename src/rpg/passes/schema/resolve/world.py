@@ -114,7 +114,7 @@ class Scope:
 class Scene:
     """Everything brought up so far, with the goals and assumptions it led to.
 
-    `vague`: blocks of which neither look nor number was said, though they have been given a colour.
+    `sides`: where structures stand that were built together, by key. `vague`: blocks of which neither look nor number was said, though they have been given a colour.
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
     """
@@ -145,6 +145,7 @@ class Scene:
     each: tuple[int, Span] | None = None
     spare: set[str] = field(default_factory=set)
     vague: set[str] = field(default_factory=set)
+    sides: dict[int, str] = field(default_factory=dict)
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     denied: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)

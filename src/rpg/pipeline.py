@@ -57,6 +57,10 @@ class CompileOptions:
     listen: Listener = silent
     paraphrases: int = 6
 
+    def __post_init__(self) -> None:
+        if self.seed < 0:
+            raise ValueError(f"a seed is a whole number from 0 on, not {self.seed}")
+
 
 @dataclass(frozen=True)
 class Outcome:

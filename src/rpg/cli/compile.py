@@ -19,7 +19,7 @@ EXAMPLE = 'rpg compile "Stack the red block on the blue block" --seed 3'
 Instruction = Annotated[str | None, typer.Argument(metavar="[INSTRUCTION]", help="What is to be done, in English.")]
 Name = Annotated[str | None, typer.Option("--name", metavar="NAME", help="The family's name; made up without it.")]
 SeedOption = Annotated[
-    int | None, typer.Option("--seed", metavar="N", help="Another seed, other states; 0 without it.")
+    int | None, typer.Option("--seed", min=0, metavar="N", help="Another seed, other states; 0 without it.")
 ]
 Author = Annotated[str | None, typer.Option("--author", metavar="WHO", help="Recorded in task.yaml.")]
 Source = Annotated[

@@ -2,9 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
+
+from pydantic import Field
 
 from rpg.ir.base import Names, Record
+
+Length = Annotated[float, Field(ge=0.0)]
+"""A distance that is asked for, in metres; whether there is room for it is a question of feasibility."""
+Metres = Annotated[float, Field(ge=0.0, le=1.0)]
+"""A tolerance in metres."""
+Edges = Annotated[float, Field(ge=0.0, le=10.0)]
+"""A tolerance as a multiple of a block's edge."""
+Tilt = Annotated[float, Field(ge=0.0, le=90.0)]
+"""A tolerance of an angle in degrees."""
+Cosine = Annotated[float, Field(ge=0.0, le=1.0)]
+"""The least cosine of an angle that still counts."""
+Turn = Annotated[float, Field(ge=-360.0, le=360.0)]
+"""A turn in degrees, counter-clockwise positive."""
 
 
 class Node(Record):

@@ -10,7 +10,7 @@ from typing import Literal
 
 from rpg.ir.assets import Face
 from rpg.ir.base import Names
-from rpg.ir.node import Node, Operand
+from rpg.ir.node import Cosine, Edges, Length, Metres, Node, Operand, Tilt, Turn
 
 Region = Literal[
     "left_half", "right_half", "near_half", "far_half", "middle", "corner", "edge",
@@ -25,10 +25,10 @@ class On(Node):
     kind: Literal["on"] = "on"
     a: Operand
     b: Operand
-    gap: float = 0.01
-    offset_edges: float = 0.5
-    slack: float = 0.002
-    tilt: float = 15.0
+    gap: Metres = 0.01
+    offset_edges: Edges = 0.5
+    slack: Metres = 0.002
+    tilt: Tilt = 15.0
 
 
 class Above(Node):
@@ -44,7 +44,7 @@ class OnTable(Node):
 
     kind: Literal["on_table"] = "on_table"
     a: Operand
-    gap: float = 0.01
+    gap: Metres = 0.01
 
 
 class Clear(Node):
@@ -82,9 +82,9 @@ class Directional(Node):
     somewhere: bool = False
     directly: bool = False
     immediate: bool = False
-    min_edges: float = 1.0
-    across_edges: float = 0.5
-    gap_edges: float = 0.5
+    min_edges: Edges = 1.0
+    across_edges: Edges = 0.5
+    gap_edges: Edges = 0.5
 
 
 class LeftOf(Directional):
@@ -109,7 +109,7 @@ class Beside(Node):
     kind: Literal["beside"] = "beside"
     a: Operand
     b: Operand
-    gap_edges: float = 1.0
+    gap_edges: Edges = 1.0
 
 
 class Adjacent(Node):
@@ -118,7 +118,7 @@ class Adjacent(Node):
     kind: Literal["adjacent"] = "adjacent"
     a: Operand
     b: Operand
-    gap_edges: float = 0.5
+    gap_edges: Edges = 0.5
 
 
 class Touching(Node):
@@ -127,7 +127,7 @@ class Touching(Node):
     kind: Literal["touching"] = "touching"
     a: Operand
     b: Operand
-    gap: float = 0.002
+    gap: Metres = 0.002
 
 
 class Near(Node):
@@ -136,7 +136,7 @@ class Near(Node):
     kind: Literal["near"] = "near"
     a: Operand
     b: Operand
-    distance: float = 0.10
+    distance: Length = 0.10
 
 
 class Apart(Node):
@@ -145,7 +145,7 @@ class Apart(Node):
     kind: Literal["apart"] = "apart"
     a: Operand
     b: Operand
-    distance: float = 0.10
+    distance: Length = 0.10
 
 
 class Distance(Node):
@@ -154,8 +154,8 @@ class Distance(Node):
     kind: Literal["distance"] = "distance"
     a: Operand
     b: Operand
-    minimum: float | None = None
-    maximum: float | None = None
+    minimum: Length | None = None
+    maximum: Length | None = None
     measure: Literal["centres", "faces"] = "centres"
 
 
@@ -169,7 +169,7 @@ class Between(Node):
     a: Operand
     b: Operand
     c: Operand
-    within_edges: float = 1.0
+    within_edges: Edges = 1.0
 
 
 class InRegion(Node):
@@ -192,9 +192,9 @@ class Facing(Node):
     face: Face | None = None
     label: str | None = None
     toward: Literal["up", "down", "left", "right", "front", "back", "viewer"] = "up"
-    turn: float | None = None
-    normal_cos: float = 0.97
-    upright_cos: float = 0.94
+    turn: Turn | None = None
+    normal_cos: Cosine = 0.97
+    upright_cos: Cosine = 0.94
 
 
 class Stayed(Node):
@@ -202,7 +202,7 @@ class Stayed(Node):
 
     kind: Literal["stayed"] = "stayed"
     a: Operand
-    tolerance: float = 0.02
+    tolerance: Metres = 0.02
 
 
 class Moved(Node):
@@ -210,7 +210,7 @@ class Moved(Node):
 
     kind: Literal["moved"] = "moved"
     a: Operand
-    at_least: float = 0.05
+    at_least: Length = 0.05
 
 
 class Swapped(Node):
@@ -219,7 +219,7 @@ class Swapped(Node):
     kind: Literal["swapped"] = "swapped"
     a: Names
     b: Names
-    tolerance: float = 0.03
+    tolerance: Metres = 0.03
 
 
 class Turned(Node):
@@ -227,6 +227,6 @@ class Turned(Node):
 
     kind: Literal["turned"] = "turned"
     block: str
-    degrees: float
+    degrees: Turn
     either_way: bool = False
-    tolerance: float = 15.0
+    tolerance: Tilt = 15.0

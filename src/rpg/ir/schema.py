@@ -25,7 +25,15 @@ MAX_DIGITS = 10
 def slug(text: str) -> str:
     """`text` as a family's name: lower-case words and numbers joined by hyphens; empty where it has none."""
     words = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", text).lower()
-    return re.sub(r"[^a-z0-9]+", "-", words).strip("-")[:MAX_NAME].strip("-")
+    return shortened(re.sub(r"[^a-z0-9]+", "-", words).strip("-"), MAX_NAME, "-")
+
+
+def shortened(name: str, longest: int, joint: str) -> str:
+    """`name` cut to at most `longest` characters, between two of the words that `joint` joins where there is one."""
+    if len(name) <= longest:
+        return name
+    whole, _, _ = name[: longest + 1].rpartition(joint)
+    return (whole or name[:longest]).rstrip(joint)
 
 
 class Start(Record):
@@ -69,7 +77,7 @@ class TaskSchema(Record):
     name: str = Field(pattern=NAME, max_length=MAX_NAME)
     instruction: str
     author: str | None = None
-    seed: int = 0
+    seed: int = Field(0, ge=0)
     assets: tuple[Asset, ...] = Field(min_length=1)
     init: InitialState = InitialState()
     goal: Goal

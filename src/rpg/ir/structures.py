@@ -7,12 +7,11 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from rpg.ir.base import Names
-from rpg.ir.node import Axis, Direction, Node
+from rpg.ir.node import Axis, Direction, Edges, Length, Metres, Node, Tilt
 from rpg.ir.order import Attribute, Order, Pattern
 
 Members = Annotated[Names, Field(min_length=1)]
 Count = Annotated[int, Field(ge=1)]
-Share = Annotated[float, Field(ge=0.0)]
 
 
 class Stack(Node):
@@ -69,13 +68,13 @@ class Row(Node):
     excused: Names = ()
     touching: bool = False
     evenly: bool = False
-    spacing: Share | None = None
-    gap: Share | None = None
-    tolerance: Share = 0.01
-    gap_edges: Share = 1.5
-    line_edges: Share = 0.5
-    even_edges: Share = 0.5
-    angle: Share = 15.0
+    spacing: Length | None = None
+    gap: Length | None = None
+    tolerance: Metres = 0.01
+    gap_edges: Edges = 1.5
+    line_edges: Edges = 0.5
+    even_edges: Edges = 0.5
+    angle: Tilt = 15.0
 
 
 class Cells(Node):
@@ -89,8 +88,8 @@ class Cells(Node):
     pattern: Pattern | None = None
     readable: bool = False
     excused: Names = ()
-    fit_edges: Share = 0.5
-    pitch_edges: tuple[Share, Share] = (1.0, 2.0)
+    fit_edges: Edges = 0.5
+    pitch_edges: tuple[Edges, Edges] = (1.0, 2.0)
 
 
 class Grid(Cells):
@@ -145,8 +144,8 @@ class GroupBy(Node):
     groups: Annotated[tuple[Members, ...], Field(min_length=1)]
     by: Attribute | None = None
     outliers: Annotated[int, Field(ge=0)] = 0
-    inner_edges: Share = 2.0
-    outer_edges: Share = 1.5
+    inner_edges: Edges = 2.0
+    outer_edges: Edges = 1.5
 
 
 class Spells(Node):
@@ -163,7 +162,7 @@ class Spells(Node):
     reverse: bool = False
     readable: bool = True
     excused: Names = ()
-    gap_edges: Share = 1.5
+    gap_edges: Edges = 1.5
 
 
 class Equation(Node):
@@ -178,4 +177,4 @@ class Equation(Node):
     longer: bool = False
     text: str | None = None
     excused: Names = ()
-    gap_edges: Share = 1.5
+    gap_edges: Edges = 1.5

@@ -132,6 +132,10 @@ def _should_be(what: str) -> Callable[[str, ErrorDetails], str]:
     return lambda where, detail: f"`{where}` should be {what}, not {_shown(detail['input'])}"
 
 
+def _bound(what: str, key: str) -> Callable[[str, ErrorDetails], str]:
+    return lambda where, detail: f"`{where}` should be {what} {_context(detail, key)}, not {_shown(detail['input'])}"
+
+
 def _own(where: str, detail: ErrorDetails) -> str:
     return _context(detail, "error") or detail["msg"]
 
@@ -182,6 +186,8 @@ _SENTENCES: dict[str, Callable[[str, ErrorDetails], str]] = {
     "int_from_float": _should_be("a whole number"),
     "bool_type": _should_be("true or false"),
     "bool_parsing": _should_be("true or false"),
+    "less_than_equal": _bound("at most", "le"),
+    "greater_than_equal": _bound("at least", "ge"),
     "tuple_type": _should_be("a list"),
     "model_type": _should_be("a mapping"),
     "dict_type": _should_be("a mapping"),

@@ -1,85 +1,77 @@
 """YAML as it is written in task.yaml: plain blocks without anchors, the same bytes on every machine.
 
-Only mappings, lists, text, numbers and truth values occur. Text is quoted wherever any YAML reader might take it for
-something else (`on`, `y` and `5` are words here), so that every reader gets back what was written.
+PyYAML writes it, with its own choices taken away where they would surprise: text is quoted wherever any YAML reader
+might take it for something else (`on`, `y` and `5` are words here), lists of scalars stand on one line where they fit,
+and no line is folded.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+import sys
+from collections.abc import Mapping
 from typing import Any
 
-Scalar = str | int | float | bool | None
+import yaml
+
 WIDTH = 120
 _PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*(?: [A-Za-z0-9_-]+)*")
 _RESERVED = frozenset(["y", "n", "yes", "no", "on", "off", "true", "false", "null", "none", "nan", "inf"])
-_UNPRINTABLE = re.compile("[\x7f-\x9f\u2028\u2029\ufeff\ufffe\uffff\ud800-\udfff]")
+
+
+class _Dumper(yaml.SafeDumper):
+    """Block style with indented lists, keys in their order, nothing written as a reference to something before it."""
+
+    def increase_indent(self, flow: bool = False, indentless: bool = False) -> None:
+        super().increase_indent(flow, False)
+
+    def ignore_aliases(self, data: Any) -> bool:
+        return True
+
+    def represent_text(self, text: str) -> yaml.ScalarNode:
+        """Text in double quotes, but for plain words that no reader takes for something else."""
+        plain = _PLAIN.fullmatch(text) and text.lower() not in _RESERVED and len(text) < WIDTH
+        return self.represent_scalar("tag:yaml.org,2002:str", text, None if plain else '"')
+
+    def represent_mapping(self, tag: str, mapping: Any, flow_style: bool | None = None) -> yaml.MappingNode:
+        return super().represent_mapping(tag, mapping, not mapping)
+
+    def serialize(self, node: yaml.Node) -> None:
+        _lay_out(node, 0, 0)
+        super().serialize(node)
+
+
+_Dumper.add_representer(str, _Dumper.represent_text)
 
 
 def dump(data: Mapping[str, Any]) -> str:
     """`data` as a YAML document in block style; lists of scalars stand on one line where they fit."""
-    return "".join(line + "\n" for line in _mapping(data, 0)) or "{}\n"
+    text: str = yaml.dump(data, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=sys.maxsize)
+    return text
 
 
-def _mapping(data: Mapping[str, Any], indent: int) -> Iterator[str]:
-    pad = " " * indent
-    for key, value in data.items():
-        head = f"{pad}{_text(key)}:"
-        inline = _inline(value)
-        if inline is not None and (len(head) + 1 + len(inline) <= WIDTH or not isinstance(value, list)):
-            yield f"{head} {inline}"
-        else:
-            yield head
-            yield from _block(value, indent + 2)
+def _lay_out(node: yaml.Node, indent: int, head: int) -> None:
+    """Choose one line or a block for every list; `head`: characters before the node on its line."""
+    if isinstance(node, yaml.MappingNode):
+        for key, value in node.value:
+            _lay_out(value, indent + 2, indent + len(_shown(key)) + 2)
+    elif isinstance(node, yaml.SequenceNode):
+        inline = _inline(node)
+        node.flow_style = inline is not None and head + len(inline) <= WIDTH
+        for item in node.value:
+            if not node.flow_style:
+                _lay_out(item, indent + 2, indent + 2)
 
 
-def _block(value: Any, indent: int) -> Iterator[str]:
-    if isinstance(value, Mapping):
-        yield from _mapping(value, indent)
-        return
-    pad = " " * indent
-    for item in value:
-        inline = _inline(item)
-        if inline is not None and (len(pad) + 2 + len(inline) <= WIDTH or not isinstance(item, list)):
-            yield f"{pad}- {inline}"
-            continue
-        lines = list(_block(item, indent + 2))
-        yield f"{pad}- {lines[0][indent + 2 :]}"
-        yield from lines[1:]
+def _inline(node: yaml.Node) -> str | None:
+    """A node on one line: scalars, and lists of what fits; None for mappings."""
+    if isinstance(node, yaml.SequenceNode):
+        items = [_inline(item) for item in node.value]
+        node.flow_style = True
+        return None if None in items else f"[{', '.join(item for item in items if item is not None)}]"
+    return _shown(node) if isinstance(node, yaml.ScalarNode) else None
 
 
-def _inline(value: Any) -> str | None:
-    """`value` on one line: scalars, empty collections, lists of what fits; None for everything else."""
-    if isinstance(value, Mapping):
-        return None if value else "{}"
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        items = [_inline(item) for item in value]
-        known = [item for item in items if item is not None]
-        return f"[{', '.join(known)}]" if len(known) == len(items) else None
-    return _scalar(value)
-
-
-def _scalar(value: Scalar) -> str:
-    if value is None:
-        return "null"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, float):
-        return _float(value)
-    return _text(value)
-
-
-def _float(value: float) -> str:
-    """Shortest text that reads back as the same float, also for readers that want a dot before the exponent."""
-    mantissa, mark, exponent = repr(value).partition("e")
-    return f"{mantissa if '.' in mantissa or not mark else mantissa + '.0'}{mark}{exponent}"
-
-
-def _text(value: str) -> str:
-    if _PLAIN.fullmatch(value) and value.lower() not in _RESERVED and len(value) < WIDTH:
-        return value
-    return _UNPRINTABLE.sub(lambda match: f"\\u{ord(match[0]):04x}", json.dumps(value, ensure_ascii=False))
+def _shown(node: yaml.ScalarNode) -> str:
+    return json.dumps(node.value, ensure_ascii=False) if node.style == '"' else str(node.value)

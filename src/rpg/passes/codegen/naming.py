@@ -8,6 +8,7 @@ from collections.abc import Iterable
 
 from rpg.ir import goal as g
 from rpg.ir.node import members
+from rpg.ir.schema import shortened
 from rpg.ir.walk import rename
 
 LONGEST = 44
@@ -41,8 +42,10 @@ TEMPLATES = {
 
 
 def class_name(task: str) -> str:
-    """`red-on-yellow` -> `RedOnYellow`."""
-    name = "".join(part[:1].upper() + part[1:] for part in task.split("-"))
+    """`red-on-yellow` -> `RedOnYellow`, `3-blocks-on-patch` -> `ThreeBlocksOnPatch`."""
+    first, *others = task.split("-")
+    first = DIGITS[int(first)] if first.isdecimal() and int(first) < len(DIGITS) else first
+    name = "".join(part[:1].upper() + part[1:] for part in (first, *others))
     return name if name[:1].isalpha() and not keyword.iskeyword(name) else "Task" + name
 
 
@@ -130,7 +133,7 @@ def short(name: str) -> str:
 def _tidy(name: str) -> str:
     """A valid identifier that is not too long."""
     name = re.sub(r"[^a-z0-9_]+", "_", name.lower())
-    name = re.sub(r"__+", "_", name).strip("_")[:LONGEST].strip("_")
+    name = shortened(re.sub(r"__+", "_", name).strip("_"), LONGEST, "_")
     if not name or not name[0].isalpha() or keyword.iskeyword(name):
         name = f"is_{name}".rstrip("_")
     return name

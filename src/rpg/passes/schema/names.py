@@ -7,6 +7,7 @@ import re
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
+from rpg.ir.schema import shortened
 from rpg.ir.walk import atoms
 
 LONGEST = 48
@@ -17,7 +18,7 @@ def family_name(goal: g.Goal) -> str:
     parts = list(dict.fromkeys(_part(atom) for atom in atoms(goal)))
     text = "-and-".join(parts[:2]) or "task"
     slug = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-") or "task"
-    return slug[:LONGEST].rstrip("-")
+    return shortened(slug, LONGEST, "-")
 
 
 def _short(operand: object) -> str:

@@ -97,7 +97,7 @@ def _too_long(need: Room) -> Diagnostic:
 def _too_far(need: Reach) -> Diagnostic:
     return Diagnostic(
         code="does-not-fit",
-        message=f"{need.low * 100:.0f} cm apart is farther than the table is wide",
+        message=f"{need.low * 100:.0f} cm is farther than the table is wide",
         span=need.atom.span,
         hint=f"at most {DIAGONAL * 100:.0f} cm fit",
         facts={"distance_m": need.low, "room_m": round(DIAGONAL, 4)},

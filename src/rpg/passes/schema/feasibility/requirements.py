@@ -14,6 +14,7 @@ from rpg.blocks.predicates.common import BORDER
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS, TaskSchema
 from rpg.passes.schema.feasibility.inventory import Inventory
@@ -41,7 +42,7 @@ class Room:
 
 @dataclass(frozen=True)
 class Reach:
-    """An atom lets the centres of two blocks be from `low` to `high` metres apart."""
+    """The centres of two blocks, or one block's places before and after, are to be `low` to `high` metres apart."""
 
     atom: g.Goal
     pair: frozenset[str]
@@ -134,7 +135,9 @@ def _row(row: s.Row, edges: Mapping[str, float]) -> Room:
 
 
 def _reaches(atom: g.Goal, edges: Mapping[str, float]) -> Iterator[Reach]:
-    """The least and greatest distance of centres that a relation of two blocks allows."""
+    """The least and greatest distance of centres that a relation of two blocks allows, or a move of one."""
+    if isinstance(atom, r.Moved):
+        yield Reach(atom, frozenset(members(atom.a)), atom.at_least, math.inf)
     a, b = getattr(atom, "a", None), getattr(atom, "b", None)
     if not (isinstance(a, tuple) and isinstance(b, tuple) and len(a) == len(b) == 1):
         return

@@ -30,6 +30,10 @@ _THEN = (
     "secondly",
     "thirdly",
     "after this",
+    "finish by",
+    "end by",
+    "conclude by",
+    "finish off by",
 )
 
 _FIRST = ("first ,", "firstly", "first put", "first place", "first stack", "first build", "first make", "first move",

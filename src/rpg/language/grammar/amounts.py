@@ -144,6 +144,8 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
             continue
         if det == "both":
             fixed: Amount | None = Amount(2, 2)
+        elif word == "neither":
+            fixed = Amount(2, 2, True)
         else:
             fixed = None
         j = p.opt(j, "single") if det in ("each", "no") else j

@@ -12,22 +12,25 @@ from rpg.language.grammar.nouns import noun_phrase, restates
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.meaning import Chain, Clause, Meaning, Structure
 
-_LEADS = (("after", False), ("once", False), ("as soon as", False), ("when", False), ("before", True))
-"""What stands before the clause that comes first in time, or (True) after the other one."""
+_LEADS = (
+    ("after", "then"), ("once", "then"), ("as soon as", "then"), ("when", "then"), ("before", "before"),
+    ("while", "and"),
+)  # fmt: skip
+"""What stands before a clause, and how the one behind it follows: then, before it, or at the same time."""
 
 
 @rule
 def chain(p: Parser, i: int) -> Results[Chain]:
     """Clauses joined by "and", "then", "or", "before", commas."""
-    for lead, late in _LEADS:
+    for lead, order in _LEADS:
         if j := p.seq(i, lead):
             j = p.opt(j, "you", "that")
             fronts = [*gerund_clause(p, j), *chain(p, j)]
             for front, k in fronts:
                 for main, end in chain(p, p.one(k, ",") or k) if k < p.end else ():
-                    both = (main, front) if late else (front, main)
+                    both = (main, front) if order == "before" else (front, main)
                     clauses = (*both[0].clauses, *both[1].clauses)
-                    links = (*both[0].links, "then", *both[1].links[1:])
+                    links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
                     yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
     if j := p.one(i, "either"):
         yield from ((found, k) for found, k in chain(p, j) if "or" in found.links)
@@ -51,6 +54,9 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         for item, k in items:
             if previous is not None and p.words[j - 1] == "," and _apposed(previous, item):
                 continue
+            if previous is not None and (more := _told_again(previous, item)) is not None:
+                yield Chain(clauses=(*had[:-1], more), links=links, span=p.span(i, k)), k
+                continue
             if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
                 item = replace(item, cost=item.cost + 2)
             whole = (*had, item)
@@ -63,11 +69,21 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                     whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
                     yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
-                if p.words[j - 1] == "," and _apposed(previous, item):
+                if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
                     continue
                 whole = (*had, item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
+
+
+def _told_again(before: Clause, item: Meaning) -> Clause | None:
+    """ "1 + 8 = 9 made with cubes, equation in a row": a bare noun for what was built carries on about it."""
+    theme, built = (item.theme if isinstance(item, Clause) else None), before.theme
+    if not (isinstance(theme, Structure) and isinstance(built, Structure) and isinstance(item, Clause)):
+        return None
+    plain = Structure(kind=built.kind, det="bare", span=theme.span)
+    same = replace(theme, cost=0) == plain and before.verb == item.verb
+    return replace(before, adjuncts=(*before.adjuncts, *item.adjuncts)) if same else None
 
 
 def _apposed(before: Clause, item: Meaning) -> bool:
@@ -76,9 +92,15 @@ def _apposed(before: Clause, item: Meaning) -> bool:
     return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)
 
 
+_EARLIER = (
+    "but first", "but before that", "and before that", "but only after", "only after", "only once", "but only once",
+    "but not before", "not before",
+)  # fmt: skip
+
+
 def _link(p: Parser, i: int) -> Results[str]:
     j = p.opt(i, ",", ";")
-    if k := p.any_of(j, ("but first", "but before that", "and before that", "but only after")):
+    if k := p.any_of(j, _EARLIER):
         yield "after", p.opt(k, ",")
     elif (k := p.any_of(j, THEN)) and not (p.words[k - 1] == "next" and p.words[k] == "to"):
         yield "then", p.opt(k, ",")

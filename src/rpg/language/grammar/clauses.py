@@ -81,7 +81,8 @@ def _for_each(p: Parser, i: int) -> Results[Meaning]:
 def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
     for first, j in adjunct(p, i):
-        if isinstance(first, Absolute | Size) or p.words[i] == "there":
+        told = isinstance(first, Coord) and first.op == "absolutes"
+        if told or isinstance(first, Absolute | Size) or p.words[i] == "there":
             continue
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
@@ -156,7 +157,8 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
             for j in table.matches(p, start):
                 if p.words[j - 1] == "next" and p.words[j] == "to":
                     continue
-                j = p.opt(j, ",") if table in (FIRST, START_FRAMES) else j
+                dashed = j < p.end and p.words[j] == "," and p.tokens[j].raw != ","
+                j = p.opt(j, ",") if table in (FIRST, START_FRAMES) or dashed else j
                 if j not in seen and len(found) < 40:
                     seen.add(j)
                     found.append((j, kind if mode != "start" else "start"))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.core.diagnostics import Span
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase
-from rpg.language.meaning import At, Clause, Loc, Meaning, PartOf, Pronoun, Structure, TableTop
+from rpg.language.meaning import At, Clause, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop
 
 _HAS = (
     "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have",
@@ -31,6 +32,8 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
             continue
         if k := p.any_of(j, _HAS):
             for theme, start in noun_phrase(p, k):
+                if (place := _on_patch(owner, theme, p.span(i, start))) is not None:
+                    yield _stated(p, i, start, *place, mode), start
                 for found, end in adjuncts(p, start):
                     places = _owned(found, owner)
                     if places is not None:
@@ -41,6 +44,16 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
                         yield _stated(p, i, end, theme, (place,), mode), end
+
+
+def _on_patch(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:
+    """ "each patch has one block", "each letter gets its own patch": what lies on what."""
+    if not (isinstance(owner, Noun) and isinstance(theme, Noun)) or (owner.head == "patch") == (theme.head == "patch"):
+        return None
+    if theme.head == "patch" and theme.traits.scheme != "different":
+        return None
+    block, patch = (theme, owner) if owner.head == "patch" else (owner, theme)
+    return block, (Loc(rel="on", landmark=patch, span=span),)
 
 
 def _owned(found: tuple[Meaning, ...], owner: Meaning) -> tuple[Meaning, ...] | None:

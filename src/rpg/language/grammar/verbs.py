@@ -176,12 +176,32 @@ def _bare_count(theme: Meaning) -> bool:
     return many and isinstance(theme, Noun) and theme.det == "bare" and theme.traits == Traits()
 
 
+def _pairs(found: tuple[Meaning, ...]) -> bool:
+    """ "respectively" alone: it belongs to a list of places."""
+    return all(isinstance(a, Manner) and a.kind == "respectively" for a in found)
+
+
+_SO = ("should not be", "must not be", "is not", "are not", "should be", "must be", "is too", "are too", "is", "are")
+
+
+def _too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[Meaning]:
+    """ "... or the green block is", "before the red one is": the same is said of something else."""
+    if (k := p.any_of(j, _SO)) and before.verb in ("be", "place") and before.adjuncts:
+        negated = "not" in p.words[j:k]
+        kept = tuple(a for a in before.adjuncts if not isinstance(a, Manner | That))
+        said = replace(before, theme=theme, adjuncts=kept, negated=negated, span=p.span(i, k), cost=1)
+        for end in dict.fromkeys((p.any_of(k, (", but not both", "but not both")) or k, k)):
+            both = Manner(kind="xor", span=p.span(k, end))
+            yield (replace(said, adjuncts=(*kept, both)) if end > k else said), end
+
+
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
     for theme, j in noun_phrase(p, i) if before.adjuncts else ():
+        yield from _too(p, i, j, theme, before)
         for found, k in adjuncts(p, j):
-            if found and not isinstance(found[0], That):
+            if found and not isinstance(found[0], That) and not _pairs(found):
                 cost = 2 if before.verb in ("build", "spell", "sort") and not isinstance(theme, Structure) else 0
                 cost += 2 if _bare_count(theme) or (before.verb == "stack" and isinstance(found[0], At)) else 0
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k

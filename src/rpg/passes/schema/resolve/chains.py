@@ -9,7 +9,7 @@ from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy
-from rpg.passes.schema.resolve.clauses import clause_goals
+from rpg.passes.schema.resolve.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.conflicts import required, undoes
 from rpg.passes.schema.resolve.logic import conj, disj
 from rpg.passes.schema.resolve.loose import settle
@@ -34,6 +34,8 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
                 mode="given" if clause.verb == "exist" else "start",
                 adjuncts=tuple(m for m in clause.adjuncts if m not in begun),
             )
+        both = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "xor"] if link == "or" else []
+        clause = replace(clause, adjuncts=tuple(a for a in clause.adjuncts if a not in both))
         starts = start or clause.mode in ("start", "given")
         goals = clause_goals(clause, scene, starts)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
@@ -43,6 +45,8 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
             scene.start_goals += goals
             continue
         _append(stages, link, goals)
+        if both:
+            stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
 
 

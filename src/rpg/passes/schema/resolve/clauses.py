@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TypeGuard
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import (
     Clause,
-    Coord,
     In,
     Into,
     Loc,
@@ -19,7 +19,6 @@ from rpg.language.meaning import (
     Pattern,
     Pronoun,
     Structure,
-    Traits,
 )
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.alike import by_likeness, counterparts
@@ -59,7 +58,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     goals = [*scene.goals.pop(number, []), *goals]
     later = _thats(spec, scene, start)
     if spec.manner("xor") is not None:
-        goals = _not_both(goals, clause.span)
+        goals = not_both(goals, clause.span)
     always = spec.manner("always") is not None
     if spec.manner("only") is not None:
         moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
@@ -92,7 +91,7 @@ def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
             spec.thats.remove(that)
 
 
-def _not_both(goals: Goals, span: Span) -> Goals:
+def not_both(goals: Goals, span: Span) -> Goals:
     """ "either ... or ..., but not both"."""
     if len(goals) != 1 or not isinstance(goals[0], g.Any):
         raise refuse(
@@ -111,12 +110,26 @@ def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
     return [g.Always(goal=conj(goals, span), span=span)] if goals else []
 
 
+LEAVING = frozenset(
+    {"get", "move", "bring", "transfer", "relocate", "pull", "drag", "carry", "shift", "slide", "shove"}
+)
+"""Verbs of moving: what they move off something is on it at the start."""
+
+
+def _is_off(place: Meaning) -> TypeGuard[Loc]:
+    return isinstance(place, Loc) and place.rel == "off" and not place.negated
+
+
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     clause = by_likeness(clause, spec, scene) or clause
+    if clause.lemma in LEAVING and clause.verb == "place" and not clause.negated:
+        spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
     if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
         return pairs
     if (turned := _the_other_way(clause, spec, scene, scope)) is not None:
         return turned
+    if clause.verb == "stack":
+        scene.last_landmark_patch = False
     match clause.verb:
         case "exist":
             return _exist(clause, spec, scene, scope)

@@ -99,8 +99,9 @@ def continued(labels: tuple[str, ...], count: int | None) -> tuple[str, ...]:
 
 
 def fewer_than(amount: Amount | None) -> Amount:
-    """ "no red block": none; "no two of the red blocks": one at most."""
-    return Amount(0, amount.low - 1 if amount is not None and amount.low > 1 else 0, True)
+    """ "no red block", "neither": none; "no two of the red blocks": one at most."""
+    some = amount is not None and amount.low > 1 and not amount.strict
+    return Amount(0, amount.low - 1 if some and amount is not None else 0, True)
 
 
 def quantified(found: Ref, noun: Noun) -> Ref:

@@ -32,13 +32,11 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
             "ambiguous", "it is not clear which blocks are counted on each patch", span, "say it of one patch at a time"
         )
     if mark.each and indefinite(theme) and not theme.built:
-        return conj(
-            [
-                r.OnPatch(a=names, patch=p, span=span)
-                for names, p in zip(one_lot_each(theme, len(patches), scene), patches, strict=True)
-            ],
-            span,
-        )
+        lots = one_lot_each(theme, len(patches), scene)
+        if _unnamed(lots, scene):
+            names, each = tuple(n for lot in lots for n in lot), len(lots[0])
+            return conj([_so_many(names, p, each, each, span) for p in patches], span)
+        return conj([r.OnPatch(a=lot, patch=p, span=span) for lot, p in zip(lots, patches, strict=True)], span)
     units = theme.built if len(theme.built) == len(patches) else ()
     if units:
         return conj(
@@ -50,6 +48,18 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         pairs = zip(theme.names, patches, strict=True)
         return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
     return conj([disj([r.OnPatch(a=(a,), patch=p, span=span) for p in patches], span) for a in theme.names], span)
+
+
+def _unnamed(lots: list[tuple[str, ...]], scene: Scene) -> bool:
+    """Whether nothing says which blocks these are; plain ones are then taken alike."""
+    things = [scene.things[n] for lot in lots for n in lot]
+    if any(t.color or t.label or t.declared or t.scheme not in (None, "different") for t in things):
+        return False
+    if all(t.kind is None and t.scheme is None for t in things):
+        for thing in things:
+            thing.scheme = "same"
+        return False
+    return True
 
 
 def indefinite(theme: Ref) -> bool:
@@ -152,15 +162,17 @@ def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: 
     return [_dealt(units, mark.names, span)]
 
 
+def _so_many(names: tuple[str, ...], patch: str, least: int, most: int, span: Span) -> g.Goal:
+    on = r.OnPatch(a=(EACH,), patch=patch, span=span)
+    return g.Count(over=names, at_least=least, at_most=most, goal=on, span=span)
+
+
 def _dealt(units: list[tuple[str, ...]], patches: tuple[str, ...], span: Span) -> g.Goal:
     """One unit on each patch at most, every unit on one."""
     if all(len(u) == 1 for u in units):
         names = tuple(u[0] for u in units)
         least = 1 if len(patches) == len(units) else 0
-        counted: list[g.Goal] = [
-            g.Count(over=names, at_least=least, at_most=1, goal=r.OnPatch(a=(EACH,), patch=p, span=span), span=span)
-            for p in patches
-        ]
+        counted = [_so_many(names, p, least, 1, span) for p in patches]
         placed = [disj([r.OnPatch(a=(n,), patch=p, span=span) for p in patches], span) for n in names]
         return conj(counted if least else [*placed, *counted], span)
     if len(patches) > MAX_SHARED:

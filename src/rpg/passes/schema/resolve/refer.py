@@ -298,7 +298,10 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
         thing.scheme = thing.scheme or "same"
     scene.parted.update(free[:count])
     scene.whole = whole.names
-    return Ref(names=tuple(free[:count]), plural=count > 1)
+    some = Ref(names=tuple(free[:count]), plural=count > 1)
+    if noun.amount is not None and noun.amount.strict and len(free) > count:
+        return replace(some, op="except", parts=(some, Ref(names=tuple(free[count:]))))
+    return some
 
 
 def _extras(noun: Noun, scene: Scene, scope: Scope) -> Ref:

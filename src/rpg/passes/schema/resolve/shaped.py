@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, Structure
+from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks
 from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.placing import Goals, absolutes, places
 from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.structures import make
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
@@ -62,6 +63,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
         )
     used = list(goals)
+    goals += _beside_the_other(parts, spec, scene, clause)
     if uses_orders(built):
         spec.orders = []
     goals += places(ref, spec, scene, scope, clause.span)
@@ -72,6 +74,17 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if not used and not goals:
         raise refuse("no-goal", "it is not said what to do with it", clause.span)
     return goals
+
+
+def _beside_the_other(parts: list[Ref], spec: Spec, scene: Scene, clause: Clause) -> Goals:
+    """ "a red tower and a blue tower next to it": the last one next to the one before."""
+    own = [p for p in spec.places if isinstance(p, Loc) and isinstance(p.landmark, Pronoun) and p.landmark.word == "it"]
+    if len(parts) < 2 or not own:
+        return []
+    if len(parts) > 2:
+        raise refuse("ambiguous", "it is not clear what 'it' is", own[0].span, "name what you mean")
+    spec.places = [p for p in spec.places if p not in own]
+    return [x for place in own for x in related(parts[-1], parts[-2], place, scene, clause.span)]
 
 
 def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:

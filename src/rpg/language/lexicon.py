@@ -82,14 +82,14 @@ BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 VERBS = {
     "place": "put place move set position lay bring transfer relocate drop push slide shift carry get deliver locate "
     "seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich stand mount shove "
-    "scoot plop plant pop stow park",
+    "scoot plop plant pop stow park sit load lower dump bung heave hoist install wedge fit slot",
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild",
     "arrange": "alphabetize space arrange align order organize organise line lay distribute spread position set "
     "rearrange",
     "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch merge "
-    "combine unite",
+    "combine unite segregate",
     "spell": "spell write",
     "turn": "rotate turn flip spin face orient point tip transform convert",
     "reverse": "reverse",
@@ -109,17 +109,17 @@ PAST = {
     "spread": "spread", "split": "split", "spell": "spelled spelt", "write": "written", "keep": "kept", "leave": "left",
     "draw": "drawn", "swap": "swapped", "flip": "flipped", "spin": "spun", "tip": "tipped",
     "transfer": "transferred", "drag": "dragged", "hide": "hidden hid", "stick": "stuck", "drop": "dropped",
-    "grab": "grabbed", "carry": "carried",
-    "classify": "classified", "empty": "emptied", "slide": "slid", "stand": "stood",
+    "grab": "grabbed", "fit": "fitted", "slot": "slotted", "carry": "carried",
+    "classify": "classified", "empty": "emptied", "sit": "sat", "slide": "slid", "stand": "stood",
 }  # fmt: skip
 DOUBLED = {
     "put": "putting", "set": "setting", "get": "getting", "split": "splitting", "swap": "swapping", "flip": "flipping",
     "spin": "spinning", "tip": "tipping", "transfer": "transferring", "drag": "dragging", "drop": "dropping",
-    "grab": "grabbing", "sit": "sitting",
+    "grab": "grabbing", "sit": "sitting", "fit": "fitting", "slot": "slotting",
 }  # fmt: skip
 POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "
-    "stays stay staying remains remain remaining "
+    "stays stay staying remains remain remaining seen shown visible "
     "ends end goes go located positioned placed put found situated ending resides reside belong belongs hidden"
 )
 

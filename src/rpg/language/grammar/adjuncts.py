@@ -18,6 +18,7 @@ from rpg.language.meaning import (
     At,
     Chain,
     Clause,
+    In,
     Into,
     Loc,
     Meaning,
@@ -79,9 +80,15 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             )
         for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but")} - {j}:
             for rest, k in adjuncts(p, joined):
-                if rest:
+                if rest and (p.words[joined - 1] != "but" or _opposed(first, rest[0])):
                     yield (first, *rest), k
     yield (), i
+
+
+def _opposed(first: Meaning, second: Meaning) -> bool:
+    """ "not on the red block but on the blue one": of two places one is denied where "but" joins them."""
+    places = [x for x in (first, second) if isinstance(x, Loc | In)]
+    return len(places) < 2 or places[0].negated != places[1].negated
 
 
 def _side_after(first: Meaning, second: Meaning) -> bool:
@@ -90,6 +97,9 @@ def _side_after(first: Meaning, second: Meaning) -> bool:
 
 
 def _into(p: Parser, i: int) -> Results[Meaning]:
+    for target, k in simple(p, i + 1) if p.words[i : i + 1] == ["to"] and p.words[i + 1] in ("a", "an", "one") else ():
+        if isinstance(target, Structure):
+            yield Into(structure=target, span=p.span(i, k)), k
     if j := p.any_of(
         i,
         (

@@ -8,7 +8,7 @@ from typing import Any
 
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
-from rpg.language.grammar.adjectives import Marks, adjectives, clash, merge, of_quality
+from rpg.language.grammar.adjectives import Marks, adjectives, clash, color, merge, of_quality
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
@@ -371,15 +371,22 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         if changed is not None:
             yield changed, k
             tried.append((changed, k))
+    if noun.head == "block" and not noun.plural and not noun.traits.colors and not noun.traits.labels:
+        for named, k in color(p, j):
+            if p.words[k] not in lexicon.BLOCK and p.words[k] not in lexicon.COLOR:
+                marked = replace(noun.traits, colors=(named,))
+                yield replace(noun, traits=marked, span=p.span(i, k), cost=noun.cost + 2), k
     for base, at in tried:
-        for condition, k in relative(p, at, base.head):
+        for condition, end in relative(p, at, base.head):
+            k = p.opt(end, ",") if p.words[at : at + 1] == [","] else end
             if isinstance(condition, Traits):
                 more = {n: getattr(condition, n) for n in Traits.__dataclass_fields__}
-                changed = _with(base, {n: v for n, v in more.items() if v != getattr(Traits(), n)}, p.span(i, k))
+                changed = _with(base, {n: v for n, v in more.items() if v != getattr(Traits(), n)}, p.span(i, end))
                 if changed is not None:
-                    yield changed, k
+                    yield from ((changed, last) for last in {end: None, k: None})
             else:
-                yield replace(base, conditions=(*base.conditions, *condition), span=p.span(i, k)), k
+                told = replace(base, conditions=(*base.conditions, *condition), span=p.span(i, end))
+                yield from ((told, last) for last in {end: None, k: None})
 
 
 def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun | None:

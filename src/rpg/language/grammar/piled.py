@@ -12,7 +12,7 @@ def piled(found: Meaning) -> Meaning:
     if not isinstance(found, Clause):
         return found
     for index, (first, second) in enumerate(zip(found.adjuncts, found.adjuncts[1:], strict=False)):
-        if _lies_on(first) and _lies_on(second):
+        if _lies_on(first) and _lies_on(second) and second.span[0] <= first.span[1] + 1:
             assert isinstance(first, Loc) and isinstance(first.landmark, Noun)
             theme = replace(first.landmark, det="the", amount=None, cost=0)
             span = (first.landmark.span[0], found.span[1])

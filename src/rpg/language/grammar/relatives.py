@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from rpg.language import lexicon
-from rpg.language.grammar.adjectives import adjectives, of_quality
+from rpg.language.grammar.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
 from rpg.language.meaning import Loc, Meaning, Traits
@@ -19,12 +19,20 @@ _THINGS = {"letters": "letter", "numbers": "digit", "digits": "digit", "symbols"
            "number": "digit"}  # fmt: skip
 
 
+_WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the color is", "of which the color is",
+                "with the color", "that has color", "that has the color", "which has the color", "having color",
+                "having the color", "who is", "of the color")  # fmt: skip
+
+
 @rule
 def relative(p: Parser, i: int, head: str) -> Results[Any]:
     """Traits, or a tuple of conditions (places)."""
     from rpg.language.grammar.relations import loc
 
     comma = p.opt(i, ",")
+    if j := p.any_of(comma, _WHOSE_COLOR):
+        for named, k in color(p, j):
+            yield Traits(colors=(named,)), k
     that = p.one(comma, _THAT)
     if that:
         if j := p.one(that, _SHOW):

@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives, of_quality
 from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.becoming import becoming
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.manners import direction, manner
@@ -44,6 +45,8 @@ _MODALS = frozenset(
         "has",
         "have",
         "ought",
+        "want",
+        "wants",
         "does",
         "do",
     }
@@ -71,6 +74,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield from _predicate(p, i, j, theme, mode, False)
             continue
         readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
+        readings += () if negated else becoming(p, i, k, theme, mode)
         for phrase in _STARTS:
             if s := p.seq(k, phrase):
                 readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
@@ -209,6 +213,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                     if (
                         found
                         or sense in ("swap", "stack", "keep")
+                        or (sense in ("build", "arrange") and isinstance(theme, Structure))
                         or (lemma == "line" and p.words[at_ - 1] == "up")
                         or (negated and lemma in ("move", "touch", "disturb", "shift"))
                     ):
@@ -229,7 +234,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
     if j < p.end and p.words[j] in lexicon.POSTURE:
         start = p.reach(j + 1)
     for found, k in adjuncts(p, start):
-        if found:
+        if any(not isinstance(a, Manner) or a.kind != "respectively" for a in found):
             yield (
                 Clause(
                     verb="be",

@@ -308,14 +308,15 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 
 _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
     "built of", "formed by", "formed of", "comprising",
-       "containing", "using", "constructed from", "out of", "built with", "made with", "with only", "from",
+       "containing", "using", "constructed from", "out of", "built with", "which consists of", "that consists of", "which is made of",
+       "that is made of", "that consist of", "which consist of", "that are made of", "that contains", "which contains", "made with", "with only", "from",
        "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
 
 
 def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     from rpg.language.grammar.nouns import noun_phrase
 
-    k = p.any_of(j, _OF)
+    k = p.any_of(j, _OF) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
     if not k:
         return
     for start in dict.fromkeys((k, p.one(k, "each"))):

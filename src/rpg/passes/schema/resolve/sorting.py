@@ -27,7 +27,7 @@ from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 GATHERS = frozenset({"gather", "collect", "cluster", "group", "bunch", "merge", "combine", "unite"})
-DIVIDES = frozenset({"separate", "split", "divide", "partition", "distribute"})
+DIVIDES = frozenset({"separate", "segregate", "split", "divide", "partition", "distribute"})
 SIDE = 3
 """Blocks on each side that are separated, where their number is left open."""
 
@@ -62,7 +62,8 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if apart is not None and _of_each_other(apart) and len(lots) > 1 and attribute is None and not spec.intos:
         spec.places.remove(apart)
         return [s.GroupBy(groups=lots, span=clause.span), *places(theme, spec, scene, scope, clause.span)]
-    if clause.lemma in GATHERS and attribute is None and not spec.intos:
+    if clause.lemma in GATHERS and attribute is None and _one_pile(spec):
+        spec.intos = []
         spec.places = [p for p in spec.places if not _together(p)]
         node = s.GroupBy(groups=(theme.names,), span=clause.span)
         ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
@@ -77,6 +78,12 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
     ref = replace(theme, built=tuple(built))
     return goals + places(ref, spec, scene, scope, clause.span)
+
+
+def _one_pile(spec: Spec) -> bool:
+    """ "combine the blocks", "combine them into one pile"."""
+    shapes = [i.structure for i in spec.intos]
+    return all(isinstance(x, Structure) and x.kind == "pile" and not x.plural for x in shapes)
 
 
 def _lot(spec: Spec, scene: Scene) -> int:

@@ -1,0 +1,94 @@
+"""What a subject is, becomes or is made of: "a row is seen", "the blocks become a circle", "the wall consists of ..."."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser
+from rpg.language.grammar.lists import listed
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, OrderBy, Pronoun, Structure
+
+_IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")
+_THERE = frozenset({"seen", "shown", "visible", "present", "needed", "required", "wanted", "desired", "expected",
+                    "observed", "displayed"})  # fmt: skip
+_CONSISTS = (
+    "consists of", "consist of", "is made of", "is made from", "is made up of", "is made out of", "is composed of",
+    "comprises", "is built from", "is built of", "be made of", "be made from", "consist only of", "be built from",
+    "be made up of", "is formed by", "is formed of", "are made of", "are made from",
+)  # fmt: skip
+_BECOMES = ("become", "becomes", "turn into", "turns into", "end up as", "ends up as", "end as", "change into")
+_GATHERS = frozenset({"gather", "cluster", "assemble", "group", "line", "align", "queue", "bunch", "unite", "stack",
+                      "merge", "combine"})  # fmt: skip
+
+
+def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
+    """Clauses from i on, with their subject before k and its auxiliaries behind it."""
+    yield from _there(p, i, k, theme, mode)
+    if isinstance(theme, Structure):
+        yield from _consists(p, i, k, theme, mode)
+    elif isinstance(theme, Noun | Coord | Pronoun):
+        yield from _becomes(p, i, k, theme, mode)
+        yield from _gathers(p, i, k, theme, mode)
+
+
+def _there(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
+    """ "a row of blocks is seen: cyan, white", "a yellow block should be visible in front of it"."""
+    be = p.any_of(k, _IS)
+    j = p.one(be, _THERE) if be else 0
+    if not j:
+        return
+    shaped = isinstance(theme, Structure)
+    for found, end in adjuncts(p, j):
+        if found or shaped:
+            verb = "build" if shaped else "be"
+            yield Clause(verb=verb, theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)), end
+    colon = p.opt(j, ":", ",")
+    for items, end in listed(p, colon) if shaped and colon > j else ():
+        given = OrderBy(by="given", items=items, span=p.span(colon, end))
+        yield Clause(verb="build", theme=theme, adjuncts=(given,), mode=mode, span=p.span(i, end)), end
+
+
+def _consists(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterator[tuple[Meaning, int]]:
+    j = p.any_of(k, _CONSISTS)
+    if not j or theme.members is not None:
+        return
+    for members, end in noun_phrase(p, j):
+        if isinstance(members, Noun | Coord):
+            whole = replace(theme, members=members, span=p.span(i, end))
+            for found, last in adjuncts(p, end):
+                yield Clause(verb="build", theme=whole, adjuncts=found, mode=mode, span=p.span(i, last)), last
+
+
+def _becomes(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
+    """ "five blocks become a circle"; "the six blocks are a triangle"."""
+    turned = p.any_of(k, _BECOMES)
+    j = turned or p.any_of(k, _IS)
+    if not j or (isinstance(theme, Noun) and (theme.head == "patch" or not theme.plural)):
+        return
+    for target, end in simple(p, j):
+        plain = isinstance(target, Structure) and target.members is None and target.kind not in ("word", "equation")
+        if not plain or not isinstance(target, Structure) or not (target.det == "a" or (turned and target.det == "bare")):
+            continue
+        into = Into(structure=target, span=p.span(j, end))
+        for found, last in adjuncts(p, end):
+            yield (
+                Clause(verb="arrange", theme=theme, adjuncts=(into, *found), mode=mode, span=p.span(i, last), cost=1),
+                last,
+            )
+
+
+def _gathers(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
+    """ "all the blocks gather in the left half", "the cubes line up"."""
+    if isinstance(theme, Noun) and not theme.plural:
+        return
+    for sense, lemma, form in p.lex(k, lexicon.VERB) or ():
+        if form not in ("base", "s") or lemma not in _GATHERS:
+            continue
+        for found, end in adjuncts(p, p.opt(k + 1, "up", "together")):
+            said = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, end),
+                          word=p.span(k, k + 1), cost=1)  # fmt: skip
+            yield said, end

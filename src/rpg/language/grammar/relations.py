@@ -49,7 +49,11 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if isinstance(landmark, TableTop) and (name == "in" or p.words[i] in ("at", "to")):
                 continue
-            cost = _listed_cost(landmark) + (2 if name == "in" or p.words[i] == "by" else 0)
+            cost = (
+                _listed_cost(landmark)
+                + (1 if p.words[i] == "side" and p.words[j - 1] == "with" else 0)
+                + (2 if name == "in" or p.words[i] == "by" else 0)
+            )
             yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost), k
     yield from _either_relation(p, i)
     yield from _either_place(p, i)

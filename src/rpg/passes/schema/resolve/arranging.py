@@ -14,6 +14,7 @@ from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.members import certain
 from rpg.passes.schema.resolve.orders import order_of
+from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, places
 from rpg.passes.schema.resolve.positions import alternatives
 from rpg.passes.schema.resolve.refer import refer
@@ -156,6 +157,8 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
 def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
     if spec.orders or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
         return True
+    if len(theme.names) > 2 and any(map(place_of, spec.absolutes)) and any(map(_in_line, spec.places)):
+        return True
     return (
         verb == "arrange"
         and not [p for p in spec.places if not isinstance(p, In)]
@@ -163,6 +166,12 @@ def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
         and not spec.ats
         and len(theme.names) > 1
     )
+
+
+def _in_line(place: Meaning) -> bool:
+    """ "next to each other", "5 cm apart": of more than two blocks, a line."""
+    each_other = getattr(getattr(place, "landmark", None), "word", "") == "each other"
+    return each_other and getattr(place, "rel", "") in ("side_by_side", "adjacent", "touching", "distance")
 
 
 def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:

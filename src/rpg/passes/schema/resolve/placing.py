@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
-from rpg.language.meaning import At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
+from rpg.language.meaning import Amount, At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
 from rpg.passes.schema.resolve.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer
@@ -110,6 +110,9 @@ def _merge_sides(spec: Spec) -> None:
             close, rel={"back": "behind"}.get(at_.side, at_.side), mods=("immediate",) if tight else ()
         )
         if not tight:
+            mark = close.landmark
+            if isinstance(mark, Noun) and mark.amount == Amount(1, 1):
+                close = replace(close, landmark=replace(mark, det="the", amount=None))
             spec.places.append(close)
         return
     for index, side in enumerate(spec.places):
@@ -215,6 +218,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 inner.ats[0].span,
                 "say 'on top', or name the block among its members",
             )
+        if inner.ats and len(ref.names) > 1 and not set(theme.names) & set(ref.names):
+            raise refuse("ambiguous", "it is not clear of what this is a part", inner.ats[0].span, "say where it is")
         if inner.ats:
             goals += loose_ats(theme, inner, scene, item.span)
         for adjunct in inner.places:

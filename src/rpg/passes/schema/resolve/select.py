@@ -108,6 +108,24 @@ def _claim_declared(noun: Noun, scene: Scene, count: int) -> list[Thing]:
     return open_[:count]
 
 
+def _claim_one(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> list[Thing]:
+    """ "three blocks next to each other, the red one in the middle": one of the three."""
+    if (
+        patch
+        or scope.given
+        or noun.head != "any"
+        or noun.det != "the"
+        or not (noun.traits.colors or noun.traits.labels)
+    ):
+        return []
+    open_ = [t for t in scene.blocks() if not t.extra and t.elastic is None and t.kind is None and t.size is None]
+    open_ = [t for t in open_ if t.color is None and t.label is None and open_to(t, noun.traits)]
+    if len({t.batch for t in open_}) != 1 or sum(t.batch == open_[0].batch for t in scene.blocks()) < 2:
+        return []
+    give(open_[0], noun.traits)
+    return open_[:1]
+
+
 def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
     if not found and noun.head == "any" and noun.traits == Traits() and not scope.pool:
         raise refuse("no-referent", "it is not clear what this refers to", noun.span, "name the block")
@@ -118,7 +136,7 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
             return (found[0].name,)
         if len(found) > 1:
             return (_pick(noun, found, scene, scope).name,)
-        if claimed := _claim(noun, scene, scope, patch, 1):
+        if claimed := _claim(noun, scene, scope, patch, 1) or _claim_one(noun, scene, scope, patch):
             return (claimed[0].name,)
         if scope.role != "landmark" and (shown := _shown_on(noun, scene)) is not None:
             return (shown,)

@@ -7,6 +7,7 @@ import itertools
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning
@@ -91,6 +92,10 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
             at_.span,
             "say 'half of the table', or of what",
         )
+    close = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
+    if any(set(ref.names) & {*members(a.a), *members(a.b)} for a in close):
+        raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
+                     "say 'of the table', or of what")  # fmt: skip
     if any(isinstance(a, r.InRegion) and ("edge" in a.region or "corner" in a.region) for a in atoms(goal)):
         raise refuse("ambiguous", "this could be a half or an edge of the table", at_.span, "say which")
 
@@ -128,9 +133,10 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):
-        if node.axis == "x":
-            order = order.model_copy(update={"first": "front"})
-        update = {"axis": node.axis or "y"}
+        either_way = all(at_.side == "middle" for _, at_, _ in loose if isinstance(at_, At))
+        if node.axis == "x" or either_way:
+            order = order.model_copy(update={"first": None if either_way else "front"})
+        update = {"axis": node.axis if either_way else node.axis or "y"}
         lines: list[s.Stack | s.Row] = [
             node.model_copy(update={"order": o, **update}) for o in alternatives(order, scene)
         ]

@@ -1,11 +1,14 @@
 """Measures batches: throughput and memory of workers, and a batch with nothing to do, over growing lists.
 
-`python benchmarks/batches.py [INSTRUCTIONS]` prints a table; the first figures build that many (100 unless told).
+`python benchmarks/batches.py [INSTRUCTIONS]` prints a table; lists have up to that many instructions (1,000 unless
+told), drawn from the language reference, no two alike.
 """
 
 from __future__ import annotations
 
+import json
 import os
+import subprocess
 import sys
 import tempfile
 import time
@@ -17,7 +20,7 @@ from pathlib import Path
 
 from instructions import instructions
 
-from rpg.batch.entries import Entry
+from rpg.batch.entries import Entry, read_entries
 from rpg.batch.pool import Job, LocalPool
 from rpg.batch.run import run_batch
 from rpg.batch.work import Result
@@ -29,12 +32,14 @@ LENGTHS = (10, 100, 1000)
 
 @dataclass(frozen=True)
 class Throughput:
-    """`workers` built `tasks` in `seconds`; `cpu` are their seconds of processor time, `peak` the most MB of one."""
+    """`workers` built `tasks` in `seconds`. `cpu`: processor time (s) of all processes; `parent`: of the one that hands
+    out and puts in place; `peak`: the most MB that one worker held."""
 
     workers: int
     tasks: int
     seconds: float
     cpu: float
+    parent: float
     peak: float
 
 
@@ -81,9 +86,10 @@ def throughput(workers: int, count: int) -> Throughput:
     """Build `count` instructions into a fresh workspace, without pictures."""
     with tempfile.TemporaryDirectory() as root:
         pool = Watched(workers)
-        begun = time.perf_counter()
+        begun, parent = time.perf_counter(), time.process_time()
         run_batch(entries(count), Workspace(Path(root)), pool, pictures=False)
-        return Throughput(workers, count, time.perf_counter() - begun, pool.cpu, pool.peak)
+        parent = time.process_time() - parent
+        return Throughput(workers, count, time.perf_counter() - begun, pool.cpu + parent, parent, pool.peak)
 
 
 @dataclass(frozen=True)
@@ -97,33 +103,44 @@ class Copies:
             yield self.families[number % len(self.families)]
 
 
-def nothing_to_do(lengths: Sequence[int]) -> Iterator[tuple[int, float]]:
-    """Seconds that a batch takes whose entries are all up to date, for lists of these lengths."""
+def nothing_to_do(lengths: Sequence[int]) -> Iterator[tuple[int, float, float]]:
+    """Seconds that a batch takes whose entries are all up to date, and of the whole command, for lists this long."""
     built = tuple(result for result in LocalPool(2).map([(entry, False) for entry in entries(12)]) if result.tree)
     for length in lengths:
-        named = tuple(Entry(f"list:{number}", f"sentence {number}", name=f"t{number}") for number in range(length))
-        with tempfile.TemporaryDirectory() as root:
-            workspace = Workspace(Path(root))
+        listed = [{"instruction": f"sentence {number}", "name": f"t{number}"} for number in range(length)]
+        with tempfile.TemporaryDirectory() as directory:
+            file, root = Path(directory, "list.jsonl"), Path(directory, "tasks")
+            file.write_text("\n".join(map(json.dumps, listed)))
+            named, workspace = read_entries([str(file)]), Workspace(root)
             run_batch(named, workspace, Copies(built), pictures=False)
             begun = time.perf_counter()
             report = run_batch(named, workspace, Copies(()), pictures=False)
-            seconds = time.perf_counter() - begun
+            inside = time.perf_counter() - begun
+            command = [sys.executable, "-m", "rpg", "batch", str(file), "--no-pictures", "--tasks", str(root)]
+            begun = time.perf_counter()
+            subprocess.run(command, check=True, capture_output=True)
+            whole = time.perf_counter() - begun
         assert report.count("current") == length
-        yield length, seconds
+        yield length, inside, whole
 
 
-def main(count: int) -> None:
+def main(most: int) -> None:
     """Print every figure as it is measured."""
-    for workers in (1, 2):
+    lengths = [length for length in LENGTHS if length < most] + [most]
+    for workers, count in [(1, min(most, 100)), *((2, length) for length in lengths)]:
         found = throughput(workers, count)
         print(
-            f"{found.tasks} instructions, {workers} worker{'s' * (workers > 1)}: {found.seconds:.1f} s, "
-            f"{1000 * found.cpu / found.tasks:.0f} ms of processor time each, {found.peak:.0f} MB at most per worker",
+            f"{found.tasks:5} instructions, {workers} worker{'s' * (workers > 1)}: {found.seconds:6.1f} s; "
+            f"{1000 * found.cpu / count:4.0f} ms of processor each, {1000 * found.parent / count:3.1f} ms of them the "
+            f"parent's; {found.peak:.0f} MB at most per worker",
             flush=True,
         )
-    for length, seconds in nothing_to_do(LENGTHS):
-        print(f"nothing to do over {length:5} tasks: {1000 * seconds:8.1f} ms", flush=True)
+    for length, inside, whole in nothing_to_do(LENGTHS):
+        print(
+            f"nothing to do over {length:5} tasks: {1000 * inside:7.1f} ms, {1000 * whole:7.1f} ms as a command",
+            flush=True,
+        )
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 100)
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else LENGTHS[-1])

@@ -3,18 +3,95 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, longest, m, noun_phrase, phrases, simple
+from rpg.steer.language import (
+    Parser,
+    label_list,
+    longest,
+    m,
+    noun_phrase,
+    phrases,
+    simple,
+)
 from rpg.steer.phrases import fresh, labelled, things
 from rpg.steer.places import place, places
 
-ADD = frozenset({"add", "include", "insert", "append", "introduce", "attach", "bring", "throw"})
+ADD = frozenset(
+    {
+        "add",
+        "include",
+        "insert",
+        "append",
+        "introduce",
+        "attach",
+        "bring",
+        "throw",
+        "pop",
+        "stick",
+        "slide",
+        "slip",
+    }
+    | {"squeeze", "wedge", "slot", "toss", "sneak", "squish"}
+)
 
 
 PUT = frozenset(
-    {"put", "place", "stack", "set", "lay", "position", "drop", "move", "bring", "shift", "transfer", "relocate"}
+    {
+        "put",
+        "place",
+        "stack",
+        "set",
+        "lay",
+        "position",
+        "drop",
+        "move",
+        "bring",
+        "shift",
+        "transfer",
+        "relocate",
+    }
+    | {"slide", "stick", "push", "pop", "lift", "send"}
 )
+
+
+_UNWANTED = phrases(
+    "i do not want | i do not need | i no longer want | i no longer need | we do not need | we do not want | "
+    "there should be no | there should not be | i do not like"
+)
+_GOES = phrases(
+    "can go | should go | must go | has to go | have to go | needs to go | may go | is not needed | has to leave"
+)
+_ALL_BUT = phrases(
+    "all but | everything but | everything except | all except | everything apart from | all apart from"
+)
+
+
+def _let_go(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "the red one can go", "I don't want the green block any more"."""
+    j = longest(p, i, _UNWANTED)
+    for theme, k in noun_phrase(p, j) if j else ():
+        end = (
+            longest(p, k, "any more | anymore | any longer | in it | there | at all")
+            or k
+        )
+        yield r.Remove(theme=theme, span=p.span(i, end)), end
+    for theme, k in noun_phrase(p, i):
+        if end := longest(p, k, _GOES):
+            yield r.Remove(theme=theme, span=p.span(i, end)), end
+
+
+def _all_but(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "remove all but the red one", "keep only the red and the blue block"."""
+    verb = longest(p, i, REMOVE)
+    j = (
+        longest(p, verb, _ALL_BUT)
+        if verb
+        else longest(p, i, "keep only | keep just | only keep | just keep | leave only")
+    )
+    for theme, k in noun_phrase(p, j) if j else ():
+        yield r.Remove(theme=theme, others=True, span=p.span(i, k)), k
 
 
 REMOVE = phrases(
@@ -24,17 +101,57 @@ REMOVE = phrases(
 )
 
 
+_IDLE = phrases(
+    "as a distractor | as distractors | as a distraction | as an extra | as extras | as clutter | to distract | "
+    "that plays no role | that play no role | that does nothing | that is not part of the goal | that has no role | "
+    "that are not part of the goal | which plays no role | that does not matter | that do not matter | just lying around "
+    "| as a decoy | as decoys | that is not needed | that are not needed"
+)
+
+
 def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "add a green block on top of the blue one", "with another red block"."""
-    leads = ("there should also be", "there should be", "there must be", "with", "give it", "have")
+    leads = (
+        "there should also be",
+        "there should be",
+        "there must be",
+        "with",
+        "give it",
+        "have",
+    )
     j = p.one(i, ADD) or longest(p, i, leads) or i
     j = longest(p, j, ("in", "back")) or j
     verb = p.words[i] in ADD
     for theme, k in things(p, j):
         if fresh(theme) or (verb and labelled(theme)):
-            for spots, end in places(p, k):
-                if spots or j > i:
-                    yield r.Add(theme=theme, places=spots, span=p.span(i, end), cost=0 if verb else 2), end
+            if isinstance(theme, m.Noun) and (end := longest(p, k, _IDLE)):
+                idle = replace(theme, traits=replace(theme.traits, extra=True))
+                yield r.Add(theme=idle, span=p.span(i, end)), end
+            for start in (k, p.one(k, "in")):
+                for spots, end in places(p, start) if start else ():
+                    if spots or (j > i and start == k):
+                        yield (
+                            r.Add(
+                                theme=theme,
+                                places=spots,
+                                span=p.span(i, end),
+                                cost=0 if verb else 2,
+                            ),
+                            end,
+                        )
+    if verb and (
+        k := longest(p, j, "the letter | the number | the digit | the symbol")
+    ):
+        for (labels, _), n in label_list(p, k, True):
+            kind = "digit" if labels[0].isdigit() else "letter"
+            noun = m.Noun(
+                head="block",
+                det="a",
+                traits=m.Traits(labels=labels, kind=kind),
+                span=p.span(j, n),
+            )
+            for spots, end in places(p, n) if len(labels) == 1 else ():
+                yield r.Add(theme=noun, places=spots, span=p.span(i, end)), end
     for spots, k in places(p, j) if verb else ():
         for theme, end in things(p, k) if spots else ():
             if fresh(theme):
@@ -43,24 +160,74 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "put a green block on top" adds; "put the green block on top" moves."""
+    yield from _belongs(p, i)
+    yield from _taken(p, i)
     j = p.one(i, PUT)
     if not j:
         return
-    for theme, k in noun_phrase(p, j):
+    for theme, k in things(p, j):
         if fresh(theme):
             for spots, end in places(p, k):
                 if spots:
                     yield r.Add(theme=theme, places=spots, span=p.span(i, end)), end
+            for given_up, n in noun_phrase(p, k + 1) if p.one(k, "where") else ():
+                if end := longest(
+                    p,
+                    n,
+                    "was | is | used to be | stands | stood | sits | has been | was before",
+                ):
+                    yield r.Replace(old=given_up, new=theme, span=p.span(i, end)), end
         else:
             for where, end in place(p, k):
                 yield r.Move(theme=theme, place=where, span=p.span(i, end)), end
     for where, k in place(p, j):
         for theme, end in noun_phrase(p, k):
             if fresh(theme):
-                yield r.Add(theme=theme, places=(where,), span=p.span(i, end), cost=1), end
+                yield (
+                    r.Add(theme=theme, places=(where,), span=p.span(i, end), cost=1),
+                    end,
+                )
+
+
+_BELONGS = phrases(
+    "belongs | belong | goes | go | should go | must go | should be | must be | needs to be | has to be | should sit | "
+    "should come | should move | ought to be | should stand"
+)
+
+
+def _belongs(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "the blue one belongs on top"."""
+    for theme, j in noun_phrase(p, i):
+        k = longest(p, j, _BELONGS)
+        for where, end in place(p, k) if k and not fresh(theme) else ():
+            if isinstance(where, r.Spot):
+                yield r.Move(theme=theme, place=where, span=p.span(i, end), cost=1), end
+
+
+def _taken(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "take the green block from the top and put it next to the tower"."""
+    j = longest(p, i, "take | grab | pick | pick up | lift")
+    for theme, k in noun_phrase(p, j) if j else ():
+        k = (
+            longest(
+                p,
+                k,
+                "from the top | off the top | from the bottom | from the tower | off the tower | from there",
+            )
+            or k
+        )
+        n = longest(
+            p,
+            k,
+            "and put it | and place it | and move it | and stack it | and set it | and lay it | and stick it",
+        )
+        for where, end in place(p, n) if n and not fresh(theme) else ():
+            yield r.Move(theme=theme, place=where, span=p.span(i, end)), end
 
 
 def remove(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    yield from _let_go(p, i)
+    yield from _all_but(p, i)
     for phrase in (*REMOVE, "without", "no more", "no"):
         if j := p.seq(i, phrase):
             for theme, k in things(p, j):

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from rpg.blocks.english import describe
+from rpg.blocks.nouns import bare
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.assets import Asset
@@ -17,8 +18,9 @@ from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
 from rpg.steer.identity import look
 from rpg.steer.language import Parser, m, noun_phrase, tokenize
-from rpg.steer.refer import exists, resolve
+from rpg.steer.refer import exists, noun_of, resolve
 from rpg.steer.shape import conjuncts
+from rpg.steer.view import NOUNS
 
 _FRESH = re.compile(
     r"^\W*(?:ok(?:ay)?,?\s+|now,?\s+|actually,?\s+|please,?\s+)*"
@@ -65,23 +67,43 @@ def fresh_start(request: str) -> Fresh | None:
 
 
 def extended(
-    draft: Draft, request: str, begin: int, read: Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
+    draft: Draft,
+    request: str,
+    begin: int,
+    read: Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]],
 ) -> None:
     """Read the words of `request` from `begin` on as one more sentence about the task, and take over what they add."""
     only_known(draft, request, begin)
-    said = request[begin:].strip(" ,;")
+    said = _by_name(draft, request[begin:].strip(" ,;"))
     known = describe(draft.schema)
     whole = f"{known} {said[:1].upper()}{said[1:]}"
     schema, diagnostics = read(whole)
     if schema is None:
         errors = [d for d in diagnostics if d.severity == "error"]
         raise Refusal(
-            [_placed(error, len(known) + 1, begin, len(request)) for error in errors] or [_vague(begin, len(request))]
+            [_placed(error, len(known) + 1, begin, len(request)) for error in errors]
+            or [_vague(begin, len(request))]
         )
     names = _counterparts(draft.schema, schema)
     if names is None:
         raise Refusal([_vague(begin, len(request))])
     _take_over(draft, schema, names, (begin, len(request)))
+
+
+def _by_name(draft: Draft, said: str) -> str:
+    """A clause about "it", with what the word means here in its place: in a longer text it could mean another."""
+    found = re.match(r"it\b(?=\s)", said, re.IGNORECASE)
+    if found is None:
+        return said
+    meant = resolve(draft.view, m.Pronoun(word="it", span=(0, 2)))
+    noun = (
+        noun_of(draft.view, meant.line)
+        if meant.line
+        else NOUNS[type(meant.figure.node)]
+        if meant.figure
+        else None
+    )
+    return f"the {noun or bare(meant.names[0], draft.view.world)}{said[found.end() :]}"
 
 
 def only_known(draft: Draft, request: str, begin: int) -> None:
@@ -93,7 +115,9 @@ def only_known(draft: Draft, request: str, begin: int) -> None:
 
 def mentions_known(draft: Draft, request: str) -> bool:
     """Whether a sentence says "the ..." of anything that the task has."""
-    return any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
+    return any(
+        exists(draft.view, noun) for named in _definite(request, 0) for noun in named
+    )
 
 
 def _definite(request: str, begin: int) -> Iterator[list[m.Noun]]:
@@ -118,7 +142,11 @@ def _placed(error: Diagnostic, known: int, begin: int, end: int) -> Diagnostic:
 def _vague(begin: int, end: int) -> Diagnostic:
     message = "this could not be joined to the task"
     return Diagnostic(
-        code="edit-unclear", message=message, span=(begin, end), hint="give the whole instruction", origin="steer"
+        code="edit-unclear",
+        message=message,
+        span=(begin, end),
+        hint="give the whole instruction",
+        origin="steer",
     )
 
 
@@ -127,7 +155,9 @@ def _counterparts(old: TaskSchema, new: TaskSchema) -> dict[str, str] | None:
     free = list(new.assets)
     found: dict[str, str] = {}
     for asset in old.assets:
-        twin = next((a for a in free if a.name == asset.name and _look(a) == _look(asset)), None)
+        twin = next(
+            (a for a in free if a.name == asset.name and _look(a) == _look(asset)), None
+        )
         twin = twin or next((a for a in free if _look(a) == _look(asset)), None)
         if twin is None:
             return None
@@ -150,7 +180,9 @@ def _look(asset: Asset) -> dict[str, object]:
     return found
 
 
-def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]) -> None:
+def _take_over(
+    draft: Draft, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]
+) -> None:
     """New objects, conditions and starts of the longer text."""
     kept = {asset.name for asset in draft.schema.assets}
     for asset in schema.assets:
@@ -169,7 +201,10 @@ def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tu
         update={
             "arranged": tuple(rename(goal, names) for goal in schema.init.arranged),
             "heaps": tuple(tuple(names[n] for n in heap) for heap in schema.init.heaps),
-            "poses": tuple(s.model_copy(update={"block": names[s.block]}) for s in schema.init.poses),
+            "poses": tuple(
+                s.model_copy(update={"block": names[s.block]})
+                for s in schema.init.poses
+            ),
             "vacant": draft.schema.init.vacant,
         }
     )
@@ -177,12 +212,20 @@ def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tu
         draft.do(SetStart(init=init), span)
     draft.aim("EXTEND" if new else "TWEAK")
     draft.note("clause", new[0].kind if new else "start")
-    draft.look_at(tuple(n for n in names.values() if n not in kept) or _mentioned(draft, new))
+    draft.look_at(
+        tuple(n for n in names.values() if n not in kept) or _mentioned(draft, new)
+    )
 
 
 def _mentioned(draft: Draft, new: Sequence[g.Goal]) -> tuple[str, ...]:
-    return tuple(dict.fromkeys(n for part in new for n in mentions(part) if n in draft.view.world.blocks))
+    return tuple(
+        dict.fromkeys(
+            n for part in new for n in mentions(part) if n in draft.view.world.blocks
+        )
+    )
 
 
 def _bare(goal: g.Goal) -> str:
-    return transform(goal, lambda node: node.model_copy(update={"span": None})).model_dump_json()
+    return transform(
+        goal, lambda node: node.model_copy(update={"span": None})
+    ).model_dump_json()

@@ -12,6 +12,7 @@ from rpg.steer.grouping import group, mixture, outliers
 from rpg.steer.language import Parser, Results, longest, phrases, rule
 from rpg.steer.replacing import instead, keep, replace_with, trade
 from rpg.steer.sorting import reorder
+from rpg.steer.wishes import wish
 
 ALSO = ("too", "as well", "also", "instead", "again", "please", "now", "there", "then")
 
@@ -32,10 +33,17 @@ def skip(p: Parser, i: int) -> int:
         "| i would like to | let us | you should | you can | we should | go ahead and | try to | and | but | "
         "finally | additionally | but also | i need you to | from here | from this | from this version | from "
         "this simpler version | in this version | for this one | from there | this time | hmm | no | wait | "
-        "yes | oh | so | from the current version | in addition | furthermore"
+        "yes | oh | so | from the current version | in addition | furthermore | nah | nope | hey | alright | all right | "
+        "sure | perfect | nice | cool | thanks | thank you | on second thought | wait no | sorry | i think | maybe | "
+        "the same but | same but | the same thing but | same thing but | the same task but | same task but | same again but "
+        "| the same again but | exactly the same but | the same thing only | same thing only | like this but | "
+        "like that but | like this one but | just like this but | as it is but | as now but | only | "
+        "perhaps | let me | good job | one more thing | hi | hello | why not | i would rather you | how about you"
     )
     while True:
         j = longest(p, i, asides) or i
+        if p.words[j] == "of" and p.words[i] == "instead":
+            return i
         j = p.opt(j, ",", ":")
         if j == i:
             return i
@@ -66,6 +74,7 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from mixture(p, i)
     yield from group(p, i)
     yield from change(p, i)
+    yield from wish(p, i)
     yield from paint(p, i)
     yield from resize(p, i)
     yield from arrange(p, i)

@@ -102,7 +102,10 @@ def group(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             if stop:
                 for late, last in _by(p, stop):
                     if by is None or late is None:
-                        yield r.Group(by=by or late, theme=theme, span=p.span(i, last)), last
+                        yield (
+                            r.Group(by=by or late, theme=theme, span=p.span(i, last)),
+                            last,
+                        )
             elif by is not None and p.words[i] not in ("put", "sort"):
                 yield r.Group(by=by, theme=theme, span=p.span(i, end)), end
 
@@ -142,7 +145,20 @@ def outliers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield r.Outliers(count=n, span=p.span(i, end)), end
 
 
-_GROUPS = frozenset({"pile", "piles", "group", "groups", "bunch", "bunches", "cluster", "clusters", "stack", "stacks"})
+_GROUPS = frozenset(
+    {
+        "pile",
+        "piles",
+        "group",
+        "groups",
+        "bunch",
+        "bunches",
+        "cluster",
+        "clusters",
+        "stack",
+        "stacks",
+    }
+)
 _ELSEWHERE = phrases(
     "into another one | into another pile | into another group | into another | to another one | to "
     "another pile | to another group | to another | into the other | to the other | into the next | with "
@@ -169,7 +185,11 @@ def _so_each(p: Parser, i: int, n: int) -> int:
         if j
         else 0
     )
-    j = longest(p, j, "has | have | contains | will have | gets | ends up with") if j else 0
+    j = (
+        longest(p, j, "has | have | contains | will have | gets | ends up with")
+        if j
+        else 0
+    )
     if not j:
         return i
     j = p.opt(j, "exactly")

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from rpg.core.diagnostics import Span
 from rpg.steer import requests as r
 from rpg.steer.backrefs import Reference, references
 from rpg.steer.grammar import request, skip, tail
-from rpg.steer.language import Parser, TooMuchWork, longest, m, phrases, tokenize
+from rpg.steer.language import Parser, Token, TooMuchWork, longest, m, phrases, tokenize
 
 MAX_REQUESTS = 8
 _STOPS = frozenset({".", ";", "!", "?", "…"})
@@ -30,7 +30,7 @@ def parse(text: str) -> tuple[Parsed, ...]:
     tokens, _ = tokenize(text)
     while tokens and tokens[-1].word in _STOPS:
         tokens = tokens[:-1]
-    p = Parser(tokens)
+    p = Parser(_plainly(tokens))
     found: list[Parsed] = []
     try:
         for reference, start in _openings(p):
@@ -39,6 +39,45 @@ def parse(text: str) -> tuple[Parsed, ...]:
         return ()
     found.sort(key=lambda each: (not each.whole, _left(each, text), each.cost))
     return tuple(found)
+
+
+_PLACES = {"upper": "top", "uppermost": "top", "lower": "bottom", "lowermost": "bottom"}
+
+
+def _plainly(tokens: list[Token]) -> list[Token]:
+    """Places by the words that noun phrases have for them: "the upper block" is the top one."""
+    tokens = _as_one(tokens)
+    after_the = (
+        token.word in _PLACES and k > 0 and tokens[k - 1].word == "the"
+        for k, token in enumerate(tokens)
+    )
+    return [
+        replace(token, word=_PLACES[token.word]) if placed else token
+        for token, placed in zip(tokens, after_the, strict=True)
+    ]
+
+
+_EVERYTHING = (
+    "the whole thing",
+    "the entire thing",
+    "the whole lot",
+    "the whole structure",
+    "the entire structure",
+)
+
+
+def _as_one(tokens: list[Token]) -> list[Token]:
+    """Words for all that is built, as the one word that stands for it."""
+    found: list[Token] = []
+    for token in tokens:
+        found.append(token)
+        words = " ".join(each.word for each in found[-3:])
+        if len(found) > 2 and words in _EVERYTHING:
+            first, last = found[-3], found[-1]
+            found[-3:] = [
+                replace(first, word="them", span=(first.span[0], last.span[1]))
+            ]
+    return found
 
 
 _EDITS = phrases(
@@ -64,7 +103,10 @@ def _openings(p: Parser) -> list[tuple[Reference | None, int]]:
     found: list[tuple[Reference | None, int]] = []
     start = skip(p, 0)
     for reference, j in references(p, start):
-        k = longest(p, j, ", but | but | , and | and | , then | then | , | : | . | ;") or j
+        k = (
+            longest(p, j, ", but | but | , and | and | , then | then | , | : | . | ;")
+            or j
+        )
         found.append((reference, skip(p, k)))
     found.append((None, 0))
     return found
@@ -121,5 +163,7 @@ def m_cost(found: r.Request) -> int:
         if isinstance(value, m.Meaning):
             total += m.cost_of(value)
         elif isinstance(value, tuple):
-            total += sum(m.cost_of(each) for each in value if isinstance(each, m.Meaning))
+            total += sum(
+                m.cost_of(each) for each in value if isinstance(each, m.Meaning)
+            )
     return total

@@ -2,7 +2,16 @@
 
 from __future__ import annotations
 
-from rpg.steer.language import Parser, Results, loc, longest, m, rule, simple
+from rpg.steer.language import (
+    Parser,
+    Results,
+    loc,
+    longest,
+    m,
+    noun_phrase,
+    rule,
+    simple,
+)
 from rpg.steer.requests import Place, Spot
 
 _ENDS = {
@@ -74,7 +83,15 @@ def place(p: Parser, i: int) -> Results[Place]:
                 yield Spot(side=side), j
         if j := longest(p, at, _INTO):
             for whole, k in simple(p, j):
-                if isinstance(whole, m.Structure) and whole.det in ("the", "its", "all", "each"):
+                if isinstance(whole, m.Structure) and whole.det in (
+                    "the",
+                    "its",
+                    "all",
+                    "each",
+                ):
                     yield Spot(side="any", whole=whole), k
         for found, j in loc(p, at):
             yield found, j
+        for word in ("after", "before"):
+            for landmark, k in noun_phrase(p, at + 1) if p.one(at, word) else ():
+                yield m.Loc(rel=word, landmark=landmark, span=p.span(at, k)), k

@@ -39,9 +39,10 @@ class Add(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Remove(Request):
-    """Objects that leave the task."""
+    """Objects that leave the task; with `others`, all blocks but these."""
 
     theme: m.Meaning
+    others: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,12 +64,14 @@ class Restyle(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recount(Request):
-    """A structure gets another number of blocks, or other dimensions. `by`: so many more (or fewer)."""
+    """A structure gets another number of blocks, or other dimensions. `by`: so many more (or fewer); `times`: so many
+    times as many."""
 
     theme: m.Meaning | None
     amount: int | None = None
     dims: tuple[int, ...] = ()
     by: int | None = None
+    times: float | None = None
     what: str = "blocks"
 
 

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from rpg.ir import goal as g
-from rpg.ir.edits import SetGoal
+from rpg.ir.edits import AddCondition, SetGoal
+from rpg.ir.node import Lowest, members
+from rpg.ir.relations import InRegion, OnPatch
 from rpg.ir.shrink import close, without
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
@@ -13,8 +16,9 @@ from rpg.steer.language import m
 from rpg.steer.operations.add import put, stand_on
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.order import put_in_order
+from rpg.steer.operations.relate import relation
 from rpg.steer.phrases import fresh
-from rpg.steer.refer import Found, resolve
+from rpg.steer.refer import Found, exists, resolve
 from rpg.steer.shape import conjuncts
 from rpg.steer.view import Line
 
@@ -23,6 +27,16 @@ def move(draft: Draft, request: r.Move) -> None:
     """What the goal said of where these blocks are gives way to the place that the request names."""
     found = resolve(draft.view, request.theme)
     names = found.names
+    near = getattr(request.place, "landmark", None) or getattr(
+        request.place, "whole", None
+    )
+    if (
+        near is not None
+        and exists(draft.view, near)
+        and set(resolve(draft.view, near).names) <= set(names)
+    ):
+        told, hint = "a block cannot be moved next to itself", "name another block"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     line = draft.view.line_of(names)
     draft.note("move", list(names))
     landmark = getattr(request.place, "landmark", None)
@@ -35,15 +49,87 @@ def move(draft: Draft, request: r.Move) -> None:
         draft.aim("MODIFY")
         _give_way(draft, names, request, Found((patch,)))
         return
+    if found.whole and not isinstance(request.place, r.Spot):
+        _whole_elsewhere(draft, found, request)
+        return
     draft.aim("MODIFY")
-    if line is not None and line.ordered and isinstance(request.place, r.Spot) and request.place.side != "beside":
+    if (
+        line is not None
+        and line.ordered
+        and isinstance(request.place, r.Spot)
+        and request.place.side != "beside"
+    ):
         _move_in_line(draft, line, names, request)
         return
-    anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
-    _give_way(draft, names, request, anchor)
+    anchor = (
+        None
+        if landmark is None or isinstance(landmark, m.TableTop)
+        else resolve(draft.view, landmark)
+    )
+    _give_way(draft, names, request, _without(anchor, names))
 
 
-def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None) -> None:
+def _without(anchor: Found | None, names: Sequence[str]) -> Found | None:
+    """What a place is next to, once the blocks that are to go there have left it."""
+    if anchor is None or not set(anchor.names) & set(names):
+        return anchor
+    rest = tuple(name for name in anchor.names if name not in names)
+    return Found(rest, anchor.line and replace(anchor.line, members=rest), None)
+
+
+def _whole_elsewhere(draft: Draft, found: Found, request: r.Move) -> None:
+    """A structure stays what it is and goes elsewhere: a region, a patch or a side that it had gives way to the new."""
+    before = [
+        part
+        for part in conjuncts(draft.schema.goal)
+        if not _only_where(part, found.names)
+    ]
+    draft.aim(
+        "EXTEND" if len(before) == len(conjuncts(draft.schema.goal)) else "MODIFY"
+    )
+    if before:
+        draft.do(
+            SetGoal(goal=before[0] if len(before) == 1 else g.All(goals=tuple(before))),
+            request.span,
+        )
+    landmark = getattr(request.place, "landmark", None)
+    anchor = (
+        None
+        if landmark is None or isinstance(landmark, m.TableTop)
+        else resolve(draft.view, landmark)
+    )
+    if isinstance(request.place, m.In) or anchor is None:
+        put(draft, found.names, request.place, anchor, request.span)
+    elif set(anchor.names) <= set(draft.view.world.patches) and found.line is not None:
+        stand_on(
+            draft,
+            draft.view.line_of(found.names) or found.line,
+            anchor.names[-1],
+            request.span,
+        )
+    else:
+        foot = (
+            Lowest(lowest=found.names)
+            if found.line is not None and found.line.kind == "tower"
+            else found.names
+        )
+        place = request.place
+        assert isinstance(place, m.Loc)
+        goal = relation(
+            draft, place.rel, foot, anchor.names, place.mods, request.span, place
+        )
+        draft.do(AddCondition(goal=goal), request.span)
+    draft.look_at(found.names)
+
+
+def _only_where(part: g.Goal, names: Sequence[str]) -> bool:
+    """Does a condition say no more of a structure than in which region or on which patch it is?"""
+    return isinstance(part, InRegion | OnPatch) and set(members(part.a)) <= set(names)
+
+
+def _give_way(
+    draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None
+) -> None:
     """Drop what the goal asks of `names`, then ask for the new place."""
     before = draft.schema.goal
     goal = before
@@ -52,27 +138,51 @@ def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found
     left = without(goal, set(names))
     if left is not None:
         draft.do(SetGoal(goal=left), request.span)
-    put(draft, names, request.place, anchor, request.span, draft.view.main_line() if left is not None else None)
+    put(
+        draft,
+        names,
+        request.place,
+        anchor,
+        request.span,
+        draft.view.main_line() if left is not None else None,
+    )
     if left is None:
         new = conjuncts(draft.schema.goal)[len(conjuncts(before)) :]
         if not new:
             raise draft.refusal(
-                "edit-unclear", "this place cannot be asked for here", request.span, "say the whole goal"
+                "edit-unclear",
+                "this place cannot be asked for here",
+                request.span,
+                "say the whole goal",
             )
-        draft.do(SetGoal(goal=new[0] if len(new) == 1 else g.All(goals=new)), request.span)
+        draft.do(
+            SetGoal(goal=new[0] if len(new) == 1 else g.All(goals=new)), request.span
+        )
     draft.look_at(tuple(names))
 
 
-def _move_in_line(draft: Draft, line: Line, names: Sequence[str], request: r.Move) -> None:
+def _move_in_line(
+    draft: Draft, line: Line, names: Sequence[str], request: r.Move
+) -> None:
     assert isinstance(request.place, r.Spot)
     rest = [name for name in line.members if name not in names]
     side = request.place.side
     last = side in ("top", "end", "right", "back")
     index = len(rest) // 2 if side == "middle" else len(rest) if last else 0
-    fits = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
+    fits = {
+        "top": "tower",
+        "bottom": "tower",
+        "left": "row",
+        "right": "row",
+        "front": "column",
+        "back": "column",
+    }
     if fits.get(side, line.kind) != line.kind:
         raise draft.refusal(
-            "edit-unclear", f"a {line.kind} has no {side} end", request.span, "name a block to put it beside"
+            "edit-unclear",
+            f"a {line.kind} has no {side} end",
+            request.span,
+            "name a block to put it beside",
         )
     put_in_order(draft, line, [*rest[:index], *names, *rest[index:]], request.span)
     draft.look_at(tuple(names))

@@ -14,6 +14,12 @@ from rpg.steer.view import Line
 def remove(draft: Draft, request: r.Remove) -> None:
     """Objects leave the task; what stood on them comes down, lines close up."""
     names = resolve(draft.view, request.theme).names
+    if request.others:
+        names = tuple(name for name in draft.view.world.blocks if name not in names)
+        if not names:
+            raise draft.refusal(
+                "nothing-to-do", "the task has no other blocks", request.span
+            )
     idle = set(draft.view.idle)
     draft.note("remove", list(names))
     for name in names:

@@ -6,52 +6,18 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.steer import requests as r
-from rpg.steer.language import (
-    Parser,
-    label_list,
-    longest,
-    m,
-    noun_phrase,
-    phrases,
-    simple,
-)
+from rpg.steer.language import Parser, label_list, longest, m, noun_phrase, phrases, simple
 from rpg.steer.phrases import fresh, labelled, things
 from rpg.steer.places import place, places
 
 ADD = frozenset(
-    {
-        "add",
-        "include",
-        "insert",
-        "append",
-        "introduce",
-        "attach",
-        "bring",
-        "throw",
-        "pop",
-        "stick",
-        "slide",
-        "slip",
-    }
+    {"add", "include", "insert", "append", "introduce", "attach", "bring", "throw", "pop", "stick", "slide", "slip"}
     | {"squeeze", "wedge", "slot", "toss", "sneak", "squish"}
 )
 
 
 PUT = frozenset(
-    {
-        "put",
-        "place",
-        "stack",
-        "set",
-        "lay",
-        "position",
-        "drop",
-        "move",
-        "bring",
-        "shift",
-        "transfer",
-        "relocate",
-    }
+    {"put", "place", "stack", "set", "lay", "position", "drop", "move", "bring", "shift", "transfer", "relocate"}
     | {"slide", "stick", "push", "pop", "lift", "send"}
 )
 
@@ -63,19 +29,14 @@ _UNWANTED = phrases(
 _GOES = phrases(
     "can go | should go | must go | has to go | have to go | needs to go | may go | is not needed | has to leave"
 )
-_ALL_BUT = phrases(
-    "all but | everything but | everything except | all except | everything apart from | all apart from"
-)
+_ALL_BUT = phrases("all but | everything but | everything except | all except | everything apart from | all apart from")
 
 
 def _let_go(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "the red one can go", "I don't want the green block any more"."""
     j = longest(p, i, _UNWANTED)
     for theme, k in noun_phrase(p, j) if j else ():
-        end = (
-            longest(p, k, "any more | anymore | any longer | in it | there | at all")
-            or k
-        )
+        end = longest(p, k, "any more | anymore | any longer | in it | there | at all") or k
         yield r.Remove(theme=theme, span=p.span(i, end)), end
     for theme, k in noun_phrase(p, i):
         if end := longest(p, k, _GOES):
@@ -104,21 +65,15 @@ REMOVE = phrases(
 _IDLE = phrases(
     "as a distractor | as distractors | as a distraction | as an extra | as extras | as clutter | to distract | "
     "that plays no role | that play no role | that does nothing | that is not part of the goal | that has no role | "
-    "that are not part of the goal | which plays no role | that does not matter | that do not matter | just lying around "
+    "that are not part of the goal | which plays no role | that does not matter | "
+    "that do not matter | just lying around "
     "| as a decoy | as decoys | that is not needed | that are not needed"
 )
 
 
 def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "add a green block on top of the blue one", "with another red block"."""
-    leads = (
-        "there should also be",
-        "there should be",
-        "there must be",
-        "with",
-        "give it",
-        "have",
-    )
+    leads = ("there should also be", "there should be", "there must be", "with", "give it", "have")
     j = p.one(i, ADD) or longest(p, i, leads) or i
     j = longest(p, j, ("in", "back")) or j
     verb = p.words[i] in ADD
@@ -130,26 +85,11 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             for start in (k, p.one(k, "in")):
                 for spots, end in places(p, start) if start else ():
                     if spots or (j > i and start == k):
-                        yield (
-                            r.Add(
-                                theme=theme,
-                                places=spots,
-                                span=p.span(i, end),
-                                cost=0 if verb else 2,
-                            ),
-                            end,
-                        )
-    if verb and (
-        k := longest(p, j, "the letter | the number | the digit | the symbol")
-    ):
+                        yield (r.Add(theme=theme, places=spots, span=p.span(i, end), cost=0 if verb else 2), end)
+    if verb and (k := longest(p, j, "the letter | the number | the digit | the symbol")):
         for (labels, _), n in label_list(p, k, True):
             kind = "digit" if labels[0].isdigit() else "letter"
-            noun = m.Noun(
-                head="block",
-                det="a",
-                traits=m.Traits(labels=labels, kind=kind),
-                span=p.span(j, n),
-            )
+            noun = m.Noun(head="block", det="a", traits=m.Traits(labels=labels, kind=kind), span=p.span(j, n))
             for spots, end in places(p, n) if len(labels) == 1 else ():
                 yield r.Add(theme=noun, places=spots, span=p.span(i, end)), end
     for spots, k in places(p, j) if verb else ():
@@ -171,11 +111,7 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 if spots:
                     yield r.Add(theme=theme, places=spots, span=p.span(i, end)), end
             for given_up, n in noun_phrase(p, k + 1) if p.one(k, "where") else ():
-                if end := longest(
-                    p,
-                    n,
-                    "was | is | used to be | stands | stood | sits | has been | was before",
-                ):
+                if end := longest(p, n, "was | is | used to be | stands | stood | sits | has been | was before"):
                     yield r.Replace(old=given_up, new=theme, span=p.span(i, end)), end
         else:
             for where, end in place(p, k):
@@ -183,10 +119,7 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for where, k in place(p, j):
         for theme, end in noun_phrase(p, k):
             if fresh(theme):
-                yield (
-                    r.Add(theme=theme, places=(where,), span=p.span(i, end), cost=1),
-                    end,
-                )
+                yield (r.Add(theme=theme, places=(where,), span=p.span(i, end), cost=1), end)
 
 
 _BELONGS = phrases(
@@ -209,17 +142,11 @@ def _taken(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     j = longest(p, i, "take | grab | pick | pick up | lift")
     for theme, k in noun_phrase(p, j) if j else ():
         k = (
-            longest(
-                p,
-                k,
-                "from the top | off the top | from the bottom | from the tower | off the tower | from there",
-            )
+            longest(p, k, "from the top | off the top | from the bottom | from the tower | off the tower | from there")
             or k
         )
         n = longest(
-            p,
-            k,
-            "and put it | and place it | and move it | and stack it | and set it | and lay it | and stick it",
+            p, k, "and put it | and place it | and move it | and stack it | and set it | and lay it | and stick it"
         )
         for where, end in place(p, n) if n and not fresh(theme) else ():
             yield r.Move(theme=theme, place=where, span=p.span(i, end)), end

@@ -67,10 +67,7 @@ def fresh_start(request: str) -> Fresh | None:
 
 
 def extended(
-    draft: Draft,
-    request: str,
-    begin: int,
-    read: Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]],
+    draft: Draft, request: str, begin: int, read: Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 ) -> None:
     """Read the words of `request` from `begin` on as one more sentence about the task, and take over what they add."""
     only_known(draft, request, begin)
@@ -81,8 +78,7 @@ def extended(
     if schema is None:
         errors = [d for d in diagnostics if d.severity == "error"]
         raise Refusal(
-            [_placed(error, len(known) + 1, begin, len(request)) for error in errors]
-            or [_vague(begin, len(request))]
+            [_placed(error, len(known) + 1, begin, len(request)) for error in errors] or [_vague(begin, len(request))]
         )
     names = _counterparts(draft.schema, schema)
     if names is None:
@@ -96,13 +92,7 @@ def _by_name(draft: Draft, said: str) -> str:
     if found is None:
         return said
     meant = resolve(draft.view, m.Pronoun(word="it", span=(0, 2)))
-    noun = (
-        noun_of(draft.view, meant.line)
-        if meant.line
-        else NOUNS[type(meant.figure.node)]
-        if meant.figure
-        else None
-    )
+    noun = noun_of(draft.view, meant.line) if meant.line else NOUNS[type(meant.figure.node)] if meant.figure else None
     return f"the {noun or bare(meant.names[0], draft.view.world)}{said[found.end() :]}"
 
 
@@ -115,9 +105,7 @@ def only_known(draft: Draft, request: str, begin: int) -> None:
 
 def mentions_known(draft: Draft, request: str) -> bool:
     """Whether a sentence says "the ..." of anything that the task has."""
-    return any(
-        exists(draft.view, noun) for named in _definite(request, 0) for noun in named
-    )
+    return any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
 
 
 def _definite(request: str, begin: int) -> Iterator[list[m.Noun]]:
@@ -142,11 +130,7 @@ def _placed(error: Diagnostic, known: int, begin: int, end: int) -> Diagnostic:
 def _vague(begin: int, end: int) -> Diagnostic:
     message = "this could not be joined to the task"
     return Diagnostic(
-        code="edit-unclear",
-        message=message,
-        span=(begin, end),
-        hint="give the whole instruction",
-        origin="steer",
+        code="edit-unclear", message=message, span=(begin, end), hint="give the whole instruction", origin="steer"
     )
 
 
@@ -155,9 +139,7 @@ def _counterparts(old: TaskSchema, new: TaskSchema) -> dict[str, str] | None:
     free = list(new.assets)
     found: dict[str, str] = {}
     for asset in old.assets:
-        twin = next(
-            (a for a in free if a.name == asset.name and _look(a) == _look(asset)), None
-        )
+        twin = next((a for a in free if a.name == asset.name and _look(a) == _look(asset)), None)
         twin = twin or next((a for a in free if _look(a) == _look(asset)), None)
         if twin is None:
             return None
@@ -180,9 +162,7 @@ def _look(asset: Asset) -> dict[str, object]:
     return found
 
 
-def _take_over(
-    draft: Draft, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]
-) -> None:
+def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tuple[int, int]) -> None:
     """New objects, conditions and starts of the longer text."""
     kept = {asset.name for asset in draft.schema.assets}
     for asset in schema.assets:
@@ -201,10 +181,7 @@ def _take_over(
         update={
             "arranged": tuple(rename(goal, names) for goal in schema.init.arranged),
             "heaps": tuple(tuple(names[n] for n in heap) for heap in schema.init.heaps),
-            "poses": tuple(
-                s.model_copy(update={"block": names[s.block]})
-                for s in schema.init.poses
-            ),
+            "poses": tuple(s.model_copy(update={"block": names[s.block]}) for s in schema.init.poses),
             "vacant": draft.schema.init.vacant,
         }
     )
@@ -212,20 +189,12 @@ def _take_over(
         draft.do(SetStart(init=init), span)
     draft.aim("EXTEND" if new else "TWEAK")
     draft.note("clause", new[0].kind if new else "start")
-    draft.look_at(
-        tuple(n for n in names.values() if n not in kept) or _mentioned(draft, new)
-    )
+    draft.look_at(tuple(n for n in names.values() if n not in kept) or _mentioned(draft, new))
 
 
 def _mentioned(draft: Draft, new: Sequence[g.Goal]) -> tuple[str, ...]:
-    return tuple(
-        dict.fromkeys(
-            n for part in new for n in mentions(part) if n in draft.view.world.blocks
-        )
-    )
+    return tuple(dict.fromkeys(n for part in new for n in mentions(part) if n in draft.view.world.blocks))
 
 
 def _bare(goal: g.Goal) -> str:
-    return transform(
-        goal, lambda node: node.model_copy(update={"span": None})
-    ).model_dump_json()
+    return transform(goal, lambda node: node.model_copy(update={"span": None})).model_dump_json()

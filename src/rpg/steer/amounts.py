@@ -5,33 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.steer import requests as r
-from rpg.steer.language import (
-    Parser,
-    bounds,
-    count,
-    dimensions,
-    length,
-    longest,
-    m,
-    phrases,
-    simple,
-)
+from rpg.steer.language import Parser, bounds, count, dimensions, length, longest, m, phrases, simple
 
 _TALL = phrases(
     "blocks tall | blocks high | block tall | block high | tall | high | levels | layers | levels high | "
     "layers high | steps | steps high | levels tall | cubes tall | cubes high | layers tall | stories "
     "high | stories"
 )
-_LONG = (
-    "blocks long",
-    "blocks wide",
-    "long",
-    "wide",
-    "cubes long",
-    "cubes wide",
-    "in length",
-    "blocks in length",
-)
+_LONG = ("blocks long", "blocks wide", "long", "wide", "cubes long", "cubes wide", "in length", "blocks in length")
 _BLOCKS = (
     "blocks",
     "cubes",
@@ -44,16 +25,7 @@ _BLOCKS = (
     "blocks in total",
     "blocks total",
 )
-_MORE = {
-    "taller": 1,
-    "higher": 1,
-    "longer": 1,
-    "shorter": -1,
-    "lower": -1,
-    "wider": 1,
-    "bigger": 1,
-    "smaller": -1,
-}
+_MORE = {"taller": 1, "higher": 1, "longer": 1, "shorter": -1, "lower": -1, "wider": 1, "bigger": 1, "smaller": -1}
 
 
 def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -62,9 +34,7 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield from _to(p, i, j, theme)
         yield from _by(p, i, j, theme)
     if j := longest(
-        p,
-        i,
-        "use | with | have | only use | use only | just use | make it with | build it with | do it with",
+        p, i, "use | with | have | only use | use only | just use | make it with | build it with | do it with"
     ):
         j = p.opt(j, "only", "just")
         for n, k in count(p, j):
@@ -83,7 +53,8 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 _BRINGS = phrases(
     "reduce | cut | cut down | cut back | trim | shorten | bring | bring down | limit | lower | increase | raise | "
-    "extend | grow | stretch | expand | shrink | lengthen | go | go down | go up | scale | scale down | scale up | build"
+    "extend | grow | stretch | expand | shrink | lengthen | go | go down | go up | scale | scale down | "
+    "scale up | build"
 )
 _HEIGHTS = phrases(
     "its height | the height | their height | its length | the length | the number of blocks | the count"
@@ -96,18 +67,11 @@ def _brought_to(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     starts: list[tuple[m.Meaning | None, int]] = [(None, j)] if j else []
     for theme, k in simple(p, j) if j else ():
         if isinstance(theme, m.Structure | m.Pronoun):
-            starts += [
-                (theme, k),
-                *((theme, p.opt(end, "down", "up", "back")) for end in (k,)),
-            ]
+            starts += [(theme, k), *((theme, p.opt(end, "down", "up", "back")) for end in (k,))]
     if j and (k := longest(p, j, _HEIGHTS)):
         starts.append((None, k))
     for theme, k in dict.fromkeys(starts):
-        if n := longest(
-            p,
-            k,
-            "to | down to | up to | back to | to only | to just | down to just | to a height of",
-        ):
+        if n := longest(p, k, "to | down to | up to | back to | to only | to just | down to just | to a height of"):
             for amount, end in count(p, n):
                 stop = longest(p, end, (*_BLOCKS, *_TALL, *_LONG, "only")) or end
                 yield r.Recount(theme=theme, amount=amount, span=p.span(i, stop)), stop
@@ -124,12 +88,7 @@ def _multiplied(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 end = longest(p, k, "in height | in length | in size") or k
                 yield r.Recount(theme=whole, times=times, span=p.span(i, end)), end
     for theme, j in _subjects(p, i):
-        for phrase, times in (
-            ("twice", 2.0),
-            ("double", 2.0),
-            ("half", 0.5),
-            ("three times", 3.0),
-        ):
+        for phrase, times in (("twice", 2.0), ("double", 2.0), ("half", 0.5), ("three times", 3.0)):
             if k := longest(p, j, tuple(f"{phrase} {how}" for how in _AS_TALL)):
                 yield r.Recount(theme=theme, times=times, span=p.span(i, k)), k
 
@@ -140,12 +99,7 @@ _AS_TALL = ("as tall", "as high", "as long", "the height", "the length", "as wid
 def _plain_count(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "just three blocks", "one block fewer", "five instead of four", "it needs six blocks"."""
     lead = (
-        longest(
-            p,
-            i,
-            "just | only | i need | i want | it needs | it should have | there should be | let there be",
-        )
-        or i
+        longest(p, i, "just | only | i need | i want | it needs | it should have | there should be | let there be") or i
     )
     for n, j in count(p, lead):
         k = longest(p, j, _BLOCKS) or 0
@@ -153,24 +107,12 @@ def _plain_count(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         more = longest(p, k, "more") if k else 0
         if less or more:
             end = longest(p, less or more, _BLOCKS) or less or more
-            yield (
-                r.Recount(
-                    theme=None, by=-n if less else n, span=p.span(i, end), cost=1
-                ),
-                end,
-            )
+            yield (r.Recount(theme=None, by=-n if less else n, span=p.span(i, end), cost=1), end)
         swapped = _instead_of(p, k or j)
         if swapped > (k or j):
             yield r.Recount(theme=None, amount=n, span=p.span(i, swapped)), swapped
         if k and (lead > i or (i and p.words[i - 1] in ("just", "only"))):
-            end = (
-                longest(
-                    p,
-                    k,
-                    "in it | in the tower | in the row | in all | in total | only | will do | tall",
-                )
-                or k
-            )
+            end = longest(p, k, "in it | in the tower | in the row | in all | in total | only | will do | tall") or k
             yield r.Recount(theme=None, amount=n, span=p.span(i, end), cost=1), end
 
 
@@ -179,10 +121,7 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
     if j := longest(p, i, "make | have | build | let | change | extend | turn"):
         for theme, k in simple(p, j):
             if isinstance(theme, m.Structure | m.Pronoun):
-                yield (
-                    theme,
-                    longest(p, k, "to be | to | be | into | out of | from | with") or k,
-                )
+                yield (theme, longest(p, k, "to be | to | be | into | out of | from | with") or k)
         for phrase in (
             "the number of blocks",
             "the number of cubes",
@@ -193,90 +132,46 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
         ):
             if (k := p.seq(j, phrase)) and (end := longest(p, k, ("to", "be"))):
                 yield None, end
-        if k := longest(
-            p, j, "the base | its base | the bottom layer | the square | the sides"
-        ):
+        if k := longest(p, j, "the base | its base | the bottom layer | the square | the sides"):
             yield None, longest(p, k, "to be | to | be | into") or k
     for theme, k in simple(p, i):
         if isinstance(theme, m.Structure | m.Pronoun) and (
-            end := longest(
-                p,
-                k,
-                "should be | must be | should have | needs to be | has | must have",
-            )
+            end := longest(p, k, "should be | must be | should have | needs to be | has | must have")
         ):
             yield theme, end
 
 
-def _to(
-    p: Parser, i: int, j: int, theme: m.Meaning | None
-) -> Iterator[tuple[r.Request, int]]:
+def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
     for n, k in count(p, j):
         for units, what in ((_TALL, "height"), (_LONG, "length"), (_BLOCKS, "blocks")):
             if end := longest(p, k, units):
-                end = _instead_of(
-                    p, longest(p, end, "tall | high | long | wide") or end
-                )
-                yield (
-                    r.Recount(theme=theme, amount=n, what=what, span=p.span(i, end)),
-                    end,
-                )
+                end = _instead_of(p, longest(p, end, "tall | high | long | wide") or end)
+                yield (r.Recount(theme=theme, amount=n, what=what, span=p.span(i, end)), end)
     start = longest(p, j, ("a", "an")) or j
     for dims, k in dimensions(p, start):
         end = (
-            longest(
-                p,
-                k,
-                "square | grid | base | cube | wall | rectangle | pyramid | one | at the base | block base",
-            )
+            longest(p, k, "square | grid | base | cube | wall | rectangle | pyramid | one | at the base | block base")
             or k
         )
         yield r.Recount(theme=theme, dims=dims, span=p.span(i, end)), end
 
 
-def _by(
-    p: Parser, i: int, j: int, theme: m.Meaning | None
-) -> Iterator[tuple[r.Request, int]]:
-    start = (
-        longest(
-            p,
-            j,
-            "one block | a block | one level | a level | one layer | a layer | one step",
-        )
-        or j
-    )
+def _by(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
+    start = longest(p, j, "one block | a block | one level | a level | one layer | a layer | one step") or j
     amount = 1
     if start == j:
         for n, k in count(p, j):
-            start, amount = (
-                longest(p, k, "blocks | levels | layers | cubes | steps | block") or k,
-                n,
-            )
+            start, amount = (longest(p, k, "blocks | levels | layers | cubes | steps | block") or k, n)
     word = p.words[start] if start < p.end else ""
     if word in _MORE and (start > j or word not in ("bigger", "smaller")):
         for n, end in _by_so_many(p, start + 1):
-            yield (
-                r.Recount(
-                    theme=theme,
-                    by=_MORE[word] * (amount if start > j else n),
-                    span=p.span(i, end),
-                ),
-                end,
-            )
+            yield (r.Recount(theme=theme, by=_MORE[word] * (amount if start > j else n), span=p.span(i, end)), end)
 
 
 def _by_so_many(p: Parser, i: int) -> Iterator[tuple[int, int]]:
     if j := p.one(i, "by"):
         for n, k in count(p, j):
-            yield (
-                n,
-                longest(
-                    p,
-                    k,
-                    "blocks | block | levels | cubes | level | layers | layer | more",
-                )
-                or k,
-            )
+            yield (n, longest(p, k, "blocks | block | levels | cubes | level | layers | layer | more") or k)
         return
     yield 1, i
 
@@ -330,11 +225,7 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         j = p.one(i, word)
         if not j:
             continue
-        for nouns, what in (
-            (_TOLERANCE, "tolerance"),
-            (_GAP, "gap"),
-            (_SPACING, "spacing"),
-        ):
+        for nouns, what in ((_TOLERANCE, "tolerance"), (_GAP, "gap"), (_SPACING, "spacing")):
             k = longest(p, j, nouns)
             if not k:
                 continue
@@ -348,31 +239,12 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 or k
             )
             yield from _valued(p, i, k, what, factor)
-    for nouns, what in (
-        (_TOLERANCE, "tolerance"),
-        (_GAP, "gap"),
-        (_SPACING, "spacing"),
-    ):
-        if (j := longest(p, i, nouns)) and (
-            k := longest(p, j, "should be | must be | has to be | is | ought to be")
-        ):
+    for nouns, what in ((_TOLERANCE, "tolerance"), (_GAP, "gap"), (_SPACING, "spacing")):
+        if (j := longest(p, i, nouns)) and (k := longest(p, j, "should be | must be | has to be | is | ought to be")):
             yield from _valued(p, i, k, what, 1.0)
     for word, factor in (("loosen", 2.0), ("relax", 2.0), ("tighten", 0.5)):
-        if j := longest(
-            p,
-            i,
-            (
-                f"{word} it",
-                f"{word} it up",
-                f"{word} things",
-                f"{word} things up",
-                f"{word} up",
-            ),
-        ):
-            yield (
-                r.Loosen(what="tolerance", factor=factor, span=p.span(i, j), cost=1),
-                j,
-            )
+        if j := longest(p, i, (f"{word} it", f"{word} it up", f"{word} things", f"{word} things up", f"{word} up")):
+            yield (r.Loosen(what="tolerance", factor=factor, span=p.span(i, j), cost=1), j)
     if j := longest(
         p,
         i,
@@ -406,9 +278,7 @@ _APART = {
 }  # fmt: skip
 
 
-def _valued(
-    p: Parser, i: int, k: int, what: str, factor: float
-) -> Iterator[tuple[r.Request, int]]:
+def _valued(p: Parser, i: int, k: int, what: str, factor: float) -> Iterator[tuple[r.Request, int]]:
     """A new value, or a factor where none is given."""
     if n := longest(p, k, "to | of | be | at | a"):
         for metres, end in length(p, n):
@@ -428,16 +298,10 @@ def _valued(
 def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     starts = [i]
     if j := longest(
-        p,
-        i,
-        "space | spread | move | put | place | make | keep | set | bring | push | leave | have | arrange",
+        p, i, "space | spread | move | put | place | make | keep | set | bring | push | leave | have | arrange"
     ):
         starts += [j, *(k for _, k in simple(p, j))]
-    if j := longest(
-        p,
-        i,
-        "they should be | the blocks should be | they must be | with | leave | they are",
-    ):
+    if j := longest(p, i, "they should be | the blocks should be | they must be | with | leave | they are"):
         starts.append(j)
     for start in starts:
         start = p.opt(start, "out")
@@ -447,7 +311,8 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if k := longest(
             p,
             start,
-            "even gaps | equal gaps | even spacing | equal spacing | with even gaps | with even spacing | with equal spacing | "
+            "even gaps | equal gaps | even spacing | equal spacing | with even gaps | with even spacing | "
+            "with equal spacing | "
             "evenly | equally | evenly spaced | equally spaced | at equal distances | with equal "
             "gaps | evenly apart | evenly spaced out",
         ):
@@ -455,7 +320,8 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if k := longest(
             p,
             start,
-            "touch | touch one another | touching one another | no gaps | no gap | no space between them | no gaps at all | "
+            "touch | touch one another | touching one another | no gaps | no gap | no space between them | "
+            "no gaps at all | "
             "touching | touching each other | without gaps | with no gaps | with no gaps between "
             "them | so that they touch | touch each other",
         ):
@@ -467,11 +333,7 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def _apart(p: Parser, i: int) -> Iterator[tuple[float | None, float | None, str, int]]:
     """Phrases such as "6 cm apart", "with gaps of 2 cm"."""
     for (low, high), j in bounds(p, i):
-        if k := longest(
-            p,
-            j,
-            "apart | apart from each other | from each other | between centers | between centres",
-        ):
+        if k := longest(p, j, "apart | apart from each other | from each other | between centers | between centres"):
             yield low, high, "spacing", k
         if k := longest(
             p,
@@ -480,14 +342,6 @@ def _apart(p: Parser, i: int) -> Iterator[tuple[float | None, float | None, str,
             "gaps | gap | between them | between the blocks | of space between them | of space | between each",
         ):
             yield low, high, "gap", k
-    if j := longest(
-        p, i, "with gaps of | with a gap of | gaps of | a gap of | leaving a gap of"
-    ):
+    if j := longest(p, i, "with gaps of | with a gap of | gaps of | a gap of | leaving a gap of"):
         for (low, high), k in bounds(p, j):
-            yield (
-                low,
-                high,
-                "gap",
-                longest(p, k, ("between them", "between the blocks", "between each"))
-                or k,
-            )
+            yield (low, high, "gap", longest(p, k, ("between them", "between the blocks", "between each")) or k)

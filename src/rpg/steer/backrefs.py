@@ -58,9 +58,7 @@ _OPEN = phrases(
     "roll back to | jump back to | undo to | undo back to | bring back | take me back to | let us go back to | "
     "going back to | change back to | turn back to"
 )
-_VERSION = frozenset(
-    {"version", "v", "variant", "revision", "step", "snapshot", "task", "number"}
-)
+_VERSION = frozenset({"version", "v", "variant", "revision", "step", "snapshot", "task", "number"})
 _NOUN = frozenset(
     {
         "version",
@@ -115,17 +113,13 @@ def _times(p: Parser, i: int) -> Iterator[tuple[int, int]]:
     if j := longest(p, i, ("the last", "my last", "the previous")) or i:
         for n, k in count(p, j):
             if end := longest(
-                p,
-                k,
-                "times | steps | changes | edits | versions | step | change | edit | version | turns",
+                p, k, "times | steps | changes | edits | versions | step | change | edit | version | turns"
             ):
                 yield n, longest(p, end, ("back", "ago")) or end
     yield 1, i
 
 
-def _target(
-    p: Parser, i: int, j: int, plainly: bool
-) -> Iterator[tuple[Reference, int]]:
+def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Reference, int]]:
     """What comes after "go back to"."""
     start = p.opt(j, "the")
     if k := p.one(start, _VERSION):
@@ -133,21 +127,11 @@ def _target(
         for number, end in count(p, k):
             yield Reference(span=p.span(i, end), number=number), end
     token = p.token(start)
-    if (
-        token is not None
-        and token.kind == "word"
-        and token.word == "v"
-        and (n := p.number(start + 1)) is not None
-    ):
+    if token is not None and token.kind == "word" and token.word == "v" and (n := p.number(start + 1)) is not None:
         yield Reference(span=p.span(i, start + 2), number=n), start + 2
     ordinal = p.lex(start, lexicon.ORDINAL)
     if ordinal and (k := p.one(start + 1, frozenset({"version", "edit", "change"}))):
-        yield (
-            Reference(
-                span=p.span(i, k), number=ordinal - (p.words[k - 1] == "version")
-            ),
-            k,
-        )
+        yield (Reference(span=p.span(i, k), number=ordinal - (p.words[k - 1] == "version")), k)
     for phrase in _BASE:
         if k := p.seq(j, phrase):
             end = p.one(k, _NOUN) or k
@@ -182,38 +166,22 @@ def _before(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:
         yield Reference(span=p.span(i, end), description=(phrase,), without=True), end
     if k := p.one(j, "before"):
         for phrase, end in noun_phrase(p, k):
-            if stop := longest(
-                p, end, "was added | were added | came in | was there | got added"
-            ):
-                yield (
-                    Reference(
-                        span=p.span(i, stop), description=(phrase,), without=True
-                    ),
-                    stop,
-                )
+            if stop := longest(p, end, "was added | were added | came in | was there | got added"):
+                yield (Reference(span=p.span(i, stop), description=(phrase,), without=True), stop)
 
 
-def _described(
-    p: Parser, i: int, j: int, plainly: bool
-) -> Iterator[tuple[Reference, int]]:
+def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Reference, int]]:
     """Phrases such as "when it was just red and blue", "the letter version", "the version with the purple block"."""
     for phrase in _WHEN:
         if k := p.seq(j, phrase):
             n = longest(p, k, "just | only | simply | still just | still only") or k
             for (listed, _), end in colors(p, n):
                 yield (
-                    Reference(
-                        span=p.span(i, end),
-                        marks=(m.Traits(colors=listed),),
-                        only=n > k,
-                    ),
+                    Reference(span=p.span(i, end), marks=(m.Traits(colors=listed),), only=n > k),
                     longest(p, end, ("blocks", "block")) or end,
                 )
             for found, end in noun_phrase(p, n):
-                yield (
-                    Reference(span=p.span(i, end), description=(found,), only=n > k),
-                    end,
-                )
+                yield (Reference(span=p.span(i, end), description=(found,), only=n > k), end)
     start = (
         longest(
             p,
@@ -233,27 +201,15 @@ def _described(
                 yield Reference(span=p.span(i, end), description=(found,)), end
         if (k := p.one(start, _NOUN)) and (
             n := longest(
-                p,
-                k,
-                "with | that had | that has | which had | where it was | where there was | of | using | that used",
+                p, k, "with | that had | that has | which had | where it was | where there was | of | using | that used"
             )
         ):
             n = longest(p, n, ("just", "only")) or n
             for found, end in noun_phrase(p, n):
                 yield (
-                    Reference(
-                        span=p.span(i, end),
-                        description=(found,),
-                        only=p.words[n - 1] in ("just", "only"),
-                    ),
+                    Reference(span=p.span(i, end), description=(found,), only=p.words[n - 1] in ("just", "only")),
                     end,
                 )
     if plainly:
         for found, end in noun_phrase(p, j):
-            yield (
-                Reference(
-                    span=p.span(i, end),
-                    description=(found,),
-                ),
-                end,
-            )
+            yield (Reference(span=p.span(i, end), description=(found,)), end)

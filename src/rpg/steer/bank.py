@@ -75,23 +75,17 @@ class Side:
         self.names = {key(asset): asset.name for asset in schema.assets}
         keys = {name: k for k, name in self.names.items()}
         self.goal = rename(schema.goal, keys)
-        self.world = World(
-            asset.model_copy(update={"name": key(asset)}) for asset in schema.assets
-        )
+        self.world = World(asset.model_copy(update={"name": key(asset)}) for asset in schema.assets)
         self.keys = {k: k for k in self.world.blocks}
         self.looks_back = any(atom.kind in CHANGES for atom in atoms(schema.goal))
 
-    def state(
-        self, sample: Sample, keys: Mapping[str, str] | None = None
-    ) -> BlockState:
+    def state(self, sample: Sample, keys: Mapping[str, str] | None = None) -> BlockState:
         """`sample` as this version has it: its own blocks, or those of `keys` in their place."""
         keys = self.keys if keys is None else keys
         start = self._only(sample.start, keys, None) if self.looks_back else None
         return self._only(sample.layout, keys, start)
 
-    def _only(
-        self, layout: Layout, keys: Mapping[str, str], start: BlockState | None
-    ) -> BlockState:
+    def _only(self, layout: Layout, keys: Mapping[str, str], start: BlockState | None) -> BlockState:
         position, orientation = layout.position, layout.orientation
         if keys is not self.keys or len(keys) < len(position):
             position = {k: position[taken] for k, taken in keys.items()}
@@ -148,11 +142,7 @@ def _reads_looks(atom: g.Atom) -> bool:
     """May a verdict of `atom` depend on more of the looks of blocks than which of them look alike?"""
     order: Order | None = getattr(atom, "order", None)
     ordered = order is not None and order.by not in ("any", "given")
-    return (
-        atom.kind in READERS
-        or ordered
-        or any(getattr(atom, asked, None) for asked in ("pattern", "readable"))
-    )
+    return atom.kind in READERS or ordered or any(getattr(atom, asked, None) for asked in ("pattern", "readable"))
 
 
 def _without_span(node: g.Goal) -> g.Goal:
@@ -175,21 +165,14 @@ class Bank:
         self.alike = len(set(self.sizes.values())) == 1
         self.rng = Random(f"bank {seed}")
         self.slots = _slots(1.5 * max(self.sizes.values()))
-        self.starts = {
-            side.label: _starts(side, STARTS) for side in (self.old, self.new)
-        }
-        self.begun = {
-            label: [self._complete(start) for start in self.starts[label]]
-            for label in ("old", "new")
-        }
+        self.starts = {side.label: _starts(side, STARTS) for side in (self.old, self.new)}
+        self.begun = {label: [self._complete(start) for start in self.starts[label]] for label in ("old", "new")}
         self.samples: list[Sample] = []
         self._fill()
 
     def whole(self, sample: Sample) -> BlockState:
         """`sample` with the blocks of both versions."""
-        return BlockState(
-            self._world, sample.layout.position, sample.layout.orientation
-        )
+        return BlockState(self._world, sample.layout.position, sample.layout.orientation)
 
     def _sides(self) -> tuple[Side, ...]:
         return self.old, self.new
@@ -219,9 +202,7 @@ class Bank:
         begun = self.starts[side.label][0]
         start = BlockState(side.world, begun.position, begun.orientation)
         try:
-            return arrange(
-                side.goal, side.world, rng=self.rng, start=start, count=ARRANGED
-            )
+            return arrange(side.goal, side.world, rng=self.rng, start=start, count=ARRANGED)
         except Refusal:
             return []
 
@@ -231,29 +212,16 @@ class Bank:
         for _ in range(SHUFFLES):
             other = names[:]
             self.rng.shuffle(other)
-            pairs = [
-                (a, b)
-                for a, b in zip(names, other, strict=True)
-                if state.world.edge[a] == state.world.edge[b]
-            ]
+            pairs = [(a, b) for a, b in zip(names, other, strict=True) if state.world.edge[a] == state.world.edge[b]]
             if {a for a, _ in pairs} == {b for _, b in pairs}:
-                yield state.moved(
-                    {
-                        a: (state.position[b], state.orientation.get(b, IDENTITY))
-                        for a, b in pairs
-                    }
-                )
+                yield state.moved({a: (state.position[b], state.orientation.get(b, IDENTITY)) for a, b in pairs})
 
-    def _add(
-        self, side: Side, state: BlockState, source: str, holds: bool | None
-    ) -> None:
+    def _add(self, side: Side, state: BlockState, source: str, holds: bool | None) -> None:
         """Add a state of one version, with the other version's blocks somewhere on the table as well."""
         known = {} if holds is None else {side.label: holds}
         turns = {k: state.orientation.get(k, IDENTITY) for k in state.position}
         layout = self._complete(Layout(dict(state.position), turns))
-        self.samples.append(
-            Sample(layout, self.begun[side.label][0], f"{side.label} {source}", known)
-        )
+        self.samples.append(Sample(layout, self.begun[side.label][0], f"{side.label} {source}", known))
 
     def _complete(self, layout: Layout) -> Layout:
         """A state of one version, with every block that it lacks at a free place flat on the table."""
@@ -284,9 +252,7 @@ class Bank:
         draw, sizes = self.rng.random, self.sizes
         names = sorted(sizes, key=lambda _: draw())
         position: dict[str, Vec3] = {}
-        for x, y in (
-            self._near(len(names)) if number % 2 == 0 else self._anywhere(number)
-        ):
+        for x, y in self._near(len(names)) if number % 2 == 0 else self._anywhere(number):
             height = min(len(names), HEIGHTS[int(draw() * len(HEIGHTS))])
             stack = names[-height:]
             if not self.alike:
@@ -302,11 +268,7 @@ class Bank:
         for index, k in enumerate(names):
             position[k] = self._aside(index, k)
         begun = self.begun["new"]
-        return Sample(
-            Layout(position, self._upright),
-            begun[int(draw() * len(begun))],
-            "random layout",
-        )
+        return Sample(Layout(position, self._upright), begun[int(draw() * len(begun))], "random layout")
 
     @cached_property
     def _upright(self) -> dict[str, Quat]:
@@ -333,10 +295,7 @@ class Bank:
 def _slots(pitch: float) -> list[tuple[float, float]]:
     """Places on the table that are clear of each other, some of them beside the workspace."""
     return [
-        (
-            round(WORKSPACE_X[0] + i * pitch, 4),
-            round(1.6 * WORKSPACE_Y[0] + j * pitch, 4),
-        )
+        (round(WORKSPACE_X[0] + i * pitch, 4), round(1.6 * WORKSPACE_Y[0] + j * pitch, 4))
         for i in range(math.floor((WORKSPACE_X[1] - WORKSPACE_X[0]) / pitch) + 1)
         for j in range(math.floor(1.6 * (WORKSPACE_Y[1] - WORKSPACE_Y[0]) / pitch) + 1)
     ]
@@ -349,10 +308,5 @@ def _starts(side: Side, count: int) -> list[Layout]:
     for seed in range(count):
         state = sample_start(side.schema.init, world, seed)
         position = {k: state.position[side.names[k]] for k in side.keys}
-        found.append(
-            Layout(
-                position,
-                {k: state.orientation.get(side.names[k], IDENTITY) for k in side.keys},
-            )
-        )
+        found.append(Layout(position, {k: state.orientation.get(side.names[k], IDENTITY) for k in side.keys}))
     return found

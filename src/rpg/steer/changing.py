@@ -6,33 +6,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.steer import requests as r
-from rpg.steer.language import (
-    Parser,
-    adjectives,
-    colors,
-    label_list,
-    length,
-    literal,
-    longest,
-    m,
-    noun_phrase,
-    phrases,
-)
+from rpg.steer.language import Parser, adjectives, colors, label_list, length, literal, longest, m, noun_phrase, phrases
 from rpg.steer.phrases import fresh, old, plural_kind, subjects
 
-CHANGE = (
-    "change",
-    "turn",
-    "make",
-    "convert",
-    "transform",
-    "switch",
-    "modify",
-    "set",
-    "have",
-    "let",
-    "transition",
-)
+CHANGE = ("change", "turn", "make", "convert", "transform", "switch", "modify", "set", "have", "let", "transition")
 
 
 SHOULD = phrases(
@@ -54,22 +31,10 @@ def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for theme, k in _themes(p, j):
             if theme is None or not old(theme):
                 continue
-            n = longest(
-                p,
-                k,
-                "back to | to be | back into | into | to | as | in | be | become | for | with",
-            )
+            n = longest(p, k, "back to | to be | back into | into | to | as | in | be | become | for | with")
             linked = bool(n)
             for found, end in becomes(p, i, n or k, theme):
-                if linked or phrase in (
-                    "make",
-                    "turn",
-                    "have",
-                    "paint",
-                    "color",
-                    "set",
-                    "let",
-                ):
+                if linked or phrase in ("make", "turn", "have", "paint", "color", "set", "let"):
                     yield found, end
     for theme, k in _themes(p, i):
         if (n := longest(p, k, SHOULD)) and theme is not None and old(theme):
@@ -94,63 +59,25 @@ def _themes(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
         if j := p.seq(i, phrase):
             yield from subjects(p, j)
     for theme, j in noun_phrase(p, i):
-        if (k := p.one(j, "'s")) and (
-            end := longest(
-                p, k, "color | colour | letter | label | size | number | symbol"
-            )
-        ):
+        if (k := p.one(j, "'s")) and (end := longest(p, k, "color | colour | letter | label | size | number | symbol")):
             yield theme, end
 
 
-def becomes(
-    p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0
-) -> Iterator[tuple[r.Request, int]]:
+def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -> Iterator[tuple[r.Request, int]]:
     """What `theme` is to be, from n on: another size, colour, symbol, structure, or something else altogether."""
     for how, k in _scale(p, n):
         yield r.Restyle(theme=theme, scale=how, span=p.span(i, k), cost=cost), k
     start = p.opt(n, "all", "both", "each")
     for marks, k in adjectives(p, start):
-        if marks and not set(marks) & {
-            "rank",
-            "extra",
-            "target",
-            "matching",
-            "empty",
-            "shape",
-            "long",
-        }:
-            yield (
-                r.Restyle(
-                    theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost
-                ),
-                k,
-            )
-    for (labels, _), k in label_list(
-        p,
-        longest(p, n, "the letter | the number | letter | number | a | an") or n,
-        True,
-    ):
-        yield (
-            r.Restyle(
-                theme=theme,
-                traits=m.Traits(labels=labels),
-                span=p.span(i, k),
-                cost=cost + 1,
-            ),
-            k,
-        )
+        if marks and not set(marks) & {"rank", "extra", "target", "matching", "empty", "shape", "long"}:
+            yield (r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost), k)
+    for (labels, _), k in label_list(p, longest(p, n, "the letter | the number | letter | number | a | an") or n, True):
+        yield (r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, k), cost=cost + 1), k)
     said = longest(p, n, "spell | spell out | say | read | write") or n
     text = literal(p, said)
-    if (
-        text is not None
-        and len(text) > 1
-        and isinstance(theme, m.Structure | m.Pronoun)
-    ):
+    if text is not None and len(text) > 1 and isinstance(theme, m.Structure | m.Pronoun):
         word = m.Structure(kind="word", letter=text, span=p.span(said, said + 1))
-        yield (
-            r.Reshape(structure=word, theme=theme, span=p.span(i, said + 1), cost=cost),
-            said + 1,
-        )
+        yield (r.Reshape(structure=word, theme=theme, span=p.span(i, said + 1), cost=cost), said + 1)
     for new, k in noun_phrase(p, n):
         if isinstance(new, m.Structure):
             yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
@@ -159,25 +86,17 @@ def becomes(
 
 
 _SCALES = {
-    "twice as big": 2.0, "twice as large": 2.0, "half as big": 0.5, "half as large": 0.5, "twice the size": 2.0, "half the size": 0.5, "double the size": 2.0,
-    "a bit bigger": 1.25, "slightly bigger": 1.25, "slightly larger": 1.25, "a bit smaller": 0.75, "bigger": 1.25,
-    "slightly smaller": 0.75, "larger": 1.25, "smaller": 0.75, "tinier": 0.75, "a little bigger": 1.25,
-    "a little smaller": 0.75,
+    "twice as big": 2.0, "twice as large": 2.0, "half as big": 0.5, "half as large": 0.5, "twice the size": 2.0,
+    "half the size": 0.5, "double the size": 2.0, "a bit bigger": 1.25, "slightly bigger": 1.25,
+    "slightly larger": 1.25, "a bit smaller": 0.75, "bigger": 1.25, "slightly smaller": 0.75, "larger": 1.25,
+    "smaller": 0.75, "tinier": 0.75, "a little bigger": 1.25, "a little smaller": 0.75,
 }  # fmt: skip
 
 
 def _scale(p: Parser, i: int) -> Iterator[tuple[float, int]]:
     for phrase, factor in _SCALES.items():
         if j := p.seq(i, phrase):
-            yield (
-                factor,
-                longest(
-                    p,
-                    j,
-                    "than the others | than the rest | than before | than the other one",
-                )
-                or j,
-            )
+            yield (factor, longest(p, j, "than the others | than the rest | than before | than the other one") or j)
 
 
 _FORM = (
@@ -215,14 +134,7 @@ def _lined(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for theme, k in noun_phrase(p, j) if j else ():
             if fresh(theme) or isinstance(theme, m.Structure):
                 continue
-            end = (
-                longest(
-                    p,
-                    k,
-                    "up | on top of each other | on top of one another | on each other | side by side",
-                )
-                or k
-            )
+            end = longest(p, k, "up | on top of each other | on top of one another | on each other | side by side") or k
             shape = m.Structure(kind=kind, span=p.span(i, end))
             if verb != "line" or p.words[k : k + 1] == ["up"]:
                 yield r.Reshape(structure=shape, theme=theme, span=p.span(i, end)), end
@@ -237,29 +149,19 @@ def arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             n = longest(
                 p,
                 k,
-                "so that they form | in the shape of | in | into | as | to form | up as | up in | out in | out as | out into "
+                "so that they form | in the shape of | in | into | as | to form | up as | up in | out in | "
+                "out as | out into "
                 "| together in | together into",
             )
             for shape, end in noun_phrase(p, n) if n else ():
                 end = _as_it_is(p, end, shape)
-                if (
-                    isinstance(shape, m.Structure)
-                    and not isinstance(theme, m.Structure)
-                    and not fresh(theme)
-                ):
-                    yield (
-                        r.Reshape(structure=shape, theme=theme, span=p.span(i, end)),
-                        end,
-                    )
+                if isinstance(shape, m.Structure) and not isinstance(theme, m.Structure) and not fresh(theme):
+                    yield (r.Reshape(structure=shape, theme=theme, span=p.span(i, end)), end)
         for shape, k in noun_phrase(p, j) if j else ():
             end = longest(p, k, _SAME_BLOCKS)
             if isinstance(shape, m.Structure) and end:
                 yield r.Reshape(structure=shape, span=p.span(i, end)), end
-            if (
-                isinstance(shape, m.Structure)
-                and shape.members is None
-                and (end := p.one(k, "instead"))
-            ):
+            if isinstance(shape, m.Structure) and shape.members is None and (end := p.one(k, "instead")):
                 yield r.Reshape(structure=shape, span=p.span(i, end), cost=1), end
     if j := longest(p, i, ("in", "as", "into")):
         for shape, k in noun_phrase(p, j):
@@ -269,27 +171,13 @@ def arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         n = longest(p, k, ("instead of", "rather than"))
         for given_up, end in noun_phrase(p, n) if n else ():
             if isinstance(shape, m.Structure) and isinstance(given_up, m.Structure):
-                yield (
-                    r.Reshape(
-                        structure=shape,
-                        theme=replace(given_up, det="the"),
-                        span=p.span(i, end),
-                    ),
-                    end,
-                )
+                yield (r.Reshape(structure=shape, theme=replace(given_up, det="the"), span=p.span(i, end)), end)
 
 
 def _as_it_is(p: Parser, i: int, shape: m.Meaning) -> int:
     """The position after a direction that a line has anyway."""
-    ways = {
-        "row": "from left to right",
-        "line": "from left to right",
-        "stack": "from bottom to top",
-    }
-    return (
-        longest(p, i, (ways.get(getattr(shape, "kind", ""), "from front to back"),))
-        or i
-    )
+    ways = {"row": "from left to right", "line": "from left to right", "stack": "from bottom to top"}
+    return longest(p, i, (ways.get(getattr(shape, "kind", ""), "from front to back"),)) or i
 
 
 _SAME_BLOCKS = tuple(
@@ -313,56 +201,26 @@ def paint(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for theme, k in noun_phrase(p, j) if j else ():
         k = p.opt(k, "in", "to")
         for (listed, either), end in colors(p, k):
-            yield (
-                r.Restyle(
-                    theme=theme,
-                    traits=m.Traits(colors=listed, either=either),
-                    span=p.span(i, end),
-                ),
-                end,
-            )
+            yield (r.Restyle(theme=theme, traits=m.Traits(colors=listed, either=either), span=p.span(i, end)), end)
     if j := longest(p, i, "in | all in | everything in | all of it in"):
         everything = m.Pronoun(word="them", span=p.span(i, j))
         for (listed, either), end in colors(p, j):
             traits = m.Traits(colors=listed, either=either)
-            yield (
-                r.Restyle(theme=everything, traits=traits, span=p.span(i, end), cost=2),
-                end,
-            )
+            yield (r.Restyle(theme=everything, traits=traits, span=p.span(i, end), cost=2), end)
     if j := p.one(i, frozenset({"relabel", "label", "rename"})):
         for theme, k in noun_phrase(p, j):
             k = longest(p, k, ("as", "to", "with")) or k
-            for (labels, _), end in label_list(
-                p, longest(p, k, "the letter | letter | number | a | an") or k, True
-            ):
-                yield (
-                    r.Restyle(
-                        theme=theme, traits=m.Traits(labels=labels), span=p.span(i, end)
-                    ),
-                    end,
-                )
+            for (labels, _), end in label_list(p, longest(p, k, "the letter | letter | number | a | an") or k, True):
+                yield (r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, end)), end)
 
 
 def resize(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "resize the red block to 5 cm", "enlarge it", "shrink the patch"."""
-    for word, factor in (
-        ("enlarge", 1.25),
-        ("grow", 1.25),
-        ("shrink", 0.75),
-        ("reduce", 0.75),
-        ("resize", None),
-    ):
+    for word, factor in (("enlarge", 1.25), ("grow", 1.25), ("shrink", 0.75), ("reduce", 0.75), ("resize", None)):
         j = p.one(i, word)
         for theme, k in noun_phrase(p, j) if j else ():
             if n := p.one(k, "to"):
                 for metres, end in length(p, n):
-                    yield (
-                        r.Restyle(
-                            theme=theme,
-                            traits=m.Traits(edge=metres),
-                            span=p.span(i, end),
-                        ),
-                        end,
-                    )
+                    yield (r.Restyle(theme=theme, traits=m.Traits(edge=metres), span=p.span(i, end)), end)
             if factor:
                 yield r.Restyle(theme=theme, scale=factor, span=p.span(i, k)), k

@@ -31,9 +31,7 @@ class Verdict:
     reason: str = ""
 
 
-def classify(
-    old: TaskSchema, new: TaskSchema, proof: Proof, intended: Category
-) -> Verdict:
+def classify(old: TaskSchema, new: TaskSchema, proof: Proof, intended: Category) -> Verdict:
     """The class `intended` where the result keeps its guarantee, else the nearest one that does, with the reason.
 
     Only the wording can tell a recoloured block from a replaced one, so that the request proposes and the result
@@ -44,9 +42,7 @@ def classify(
     for category in (intended, *_fallbacks(intended)):
         reason = _violation(category, identity, proof)
         if reason is None:
-            return Verdict(
-                category, _preserve(category, identity, proof), "; ".join(broken)
-            )
+            return Verdict(category, _preserve(category, identity, proof), "; ".join(broken))
         broken.append(f"not {category}: {reason}")
     raise AssertionError("a pivot promises nothing that can be broken")
 
@@ -70,10 +66,7 @@ def _violation(category: Category, identity: Identity, proof: Proof) -> str | No
         case "EXTEND":
             return _not_an_extension(identity, proof)
         case "MODIFY":
-            if (
-                structures(identity.old.goal) & structures(identity.new.goal)
-                or identity.shared
-            ):
+            if structures(identity.old.goal) & structures(identity.new.goal) or identity.shared:
                 return None
             return "no structure and no block of the reference is left"
         case "FRESH":
@@ -92,9 +85,7 @@ def _not_an_extension(identity: Identity, proof: Proof) -> str | None:
     if proof.diff.assets_removed:
         return f"{', '.join(proof.diff.assets_removed)} left the task"
     if proof.diff.assets_changed:
-        return (
-            f"{', '.join(change.after for change in proof.diff.assets_changed)} changed"
-        )
+        return f"{', '.join(change.after for change in proof.diff.assets_changed)} changed"
     if proof.goals.relation not in ("implies", "equal"):
         return f"the new goal does not imply the old one ({proof.goals.relation}, {proof.goals.only_new} states)"
     return None
@@ -108,6 +99,5 @@ def _preserve(category: Category, identity: Identity, proof: Proof) -> Preserve:
     return Preserve(
         assets=not identity.removed and not changed,
         positions=bool(identity.untouched) and proof.positions.kept,
-        goals=category in ("TWEAK", "EXTEND")
-        and proof.goals.relation in ("equal", "implies"),
+        goals=category in ("TWEAK", "EXTEND") and proof.goals.relation in ("equal", "implies"),
     )

@@ -80,26 +80,11 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
         before = old(sample)
         after = before if bank.same else new(sample)
         if (before or after) and rests(bank.whole(sample)):
-            (both if before and after else only_old if before else only_new).append(
-                sample
-            )
-    relation, edge = _up_to_tolerance(
-        _relation(len(both), len(only_old), len(only_new)), old, new, only_old, only_new
-    )
+            (both if before and after else only_old if before else only_new).append(sample)
+    relation, edge = _up_to_tolerance(_relation(len(both), len(only_old), len(only_new)), old, new, only_old, only_new)
     relation = _temporal(identity, relation)
-    witnesses = (
-        *_witness("new", bank.new, only_new),
-        *_witness("old", bank.old, only_old),
-    )
-    return Comparison(
-        relation,
-        len(bank.samples),
-        len(both),
-        len(only_old),
-        len(only_new),
-        edge,
-        witnesses,
-    )
+    witnesses = (*_witness("new", bank.new, only_new), *_witness("old", bank.old, only_old))
+    return Comparison(relation, len(bank.samples), len(both), len(only_old), len(only_new), edge, witnesses)
 
 
 def _relation(both: int, only_old: int, only_new: int) -> Relation:
@@ -111,11 +96,7 @@ def _relation(both: int, only_old: int, only_new: int) -> Relation:
 
 
 def _up_to_tolerance(
-    relation: Relation,
-    old: Judge,
-    new: Judge,
-    only_old: list[Sample],
-    only_new: list[Sample],
+    relation: Relation, old: Judge, new: Judge, only_old: list[Sample], only_new: list[Sample]
 ) -> tuple[Relation, int]:
     """Goals that overlap only where tolerances of one make up for tolerances of the other imply one another otherwise.
 
@@ -157,9 +138,7 @@ def _stages(goal: g.Goal) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _witness(
-    accepted_by: Literal["old", "new"], side: Side, samples: list[Sample]
-) -> tuple[Witness, ...]:
+def _witness(accepted_by: Literal["old", "new"], side: Side, samples: list[Sample]) -> tuple[Witness, ...]:
     """The plainest witness: a goal of that version rather than a random state."""
     if not samples:
         return ()

@@ -35,10 +35,7 @@ class Draft:
             self.schema = step(self.schema, edit)
         except (EditError, TooSmall) as error:
             raise self.refusal(
-                "breaks-structure",
-                str(error),
-                span,
-                "change the structure first, or say what it should be",
+                "breaks-structure", str(error), span, "change the structure first, or say what it should be"
             ) from error
         self.edits.append(edit)
         self.__dict__.pop("view", None)
@@ -73,14 +70,6 @@ class Draft:
         if text not in self.assumptions:
             self.assumptions.append(text)
 
-    def refusal(
-        self, code: str, message: str, span: Span | None, hint: str | None = None
-    ) -> Refusal:
+    def refusal(self, code: str, message: str, span: Span | None, hint: str | None = None) -> Refusal:
         """A refusal at a place in the request."""
-        return Refusal(
-            [
-                Diagnostic(
-                    code=code, message=message, span=span, hint=hint, origin="steer"
-                )
-            ]
-        )
+        return Refusal([Diagnostic(code=code, message=message, span=span, hint=hint, origin="steer")])

@@ -41,14 +41,7 @@ def mixture(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if j := longest(p, i, "use | take | with | mix in | have"):
         starts.append((None, j))
     for about, j in starts:
-        start = (
-            longest(
-                p,
-                j,
-                "a mix of | a mixture of | mixed | a combination of | a mixed set of | some",
-            )
-            or j
-        )
+        start = longest(p, j, "a mix of | a mixture of | mixed | a combination of | a mixed set of | some") or j
         kinds, k = _kinds(p, start)
         if len(kinds) > 1:
             yield r.Kinds(kinds=kinds, theme=about, span=p.span(i, k)), k
@@ -64,14 +57,7 @@ def _kinds(p: Parser, i: int) -> tuple[tuple[str, ...], int]:
         end = longest(p, end, "blocks | cubes | block | cube | ones") or end
         at = p.opt(end, ",")
         at = longest(p, at, "and | plus | as well as | &") or at
-    end = (
-        longest(
-            p,
-            end,
-            "mixed together | mixed up | mixed | all mixed up | all mixed | in a mix",
-        )
-        or end
-    )
+    end = longest(p, end, "mixed together | mixed up | mixed | all mixed up | all mixed | in a mix") or end
     return tuple(dict.fromkeys(found)), end
 
 
@@ -102,10 +88,7 @@ def group(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             if stop:
                 for late, last in _by(p, stop):
                     if by is None or late is None:
-                        yield (
-                            r.Group(by=by or late, theme=theme, span=p.span(i, last)),
-                            last,
-                        )
+                        yield (r.Group(by=by or late, theme=theme, span=p.span(i, last)), last)
             elif by is not None and p.words[i] not in ("put", "sort"):
                 yield r.Group(by=by, theme=theme, span=p.span(i, end)), end
 
@@ -124,19 +107,8 @@ def outliers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if not j:
         return
     for n, k in _counts(p, j):
-        k = (
-            longest(
-                p,
-                k,
-                "block | blocks | cube | cubes | item | items | member | members | of them",
-            )
-            or k
-        )
-        of = longest(
-            p,
-            k,
-            "from each | of each | from every | of every | in each | between the | between",
-        )
+        k = longest(p, k, "block | blocks | cube | cubes | item | items | member | members | of them") or k
+        of = longest(p, k, "from each | of each | from every | of every | in each | between the | between")
         group = p.one(of, _GROUPS) if of else 0
         if not group:
             continue
@@ -145,20 +117,7 @@ def outliers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield r.Outliers(count=n, span=p.span(i, end)), end
 
 
-_GROUPS = frozenset(
-    {
-        "pile",
-        "piles",
-        "group",
-        "groups",
-        "bunch",
-        "bunches",
-        "cluster",
-        "clusters",
-        "stack",
-        "stacks",
-    }
-)
+_GROUPS = frozenset({"pile", "piles", "group", "groups", "bunch", "bunches", "cluster", "clusters", "stack", "stacks"})
 _ELSEWHERE = phrases(
     "into another one | into another pile | into another group | into another | to another one | to "
     "another pile | to another group | to another | into the other | to the other | into the next | with "
@@ -178,18 +137,12 @@ def _so_each(p: Parser, i: int, n: int) -> int:
     j = longest(p, i, "so that | such that | so | , so that | , so")
     j = (
         longest(
-            p,
-            j,
-            "each pile | each group | each one | each | every pile | every group | every one | all of them | they",
+            p, j, "each pile | each group | each one | each | every pile | every group | every one | all of them | they"
         )
         if j
         else 0
     )
-    j = (
-        longest(p, j, "has | have | contains | will have | gets | ends up with")
-        if j
-        else 0
-    )
+    j = longest(p, j, "has | have | contains | will have | gets | ends up with") if j else 0
     if not j:
         return i
     j = p.opt(j, "exactly")

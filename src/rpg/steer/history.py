@@ -56,46 +56,28 @@ class History:
     def latest_with(self, kind: str) -> Past | None:
         """The latest earlier version whose blocks are of a kind: the snapshot with the assets that a request needs."""
         for version in self._others():
-            kinds = {
-                _kind(version.schema, asset.name) for asset in version.schema.blocks
-            }
+            kinds = {_kind(version.schema, asset.name) for asset in version.schema.blocks}
             if kinds == {kind}:
                 return version
         return None
 
     def _others(self) -> Sequence[Past]:
         """Versions other than the current one, latest first."""
-        return [
-            v
-            for v in sorted(self.versions, key=lambda v: -v.number)
-            if v.number != self.head
-        ]
+        return [v for v in sorted(self.versions, key=lambda v: -v.number) if v.number != self.head]
 
     def _numbered(self, reference: Reference) -> Past:
         found = next((v for v in self.versions if v.number == reference.number), None)
         if found is None:
             numbers = join([str(v.number) for v in self.versions])
-            raise _refused(
-                reference,
-                f"there is no version {reference.number}",
-                f"the family has {numbers}",
-            )
+            raise _refused(reference, f"there is no version {reference.number}", f"the family has {numbers}")
         return found
 
     def _back(self, reference: Reference) -> Past:
         at = self.current
         for done in range(reference.steps or 0):
             if at.parent is None:
-                steps = (
-                    f"only {done} step{'s' if done != 1 else ''} back"
-                    if done
-                    else "nothing to undo"
-                )
-                raise _refused(
-                    reference,
-                    f"version {self.head} has {steps}",
-                    "version 0 is the base",
-                )
+                steps = f"only {done} step{'s' if done != 1 else ''} back" if done else "nothing to undo"
+                raise _refused(reference, f"version {self.head} has {steps}", "version 0 is the base")
             at = self[at.parent]
         return at
 
@@ -114,15 +96,8 @@ def _kind(schema: TaskSchema, name: str) -> str:
 def _fits(schema: TaskSchema, reference: Reference) -> bool:
     """Whether a version is what a reference describes."""
     view = View(schema)
-    said = [
-        *reference.marks,
-        *(_traits(phrase) for phrase in _each(reference.description)),
-    ]
-    structures = [
-        phrase
-        for phrase in _each(reference.description)
-        if isinstance(phrase, m.Structure)
-    ]
+    said = [*reference.marks, *(_traits(phrase) for phrase in _each(reference.description))]
+    structures = [phrase for phrase in _each(reference.description) if isinstance(phrase, m.Structure)]
     if reference.without:
         return not any(exists(view, phrase) for phrase in reference.description)
     if not all(_has_structure(view, phrase) for phrase in structures):
@@ -131,46 +106,28 @@ def _fits(schema: TaskSchema, reference: Reference) -> bool:
         return False
     if not all(_as_many(view, phrase) for phrase in _each(reference.description)):
         return False
-    return not reference.only or _nothing_else(
-        view, [traits for traits in said if traits is not None]
-    )
+    return not reference.only or _nothing_else(view, [traits for traits in said if traits is not None])
 
 
 def _each(phrases: Sequence[m.Meaning]) -> list[m.Meaning]:
-    return [
-        item
-        for phrase in phrases
-        for item in (phrase.items if isinstance(phrase, m.Coord) else (phrase,))
-    ]
+    return [item for phrase in phrases for item in (phrase.items if isinstance(phrase, m.Coord) else (phrase,))]
 
 
 def _traits(phrase: m.Meaning) -> m.Traits | None:
     if isinstance(phrase, m.Noun):
         return phrase.traits
     if isinstance(phrase, m.Structure):
-        return (
-            phrase.members.traits
-            if isinstance(phrase.members, m.Noun)
-            else phrase.traits
-        )
+        return phrase.members.traits if isinstance(phrase.members, m.Noun) else phrase.traits
     return None
 
 
 def _has(view: View, traits: m.Traits) -> bool:
     """Every colour, label and shape said is there, and blocks of the kind said make up the task."""
-    if (
-        unused(traits, SELECTS | {"scheme"})
-        or traits.rank
-        or traits.scheme not in (None, "some", "mixed")
-    ):
+    if unused(traits, SELECTS | {"scheme"}) or traits.rank or traits.scheme not in (None, "some", "mixed"):
         return False
-    if traits.shape is not None and not any(
-        patch.shape == traits.shape for patch in view.schema.patches
-    ):
+    if traits.shape is not None and not any(patch.shape == traits.shape for patch in view.schema.patches):
         return False
-    if traits.long and not any(
-        max(patch.size) >= 2 * min(patch.size) for patch in view.schema.patches
-    ):
+    if traits.long and not any(max(patch.size) >= 2 * min(patch.size) for patch in view.schema.patches):
         return False
     if traits.size is not None or traits.edge is not None or traits.quality is not None:
         sized = m.Traits(size=traits.size, edge=traits.edge, quality=traits.quality)
@@ -184,10 +141,7 @@ def _has(view: View, traits: m.Traits) -> bool:
         return False
     if traits.kind is not None or traits.scheme in UNTOLD:
         kind = "plain" if traits.kind is None else traits.kind
-        return all(
-            kind_of(s) == kind or (kind == "symbol" and bool(s))
-            for s in symbols.values()
-        )
+        return all(kind_of(s) == kind or (kind == "symbol" and bool(s)) for s in symbols.values())
     return True
 
 
@@ -196,9 +150,7 @@ def _has_structure(view: View, phrase: m.Structure) -> bool:
         return False
     from rpg.steer.refer import resolve
 
-    size = phrase.size or (
-        phrase.members.amount if isinstance(phrase.members, m.Noun) else None
-    )
+    size = phrase.size or (phrase.members.amount if isinstance(phrase.members, m.Noun) else None)
     return size is None or len(resolve(view, phrase).names) == size.low
 
 
@@ -215,21 +167,10 @@ def _nothing_else(view: View, said: Sequence[m.Traits]) -> bool:
     colors = {color for traits in said for color in traits.colors}
     if colors:
         return all(block.color in colors for block in view.world.blocks.values())
-    return all(
-        any(matches(view, name, traits) for traits in said)
-        for name in view.world.blocks
-    )
+    return all(any(matches(view, name, traits) for traits in said) for name in view.world.blocks)
 
 
 def _refused(reference: Reference, message: str, hint: str) -> Refusal:
     return Refusal(
-        [
-            Diagnostic(
-                code="no-such-version",
-                message=message,
-                span=reference.span,
-                hint=hint,
-                origin="steer",
-            )
-        ]
+        [Diagnostic(code="no-such-version", message=message, span=reference.span, hint=hint, origin="steer")]
     )

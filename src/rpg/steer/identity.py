@@ -28,11 +28,7 @@ class Identity:
     @property
     def shared(self) -> tuple[str, ...]:
         """Keys of the objects that both versions have, in the order of the new one."""
-        return tuple(
-            k
-            for k in self.after
-            if k in self.before and _alike(self.before[k], self.after[k])
-        )
+        return tuple(k for k in self.after if k in self.before and _alike(self.before[k], self.after[k]))
 
     @property
     def added(self) -> tuple[str, ...]:
@@ -46,9 +42,7 @@ class Identity:
     def untouched(self) -> tuple[str, ...]:
         """Keys of shared blocks that look the same in both versions: their starts must not change."""
         return tuple(
-            k
-            for k in self.shared
-            if look(self.before[k]) == look(self.after[k]) and not _patch(self.after[k])
+            k for k in self.shared if look(self.before[k]) == look(self.after[k]) and not _patch(self.after[k])
         )
 
     @property

@@ -14,14 +14,7 @@ from rpg.ir.edits import AddCondition, Edit, Overwrite, SetText, apply
 from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.steer import requests as r
-from rpg.steer.afresh import (
-    Fresh,
-    by_itself,
-    extended,
-    fresh_start,
-    mentions_known,
-    only_known,
-)
+from rpg.steer.afresh import Fresh, by_itself, extended, fresh_start, mentions_known, only_known
 from rpg.steer.backrefs import Reference
 from rpg.steer.classify import Category
 from rpg.steer.draft import Draft
@@ -93,9 +86,7 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
     if fresh is not None and not any(reading.whole for reading in readings):
         return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
     refusals: list[Refusal] = []
-    for parsed in [
-        reading for reading in readings if reading.whole and _changes(reading)
-    ][:TRIES]:
+    for parsed in [reading for reading in readings if reading.whole and _changes(reading)][:TRIES]:
         try:
             return _carried_out(request, parsed, history)
         except Refusal as refusal:
@@ -105,9 +96,7 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
 
 def _changes(reading: Parsed) -> bool:
     """Whether a reading asks for something; what is merely to keep its place is no request by itself."""
-    return not reading.requests or any(
-        not isinstance(q, r.Keep) or q.still for q in reading.requests
-    )
+    return not reading.requests or any(not isinstance(q, r.Keep) or q.still for q in reading.requests)
 
 
 def _only_words(request: str) -> None:
@@ -115,23 +104,9 @@ def _only_words(request: str) -> None:
     tokens, strays = tokenize(request)
     if not tokens or strays:
         span = strays[0].span if strays else (0, len(request))
-        message = (
-            f"{strays[0].text!r} means nothing here"
-            if strays
-            else "the request is empty"
-        )
+        message = f"{strays[0].text!r} means nothing here" if strays else "the request is empty"
         hint = "say in English what is to change: add a green block on top"
-        raise Refusal(
-            [
-                Diagnostic(
-                    code="edit-unclear",
-                    message=message,
-                    span=span,
-                    hint=hint,
-                    origin="steer",
-                )
-            ]
-        )
+        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
 
 
 def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretation:
@@ -139,25 +114,8 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
     if not parsed.requests:
         if past.number == history.head:
             told = f"version {past.number} is the current one already"
-            raise Refusal(
-                [
-                    Diagnostic(
-                        code="nothing-to-do",
-                        message=told,
-                        span=(0, len(request)),
-                        origin="steer",
-                    )
-                ]
-            )
-        return Interpretation(
-            request,
-            past.number,
-            (),
-            past.schema,
-            "TWEAK",
-            {"revert": past.number},
-            past.focus,
-        )
+            raise Refusal([Diagnostic(code="nothing-to-do", message=told, span=(0, len(request)), origin="steer")])
+        return Interpretation(request, past.number, (), past.schema, "TWEAK", {"revert": past.number}, past.focus)
     draft = Draft(past.schema, past.focus)
     if past.number != history.head:
         draft.parameters["revert"] = past.number
@@ -178,9 +136,7 @@ def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
         draft.do(AddCondition(goal=Stayed(a=draft.kept)))
 
 
-def _reference(
-    reference: Reference | None, requests: Sequence[r.Request], history: History
-) -> Past:
+def _reference(reference: Reference | None, requests: Sequence[r.Request], history: History) -> Past:
     """The version that the changes apply to: the one named, else the current one, unless it lacks what is needed."""
     if reference is not None:
         return history.find(reference)
@@ -200,37 +156,15 @@ def finish(request: str, draft: Draft, past: Past) -> Interpretation:
     """The draft as a checked task with words of its own."""
     if draft.schema == past.schema:
         message = "this changes nothing"
-        raise Refusal(
-            [
-                Diagnostic(
-                    code="nothing-to-do",
-                    message=message,
-                    span=(0, len(request)),
-                    origin="steer",
-                )
-            ]
-        )
-    kept = tuple(
-        text for text in past.schema.assumptions if text not in draft.assumptions
-    )
-    draft.do(
-        SetText(
-            instruction=worded(draft.schema), assumptions=(*kept, *draft.assumptions)
-        )
-    )
+        raise Refusal([Diagnostic(code="nothing-to-do", message=message, span=(0, len(request)), origin="steer")])
+    kept = tuple(text for text in past.schema.assumptions if text not in draft.assumptions)
+    draft.do(SetText(instruction=worded(draft.schema), assumptions=(*kept, *draft.assumptions)))
     try:
         task = apply(past.schema, draft.edits)
     except ValidationError as error:
         message = f"this does not give a task: {error.errors()[0]['msg']}"
         raise Refusal(
-            [
-                Diagnostic(
-                    code="edit-unclear",
-                    message=message,
-                    span=(0, len(request)),
-                    origin="steer",
-                )
-            ]
+            [Diagnostic(code="edit-unclear", message=message, span=(0, len(request)), origin="steer")]
         ) from error
     return Interpretation(
         request=request,
@@ -253,11 +187,7 @@ def worded(schema: TaskSchema) -> str:
 
 
 def _otherwise(
-    request: str,
-    readings: Sequence[Parsed],
-    refusals: Sequence[Refusal],
-    history: History,
-    read: Reader,
+    request: str, readings: Sequence[Parsed], refusals: Sequence[Refusal], history: History, read: Reader
 ) -> Interpretation:
     """No edit grammar covers the request, or none could be carried out: an instruction, or a clause of one."""
     longest = next((reading for reading in readings if not reading.whole), None)
@@ -289,9 +219,7 @@ def _about_new_things(request: str, history: History, read: Reader) -> bool:
     return not any(shared)
 
 
-def _with_clause(
-    request: str, parsed: Parsed, history: History, read: Reader
-) -> Interpretation:
+def _with_clause(request: str, parsed: Parsed, history: History, read: Reader) -> Interpretation:
     """Edits, then words that only the instruction language has: those are read as a sentence about the task."""
     assert parsed.rest is not None
     past = _reference(parsed.reference, parsed.requests, history)
@@ -318,40 +246,19 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     return _whole(request, by_itself(request), 0, history, read, "PIVOT")
 
 
-def _whole(
-    request: str,
-    text: str,
-    offset: int,
-    history: History,
-    read: Reader,
-    intent: Category,
-) -> Interpretation:
+def _whole(request: str, text: str, offset: int, history: History, read: Reader, intent: Category) -> Interpretation:
     """An instruction that stands for itself takes the place of the goal (or of everything)."""
     schema, diagnostics = read(text)
     if schema is None:
-        raise Refusal(
-            [
-                _moved(diagnostic, offset)
-                for diagnostic in diagnostics
-                if diagnostic.severity == "error"
-            ]
-        )
+        raise Refusal([_moved(diagnostic, offset) for diagnostic in diagnostics if diagnostic.severity == "error"])
     past = history.current
-    task = schema.model_copy(
-        update={
-            "name": past.schema.name,
-            "author": past.schema.author,
-            "seed": past.schema.seed,
-        }
-    )
+    task = schema.model_copy(update={"name": past.schema.name, "author": past.schema.author, "seed": past.schema.seed})
     return Interpretation(
         request=request,
         reference=None if intent == "FRESH" else past.number,
         edits=(Overwrite(task=task),),
         task=apply(past.schema, [Overwrite(task=task)]),
-        intent="MODIFY"
-        if intent == "PIVOT" and same_structure(past.schema.goal, task.goal)
-        else intent,
+        intent="MODIFY" if intent == "PIVOT" and same_structure(past.schema.goal, task.goal) else intent,
         parameters={"instruction": [text]},
         focus=(),
     )
@@ -359,40 +266,20 @@ def _whole(
 
 def _moved(diagnostic: Diagnostic, offset: int) -> Diagnostic:
     span = diagnostic.span
-    return (
-        diagnostic
-        if span is None
-        else diagnostic.model_copy(
-            update={"span": (span[0] + offset, span[1] + offset)}
-        )
-    )
+    return diagnostic if span is None else diagnostic.model_copy(update={"span": (span[0] + offset, span[1] + offset)})
 
 
 _OF_INSTRUCTIONS = frozenset({"unknown-word", "misplaced-word", "incomplete"})
 """What the instruction language says of the verbs of edits, which it does not know."""
 
 
-def _not_understood(
-    request: str, longest: Parsed | None, reasons: Sequence[Diagnostic], edits: bool
-) -> Refusal:
+def _not_understood(request: str, longest: Parsed | None, reasons: Sequence[Diagnostic], edits: bool) -> Refusal:
     """What was not understood: the words that no reading covers, and what the front end says of the sentence."""
     errors = [reason for reason in reasons if reason.severity == "error"]
     if errors and not (edits and errors[0].code in _OF_INSTRUCTIONS):
         return Refusal([errors[0]])
-    rest = (
-        longest.rest
-        if longest is not None and longest.rest is not None
-        else (0, len(request))
-    )
+    rest = longest.rest if longest is not None and longest.rest is not None else (0, len(request))
     hint = "say what changes: add, remove, replace, recolour, reverse, sort, undo; or give a whole instruction"
     return Refusal(
-        [
-            Diagnostic(
-                code="edit-unclear",
-                message="this was not understood",
-                span=rest,
-                hint=hint,
-                origin="steer",
-            )
-        ]
+        [Diagnostic(code="edit-unclear", message="this was not understood", span=rest, hint=hint, origin="steer")]
     )

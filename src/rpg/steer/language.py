@@ -28,10 +28,7 @@ def longest(p: Parser, i: int, table: str | tuple[str, ...]) -> int:
     """The position after the longest phrase of a table that stands at i, or 0."""
     if i >= p.end:
         return 0
-    return max(
-        (p.seq(i, phrase) for phrase in _by_first_word(table).get(p.words[i], ())),
-        default=0,
-    )
+    return max((p.seq(i, phrase) for phrase in _by_first_word(table).get(p.words[i], ())), default=0)
 
 
 @lru_cache(maxsize=1024)

@@ -47,23 +47,14 @@ _PLACES = {"upper": "top", "uppermost": "top", "lower": "bottom", "lowermost": "
 def _plainly(tokens: list[Token]) -> list[Token]:
     """Places by the words that noun phrases have for them: "the upper block" is the top one."""
     tokens = _as_one(tokens)
-    after_the = (
-        token.word in _PLACES and k > 0 and tokens[k - 1].word == "the"
-        for k, token in enumerate(tokens)
-    )
+    after_the = (token.word in _PLACES and k > 0 and tokens[k - 1].word == "the" for k, token in enumerate(tokens))
     return [
         replace(token, word=_PLACES[token.word]) if placed else token
         for token, placed in zip(tokens, after_the, strict=True)
     ]
 
 
-_EVERYTHING = (
-    "the whole thing",
-    "the entire thing",
-    "the whole lot",
-    "the whole structure",
-    "the entire structure",
-)
+_EVERYTHING = ("the whole thing", "the entire thing", "the whole lot", "the whole structure", "the entire structure")
 
 
 def _as_one(tokens: list[Token]) -> list[Token]:
@@ -74,9 +65,7 @@ def _as_one(tokens: list[Token]) -> list[Token]:
         words = " ".join(each.word for each in found[-3:])
         if len(found) > 2 and words in _EVERYTHING:
             first, last = found[-3], found[-1]
-            found[-3:] = [
-                replace(first, word="them", span=(first.span[0], last.span[1]))
-            ]
+            found[-3:] = [replace(first, word="them", span=(first.span[0], last.span[1]))]
     return found
 
 
@@ -103,10 +92,7 @@ def _openings(p: Parser) -> list[tuple[Reference | None, int]]:
     found: list[tuple[Reference | None, int]] = []
     start = skip(p, 0)
     for reference, j in references(p, start):
-        k = (
-            longest(p, j, ", but | but | , and | and | , then | then | , | : | . | ;")
-            or j
-        )
+        k = longest(p, j, ", but | but | , and | and | , then | then | , | : | . | ;") or j
         found.append((reference, skip(p, k)))
     found.append((None, 0))
     return found
@@ -146,9 +132,7 @@ def _join(p: Parser, i: int) -> int:
         j += 1
     k = (
         longest(
-            p,
-            j,
-            "and then | and also | and | then | but also | but | also | while | plus | afterwards | after that",
+            p, j, "and then | and also | and | then | but also | but | also | while | plus | afterwards | after that"
         )
         or j
     )
@@ -163,7 +147,5 @@ def m_cost(found: r.Request) -> int:
         if isinstance(value, m.Meaning):
             total += m.cost_of(value)
         elif isinstance(value, tuple):
-            total += sum(
-                m.cost_of(each) for each in value if isinstance(each, m.Meaning)
-            )
+            total += sum(m.cost_of(each) for each in value if isinstance(each, m.Meaning))
     return total

@@ -2,16 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.steer.language import (
-    Parser,
-    Results,
-    loc,
-    longest,
-    m,
-    noun_phrase,
-    rule,
-    simple,
-)
+from rpg.steer.language import Parser, Results, loc, longest, m, noun_phrase, rule, simple
 from rpg.steer.requests import Place, Spot
 
 _ENDS = {
@@ -64,14 +55,7 @@ def places(p: Parser, i: int) -> Results[tuple[Place, ...]]:
 @rule
 def place(p: Parser, i: int) -> Results[Place]:
     """One place."""
-    start = (
-        longest(
-            p,
-            i,
-            "that is | which is | that goes | sitting | placed | standing | directly | right | also",
-        )
-        or i
-    )
+    start = longest(p, i, "that is | which is | that goes | sitting | placed | standing | directly | right | also") or i
     for at in {i: None, start: None}:
         for phrase, side in _SIDES_OF.items():
             if j := p.seq(at, phrase):
@@ -83,12 +67,7 @@ def place(p: Parser, i: int) -> Results[Place]:
                 yield Spot(side=side), j
         if j := longest(p, at, _INTO):
             for whole, k in simple(p, j):
-                if isinstance(whole, m.Structure) and whole.det in (
-                    "the",
-                    "its",
-                    "all",
-                    "each",
-                ):
+                if isinstance(whole, m.Structure) and whole.det in ("the", "its", "all", "each"):
                     yield Spot(side="any", whole=whole), k
         for found, j in loc(p, at):
             yield found, j

@@ -82,9 +82,7 @@ def _positions(identity: Identity, bank: Bank) -> Positions:
     moved: set[str] = set()
     identical = 0
     for before, after in zip(bank.starts["old"], bank.starts["new"], strict=True):
-        elsewhere = {
-            k for k in identity.untouched if _pose(before, k) != _pose(after, k)
-        }
+        elsewhere = {k for k in identity.untouched if _pose(before, k) != _pose(after, k)}
         identical += not elsewhere
         moved |= elsewhere
     names = {k: identity.after[k].name for k in identity.untouched}
@@ -105,16 +103,8 @@ def _axes(identity: Identity, changes: Diff, relation: Relation) -> tuple[Axis, 
     found: list[Axis] = []
     if _words(identity.old.instruction) != _words(identity.new.instruction):
         found.append("S")
-    looks = [
-        sorted(repr(look(asset)) for asset in version.assets)
-        for version in (identity.old, identity.new)
-    ]
-    if (
-        looks[0] != looks[1]
-        or changes.starts_added
-        or changes.starts_removed
-        or changes.assets_changed
-    ):
+    looks = [sorted(repr(look(asset)) for asset in version.assets) for version in (identity.old, identity.new)]
+    if looks[0] != looks[1] or changes.starts_added or changes.starts_removed or changes.assets_changed:
         found.append("V")
     if relation != "equal":
         found.append("B")

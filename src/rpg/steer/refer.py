@@ -12,48 +12,11 @@ from rpg.steer.language import m
 from rpg.steer.operations.guard import check_picked
 from rpg.steer.view import NOUNS, Line, Shape, View
 
-RANKS = {
-    "top": -1,
-    "bottom": 0,
-    "left": 0,
-    "right": -1,
-    "front": 0,
-    "back": -1,
-    "last": -1,
-    "base": 0,
-}
-AXES = {
-    "top": "tower",
-    "bottom": "tower",
-    "left": "row",
-    "right": "row",
-    "front": "column",
-    "back": "column",
-}
-ALL_OF = frozenset(
-    {
-        "them",
-        "they",
-        "these",
-        "those",
-        "all of them",
-        "everything",
-        "all",
-        "themselves",
-        "all of it",
-    }
-)
+RANKS = {"top": -1, "bottom": 0, "left": 0, "right": -1, "front": 0, "back": -1, "last": -1, "base": 0}
+AXES = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
+ALL_OF = frozenset({"them", "they", "these", "those", "all of them", "everything", "all", "themselves", "all of it"})
 OTHERS = frozenset(
-    {
-        "the other one",
-        "the others",
-        "the other ones",
-        "the rest",
-        "others",
-        "the other",
-        "all others",
-        "all the others",
-    }
+    {"the other one", "the others", "the other ones", "the rest", "others", "the other", "all others", "all the others"}
     | {"all the rest", "everything else", "the remaining ones", "the other two"}
 )
 LINE_NOUNS = {"stack": "tower", "row": "row", "column": "column"}
@@ -83,26 +46,11 @@ def resolve(view: View, phrase: m.Meaning) -> Found:
         case m.Structure():
             return _structure(view, phrase)
         case m.Coord():
-            return Found(
-                tuple(
-                    dict.fromkeys(
-                        name
-                        for item in phrase.items
-                        for name in resolve(view, item).names
-                    )
-                )
-            )
+            return Found(tuple(dict.fromkeys(name for item in phrase.items for name in resolve(view, item).names)))
         case m.PartOf():
             return _part(view, phrase)
     raise Refusal(
-        [
-            Diagnostic(
-                code="edit-unclear",
-                message="this does not name a block",
-                span=phrase.span,
-                origin="steer",
-            )
-        ]
+        [Diagnostic(code="edit-unclear", message="this does not name a block", span=phrase.span, origin="steer")]
     )
 
 
@@ -118,13 +66,7 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
     line, figure = view.main_line(), view.main_figure()
     if line is not None and line.node is None and line.kind != "tower":
         line = None
-    structure = (
-        Found(line.members, line)
-        if line
-        else Found(figure.members, None, figure)
-        if figure
-        else None
-    )
+    structure = Found(line.members, line) if line else Found(figure.members, None, figure) if figure else None
     if phrase.word in OTHERS:
         rest = tuple(name for name in view.world.blocks if name not in view.focus)
         if rest:
@@ -146,49 +88,21 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
 def _structure(view: View, phrase: m.Structure) -> Found:
     """The phrase "the tower", "the row", "the pyramid": the last one of its kind that was mentioned."""
     wanted = LINE_NOUNS.get(phrase.kind)
-    lines = [
-        line
-        for line in view.lines
-        if wanted == line.kind or (phrase.kind == "row" and line.kind == "column")
-    ]
+    lines = [line for line in view.lines if wanted == line.kind or (phrase.kind == "row" and line.kind == "column")]
     figures = [figure for figure in view.figures if _is_kind(phrase.kind, figure)]
     if phrase.kind == "pile" and not figures:
         lines = [line for line in view.lines if line.kind == "tower"]
-    words = [
-        line
-        for line in view.lines
-        if line.node is not None and line.node.kind == _WORDS.get(phrase.kind)
-    ]
-    found = [Found(line.members, line) for line in (words or lines)] + [
-        Found(f.members, None, f) for f in figures
-    ]
+    words = [line for line in view.lines if line.node is not None and line.node.kind == _WORDS.get(phrase.kind)]
+    found = [Found(line.members, line) for line in (words or lines)] + [Found(f.members, None, f) for f in figures]
     if phrase.members is not None and len(found) > 1:
         named = set(resolve(view, phrase.members).names)
         found = [each for each in found if named <= set(each.names)] or found
     if not found:
-        kinds = sorted(
-            {noun_of(view, line) for line in view.lines}
-            | {NOUNS[type(f.node)] for f in view.figures}
-        )
-        hint = (
-            f"the task builds {join(['a ' + kind for kind in kinds])}"
-            if kinds
-            else "name the blocks instead"
-        )
-        raise Refusal(
-            [
-                _diagnostic(
-                    "no-such-object",
-                    phrase.span,
-                    f"the task has no {phrase.kind} like this",
-                    hint,
-                )
-            ]
-        )
+        kinds = sorted({noun_of(view, line) for line in view.lines} | {NOUNS[type(f.node)] for f in view.figures})
+        hint = f"the task builds {join(['a ' + kind for kind in kinds])}" if kinds else "name the blocks instead"
+        raise Refusal([_diagnostic("no-such-object", phrase.span, f"the task has no {phrase.kind} like this", hint)])
     if phrase.plural:
-        return Found(
-            tuple(name for each in found for name in each.names), None, found[-1].figure
-        )
+        return Found(tuple(name for each in found for name in each.names), None, found[-1].figure)
     recent = [each for each in found if set(each.names) & set(view.focus)]
     chosen = (recent or found)[-1]
     _check_described(view, phrase, chosen)
@@ -199,42 +113,13 @@ def _check_described(view: View, phrase: m.Structure, found: Found) -> None:
     """Refuse a structure of another size, or of other blocks, than the phrase says."""
     members = phrase.members if isinstance(phrase.members, m.Noun) else None
     size = phrase.size or (members.amount if members is not None else None)
-    if (
-        size is not None
-        and phrase.kind in ("stack", "row", "column", "circle")
-        and size.low != len(found.names)
-    ):
+    if size is not None and phrase.kind in ("stack", "row", "column", "circle") and size.low != len(found.names):
         told = f"it has {len(found.names)} blocks, not {size.low}"
-        raise Refusal(
-            [
-                _diagnostic(
-                    "no-such-object",
-                    phrase.span,
-                    told,
-                    "say how many it has, or leave that out",
-                )
-            ]
-        )
-    for traits in (
-        phrase.traits,
-        members.traits if members is not None else m.Traits(),
-    ):
-        if not all(
-            matches(view, name, traits)
-            for name in found.names
-            if name in view.world.blocks
-        ):
+        raise Refusal([_diagnostic("no-such-object", phrase.span, told, "say how many it has, or leave that out")])
+    for traits in (phrase.traits, members.traits if members is not None else m.Traits()):
+        if not all(matches(view, name, traits) for name in found.names if name in view.world.blocks):
             told = "its blocks are not all like this"
-            raise Refusal(
-                [
-                    _diagnostic(
-                        "no-such-object",
-                        phrase.span,
-                        told,
-                        "leave out what its blocks look like",
-                    )
-                ]
-            )
+            raise Refusal([_diagnostic("no-such-object", phrase.span, told, "leave out what its blocks look like")])
 
 
 _WORDS = {"word": "spells", "equation": "equation"}
@@ -248,9 +133,7 @@ _FIGURES = {
 
 
 def _is_kind(kind: str, figure: Shape) -> bool:
-    return figure.node.kind in _FIGURES.get(
-        kind, ("figure",) if kind in ("letter", "shape", "figure") else ()
-    )
+    return figure.node.kind in _FIGURES.get(kind, ("figure",) if kind in ("letter", "shape", "figure") else ())
 
 
 def noun_of(view: View, line: Line) -> str:
@@ -273,9 +156,7 @@ def _part(view: View, phrase: m.PartOf) -> Found:
                 )
             ]
         )
-    index = {"middle": len(line.members) // 2}.get(
-        phrase.part, RANKS.get(phrase.part, -1)
-    )
+    index = {"middle": len(line.members) // 2}.get(phrase.part, RANKS.get(phrase.part, -1))
     return Found((line.members[index],))
 
 
@@ -283,9 +164,7 @@ def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
     if phrase.part_of is not None:
         return _some_of(view, phrase)
     check_picked(phrase)
-    pool: Sequence[str] = tuple(
-        view.world.patches if phrase.head == "patch" else view.world.blocks
-    )
+    pool: Sequence[str] = tuple(view.world.patches if phrase.head == "patch" else view.world.blocks)
     found = tuple(name for name in pool if matches(view, name, phrase.traits))
     for condition in phrase.conditions:
         found = tuple(name for name in found if _placed(view, name, condition))
@@ -303,12 +182,8 @@ def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
 def _counted(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ...]:
     """As many as the phrase says: "the" is all there are of the number said, "a" is any one of look-alikes."""
     amount = phrase.amount.low if phrase.amount else None
-    every = (
-        phrase.plural or phrase.det in ("all", "each", "both") or phrase.traits.extra
-    )
-    if phrase.det in ("a", "another", "some", "any") or (
-        phrase.det == "bare" and amount is not None
-    ):
+    every = phrase.plural or phrase.det in ("all", "each", "both") or phrase.traits.extra
+    if phrase.det in ("a", "another", "some", "any") or (phrase.det == "bare" and amount is not None):
         wanted = amount or 1
         if len(found) < wanted:
             raise _missing(view, phrase.span, "")
@@ -319,13 +194,7 @@ def _counted(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, .
         return found
     if amount is not None and amount != len(found):
         counted = f"there are {len(found)} such blocks, not {amount}"
-        raise Refusal(
-            [
-                _diagnostic(
-                    "ambiguous-object", phrase.span, counted, _choices(view, found)
-                )
-            ]
-        )
+        raise Refusal([_diagnostic("ambiguous-object", phrase.span, counted, _choices(view, found))])
     if len(found) > 1 and not every and amount is None:
         recent = [name for name in found if name in view.focus[-1:]]
         if len(recent) != 1:
@@ -342,9 +211,7 @@ def _some_of(view: View, phrase: m.Noun) -> tuple[str, ...]:
     wanted = phrase.amount.low if phrase.amount else 1
     if wanted > len(whole):
         raise _missing(view, phrase.span, "")
-    if len({view.world.look.get(name, (name,)) for name in whole}) > 1 and wanted < len(
-        whole
-    ):
+    if len({view.world.look.get(name, (name,)) for name in whole}) > 1 and wanted < len(whole):
         raise _ambiguous(view, phrase.span, whole, "")
     return whole[len(whole) - wanted :]
 
@@ -353,14 +220,10 @@ def _ranked(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ..
     """The phrase "the top block", "the leftmost one", "the second block", "the biggest block"."""
     rank = phrase.traits.rank or ""
     if rank in ("largest", "smallest"):
-        sizes = {
-            name: view.world.edge[name] for name in found if name in view.world.edge
-        }
+        sizes = {name: view.world.edge[name] for name in found if name in view.world.edge}
         wanted = (max if rank == "largest" else min)(sizes.values(), default=0.0)
         return tuple(name for name, size in sizes.items() if size == wanted)
-    lines = [
-        line for line in view.lines if line.kind == AXES.get(rank, line.kind)
-    ] or list(view.lines)
+    lines = [line for line in view.lines if line.kind == AXES.get(rank, line.kind)] or list(view.lines)
     lines = [line for line in lines if line.ordered]
     recent = [line for line in lines if set(line.members) & set(view.focus)]
     lines = lines if phrase.plural else (recent or lines)[-1:]
@@ -368,20 +231,12 @@ def _ranked(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ..
         raise Refusal(
             [
                 _diagnostic(
-                    "edit-unclear",
-                    phrase.span,
-                    "it is not settled which block this is",
-                    "name its colour or letter",
+                    "edit-unclear", phrase.span, "it is not settled which block this is", "name its colour or letter"
                 )
             ]
         )
     picked = [
-        _nth(
-            [name for name in line.members if name in found]
-            if rank.isdigit()
-            else line.members,
-            rank,
-        )
+        _nth([name for name in line.members if name in found] if rank.isdigit() else line.members, rank)
         for line in lines
     ]
     return tuple(name for name in picked if name in found)
@@ -390,9 +245,7 @@ def _ranked(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ..
 def _nth(members: Sequence[str], rank: str) -> str:
     if rank.isdigit():
         return members[int(rank) - 1] if int(rank) <= len(members) else ""
-    return (
-        members[len(members) // 2] if rank == "middle" else members[RANKS.get(rank, 0)]
-    )
+    return members[len(members) // 2] if rank == "middle" else members[RANKS.get(rank, 0)]
 
 
 def matches(view: View, name: str, traits: m.Traits) -> bool:
@@ -405,11 +258,7 @@ def matches(view: View, name: str, traits: m.Traits) -> bool:
     symbol = symbol_of(view.world, name)
     if traits.labels and symbol not in traits.labels:
         return False
-    if (
-        traits.kind is not None
-        and kind_of(symbol) != traits.kind
-        and not (traits.kind == "symbol" and symbol)
-    ):
+    if traits.kind is not None and kind_of(symbol) != traits.kind and not (traits.kind == "symbol" and symbol):
         return False
     if traits.scheme == "some" and symbol:
         return False
@@ -438,18 +287,11 @@ def _placed(view: View, name: str, condition: m.Meaning) -> bool:
         return True
     others = resolve(view, condition.landmark).names
     line = view.line_of((name,))
-    if (
-        condition.rel in ("on", "above", "under")
-        and line is not None
-        and line.kind == "tower"
-    ):
+    if condition.rel in ("on", "above", "under") and line is not None and line.kind == "tower":
         at = line.members.index(name)
         near = line.members[:at] if condition.rel != "under" else line.members[at + 1 :]
         return bool(set(near) & set(others))
-    return any(
-        name in _mentioned(atom) and set(_mentioned(atom)) & set(others)
-        for _, atom in view.atoms
-    )
+    return any(name in _mentioned(atom) and set(_mentioned(atom)) & set(others) for _, atom in view.atoms)
 
 
 def _mentioned(atom: object) -> tuple[str, ...]:
@@ -460,36 +302,20 @@ def _mentioned(atom: object) -> tuple[str, ...]:
 
 def _missing(view: View, span: Span, word: str) -> Refusal:
     """There is no such object; what there is, instead."""
-    there = join(
-        [f"the {bare(name, view.world)}" for name in _distinct(view, view.world.assets)]
-    )
-    message = (
-        f"there is nothing that {word!r} could mean"
-        if word
-        else "the task has no such block"
-    )
-    return Refusal(
-        [_diagnostic("no-such-object", span, message, f"the task has {there}")]
-    )
+    there = join([f"the {bare(name, view.world)}" for name in _distinct(view, view.world.assets)])
+    message = f"there is nothing that {word!r} could mean" if word else "the task has no such block"
+    return Refusal([_diagnostic("no-such-object", span, message, f"the task has {there}")])
 
 
 def _ambiguous(view: View, span: Span, found: Sequence[str], word: str) -> Refusal:
-    message = (
-        f"{word!r} could be any of {len(found)} blocks"
-        if word
-        else f"this could be any of {len(found)} blocks"
-    )
-    return Refusal(
-        [_diagnostic("ambiguous-object", span, message, _choices(view, found))]
-    )
+    message = f"{word!r} could be any of {len(found)} blocks" if word else f"this could be any of {len(found)} blocks"
+    return Refusal([_diagnostic("ambiguous-object", span, message, _choices(view, found))])
 
 
 def _choices(view: View, found: Iterable[str]) -> str:
     named = [f"the {bare(name, view.world)}" for name in _distinct(view, found)]
     return (
-        f"say which: {join(named, 'or')}"
-        if len(named) > 1
-        else "say which by its place: the top one, the leftmost one"
+        f"say which: {join(named, 'or')}" if len(named) > 1 else "say which by its place: the top one, the leftmost one"
     )
 
 

@@ -7,28 +7,11 @@ from dataclasses import replace
 from typing import TypeGuard
 
 from rpg.steer import requests as r
-from rpg.steer.language import (
-    Parser,
-    adjectives,
-    longest,
-    m,
-    noun_phrase,
-    phrases,
-    simple,
-)
+from rpg.steer.language import Parser, adjectives, longest, m, noun_phrase, phrases, simple
 from rpg.steer.phrases import fresh, plural_kind, subjects, things
 from rpg.steer.places import place
 
-REPLACE = (
-    "replace",
-    "substitute",
-    "exchange",
-    "swap out",
-    "switch out",
-    "swap",
-    "switch",
-    "trade",
-)
+REPLACE = ("replace", "substitute", "exchange", "swap out", "switch out", "swap", "switch", "trade")
 
 
 TRADE = phrases(
@@ -43,25 +26,13 @@ def replace_with(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in REPLACE:
         j = p.seq(i, phrase)
         for old, k in (*subjects(p, j), *_colors_alone(p, j)) if j else ():
-            links: tuple[str, ...] = (
-                ("with", "by")
-                if phrase == "substitute"
-                else ("with", "by", "for", "out for")
-            )
+            links: tuple[str, ...] = ("with", "by") if phrase == "substitute" else ("with", "by", "for", "out for")
             if n := longest(p, k, links):
                 for new, end in things(p, n):
                     if fresh(new) or plural_kind(new):
                         yield r.Replace(old=old, new=new, span=p.span(i, end)), end
                     elif _only_a_color(new):
-                        yield (
-                            r.Replace(
-                                old=old,
-                                new=replace(new, det="a"),
-                                span=p.span(i, end),
-                                cost=2,
-                            ),
-                            end,
-                        )
+                        yield (r.Replace(old=old, new=replace(new, det="a"), span=p.span(i, end), cost=2), end)
         if j and phrase == "substitute":
             for new, k in noun_phrase(p, j):
                 if n := p.one(k, "for"):
@@ -73,9 +44,7 @@ def _only_a_color(phrase: m.Meaning) -> TypeGuard[m.Noun]:
     """Phrases such as "swap red for pink": a block of that colour."""
     if not isinstance(phrase, m.Noun) or phrase.det != "bare" or phrase.head != "any":
         return False
-    return (
-        len(phrase.traits.colors) == 1 and not phrase.plural and phrase.amount is None
-    )
+    return len(phrase.traits.colors) == 1 and not phrase.plural and phrase.amount is None
 
 
 def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -90,14 +59,7 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         or i
     )
     for new, k in noun_phrase(p, j):
-        for phrase in (
-            "instead of",
-            "in place of",
-            "rather than",
-            "in lieu of",
-            "and not",
-            "not",
-        ):
+        for phrase in ("instead of", "in place of", "rather than", "in lieu of", "and not", "not"):
             if n := p.seq(k, phrase):
                 for old, end in _old(p, n):
                     yield r.Replace(old=old, new=new, span=p.span(i, end)), end
@@ -105,19 +67,13 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Replace(old=None, new=new, span=p.span(i, end), cost=1), end
         if (
             j > i
-            and longest(
-                p, i, "use | do it with | make it with | try it with | do the same with"
-            )
+            and longest(p, i, "use | do it with | make it with | try it with | do the same with")
             and plural_kind(new)
         ):
             yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k
     if (j := p.seq(i, "instead of")) or (j := p.seq(i, "rather than")):
         for old, k in _old(p, j):
-            n = longest(
-                p,
-                k,
-                ", use | use | , put | put | , | , i want | , have | , take | , make it",
-            )
+            n = longest(p, k, ", use | use | , put | put | , | , i want | , have | , take | , make it")
             for new, end in noun_phrase(p, n) if n else ():
                 if _only_a_color(new):
                     new = replace(new, det="a")
@@ -131,35 +87,16 @@ def _old(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
 
 
 def _colors_alone(p: Parser, i: int) -> Iterator[tuple[m.Meaning, int]]:
-    if j := longest(
-        p,
-        i,
-        "the colors | colors | color | the color | colours | colored | plain | the colours",
-    ):
-        yield (
-            m.Noun(
-                head="block",
-                det="all",
-                plural=True,
-                traits=m.Traits(kind="plain"),
-                span=p.span(i, j),
-            ),
-            j,
-        )
+    if j := longest(p, i, "the colors | colors | color | the color | colours | colored | plain | the colours"):
+        yield (m.Noun(head="block", det="all", plural=True, traits=m.Traits(kind="plain"), span=p.span(i, j)), j)
 
 
 def _change_places(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "have blue and green trade places", "the red and the blue block should swap"."""
     start = longest(p, i, "have | let | make") or i
     for both, k in noun_phrase(p, start):
-        pair = (
-            both.items
-            if isinstance(both, m.Coord) and len(both.items) == 2
-            else _pair(both)
-        )
-        n = longest(p, k, "should | must | could | have to | need to") or (
-            k if start > i else 0
-        )
+        pair = both.items if isinstance(both, m.Coord) and len(both.items) == 2 else _pair(both)
+        n = longest(p, k, "should | must | could | have to | need to") or (k if start > i else 0)
         end = longest(p, n, _TRADING) if n else 0
         if pair and end:
             yield r.Trade(a=pair[0], b=pair[1], span=p.span(i, end)), end
@@ -182,10 +119,7 @@ def trade(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for both, k in noun_phrase(p, j):
             if isinstance(both, m.Coord) and len(both.items) == 2:
                 end = longest(p, k, ("around", "places", "positions")) or k
-                yield (
-                    r.Trade(a=both.items[0], b=both.items[1], span=p.span(i, end)),
-                    end,
-                )
+                yield (r.Trade(a=both.items[0], b=both.items[1], span=p.span(i, end)), end)
             pair = _pair(both)
             if pair:
                 end = longest(p, k, ("around", "places", "positions")) or k
@@ -200,23 +134,10 @@ def _two_places(p: Parser, i: int, j: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap the top and bottom blocks", "exchange the first and the last one"."""
     for one, k in _rank(p, longest(p, j, "the")):
         for two, n in _rank(p, longest(p, k, "and the | and | with the")):
-            end = (
-                longest(
-                    p,
-                    n,
-                    "blocks | block | ones | one | cubes | cube | letters | letter | numbers",
-                )
-                or n
-            )
+            end = longest(p, n, "blocks | block | ones | one | cubes | cube | letters | letter | numbers") or n
             end = longest(p, end, ("around", "places", "positions")) or end
             a, b = (
-                m.Noun(
-                    head="block",
-                    det="the",
-                    traits=m.Traits(rank=each),
-                    span=p.span(j, end),
-                )
-                for each in (one, two)
+                m.Noun(head="block", det="the", traits=m.Traits(rank=each), span=p.span(j, end)) for each in (one, two)
             )
             yield r.Trade(a=a, b=b, span=p.span(i, end)), end
 
@@ -239,10 +160,7 @@ def _pair(both: m.Meaning) -> tuple[m.Noun, m.Noun] | None:
         each = [m.Traits(labels=(label,)) for label in labelled]
     else:
         return None
-    one, two = (
-        m.Noun(head=both.head, det="the", traits=traits, span=both.span)
-        for traits in each
-    )
+    one, two = (m.Noun(head=both.head, det="the", traits=traits, span=both.span) for traits in each)
     return one, two
 
 
@@ -270,11 +188,5 @@ def keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for _, stop in place(p, k):
             yield r.Keep(theme=theme, span=p.span(i, stop)), stop
         if p.words[i] in ("except", "apart", "other", "without", "do"):
-            moving = bool(
-                longest(
-                    p,
-                    i,
-                    "without moving | without touching | do not move | do not touch",
-                )
-            )
+            moving = bool(longest(p, i, "without moving | without touching | do not move | do not touch"))
             yield r.Keep(theme=theme, still=moving, span=p.span(i, k)), k

@@ -13,28 +13,13 @@ from rpg.ir.walk import atoms, names, rename, transform
 from rpg.steer.identity import Identity, look
 
 STRUCTURES = frozenset(
-    {
-        "stack",
-        "towers",
-        "row",
-        "grid",
-        "pyramid",
-        "staircase",
-        "figure",
-        "group_by",
-        "spells",
-        "equation",
-    }
+    {"stack", "towers", "row", "grid", "pyramid", "staircase", "figure", "group_by", "spells", "equation"}
 )
 
 
 def conjuncts(goal: g.Goal) -> tuple[g.Goal, ...]:
     """The parts of a conjunction; a goal that is none is its own only part."""
-    return (
-        tuple(part for each in goal.goals for part in conjuncts(each))
-        if isinstance(goal, g.All)
-        else (goal,)
-    )
+    return tuple(part for each in goal.goals for part in conjuncts(each)) if isinstance(goal, g.All) else (goal,)
 
 
 def shape(goal: g.Goal) -> Any:
@@ -47,9 +32,7 @@ def shape(goal: g.Goal) -> Any:
         case g.Count():
             return goal.kind, shape(goal.goal)
         case g.Sequence():
-            return goal.kind, tuple(
-                (shape(stage.goal), stage.undone) for stage in goal.stages
-            )
+            return goal.kind, tuple((shape(stage.goal), stage.undone) for stage in goal.stages)
         case _:
             return goal.kind, _qualities(goal)
 
@@ -62,9 +45,7 @@ def duties(goal: g.Goal) -> Any:
         case g.Not() | g.Always() | g.Count():
             return goal.kind, duties(goal.goal)
         case g.Sequence():
-            return goal.kind, tuple(
-                (duties(stage.goal), stage.undone) for stage in goal.stages
-            )
+            return goal.kind, tuple((duties(stage.goal), stage.undone) for stage in goal.stages)
         case _:
             return goal.kind, _qualities(goal), repr(_named(goal))
 
@@ -84,23 +65,15 @@ def _aligned(identity: Identity) -> g.Goal:
     }
 
     def align(node: g.Goal) -> g.Goal:
-        if (
-            not isinstance(node, Stack | Row)
-            or node.order.by != "any"
-            or len({looks[n] for n in node.blocks}) > 1
-        ):
+        if not isinstance(node, Stack | Row) or node.order.by != "any" or len({looks[n] for n in node.blocks}) > 1:
             return node
         members = frozenset(identity.names.get(name, name) for name in node.blocks)
         order = orders.get((node.kind, members))
         if order is None or order.by != "given":
             return node
         back = {new: old for old, new in identity.names.items()}
-        ranks = tuple(
-            tuple(back.get(name, name) for name in rank) for rank in order.ranks
-        )
-        return node.model_copy(
-            update={"order": order.model_copy(update={"ranks": ranks})}
-        )
+        ranks = tuple(tuple(back.get(name, name) for name in rank) for rank in order.ranks)
+        return node.model_copy(update={"order": order.model_copy(update={"ranks": ranks})})
 
     return rename(transform(identity.old.goal, align), identity.names)
 
@@ -122,10 +95,7 @@ def same_duties(identity: Identity) -> bool:
 def structures(goal: g.Goal) -> frozenset[str]:
     """What blocks form together in a goal: kinds of structures, and "stack" for towers written as "a on b"."""
     found = {part.kind for part in atoms(goal)}
-    return frozenset(
-        (found & STRUCTURES) | ({"stack"} if found & {"on", "above"} else set())
-        or found
-    )
+    return frozenset((found & STRUCTURES) | ({"stack"} if found & {"on", "above"} else set()) or found)
 
 
 def _flat(found: Any) -> Any:
@@ -145,18 +115,7 @@ def same_structure(old: g.Goal, new: g.Goal) -> bool:
 
 def _frame(atom: g.Goal) -> dict[str, Any]:
     """The fields of a structure that say what is built; not of which blocks, nor in which order."""
-    told = atom.model_dump(
-        exclude={
-            "span",
-            "blocks",
-            "groups",
-            "order",
-            "pattern",
-            "readable",
-            "word",
-            "text",
-        }
-    )
+    told = atom.model_dump(exclude={"span", "blocks", "groups", "order", "pattern", "readable", "word", "text"})
     return {**told, "blocks": len(getattr(atom, "blocks", ()))}
 
 
@@ -180,16 +139,9 @@ def _quality(value: Any, field: str) -> str:
         case int() | float() | None | tuple():
             return ""
         case str():
-            return (
-                ""
-                if field in ("a", "b", "c", "block", "patch", "word", "text", "label")
-                else value
-            )
+            return "" if field in ("a", "b", "c", "block", "patch", "word", "text", "label") else value
         case BaseModel():
-            inner = (
-                (name, _quality(getattr(value, name), name))
-                for name in type(value).model_fields
-            )
+            inner = ((name, _quality(getattr(value, name), name)) for name in type(value).model_fields)
             return " ".join(f"{name}={text}" for name, text in inner if text)
     return ""
 
@@ -202,16 +154,7 @@ def _named(atom: g.Goal) -> tuple[Any, ...]:
     for field in ("a", "b", "c", "block", "patch"):
         value = getattr(atom, field, None)
         if value is not None:
-            fields.append(
-                (
-                    field,
-                    value.model_dump(mode="json")
-                    if isinstance(value, BaseModel)
-                    else value,
-                )
-            )
+            fields.append((field, value.model_dump(mode="json") if isinstance(value, BaseModel) else value))
     members = tuple(sorted(getattr(atom, "blocks", ())))
-    groups = tuple(
-        sorted(tuple(sorted(group)) for group in getattr(atom, "groups", ()))
-    )
+    groups = tuple(sorted(tuple(sorted(group)) for group in getattr(atom, "groups", ())))
     return (tuple(fields), members, groups, ranks)

@@ -50,14 +50,7 @@ BY = {
     "even_first": "even_first",
     "odd_first": "odd_first", "vowel_first": "vowel_first", "consonant_first": "consonant_first",
 }  # fmt: skip
-_ATTRIBUTES = {
-    "color": "color",
-    "label": "label",
-    "size": "size",
-    "kind": "kind",
-    "parity": "parity",
-    "vowel": "vowel",
-}
+_ATTRIBUTES = {"color": "color", "label": "label", "size": "size", "kind": "kind", "parity": "parity", "vowel": "vowel"}
 _COLORS = phrases(
     "by different colors | by different colours | by their colors | by colors | by colours | by their "
     "colours | by color | by colour | by their color | into different colors | by the colors | according "
@@ -87,24 +80,14 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             if k := p.seq(j, plain):
                 k = longest(p, k, ("around", "upside down")) or k
                 yield r.Reorder(how="reverse", span=p.span(i, k)), k
-        yield from _upside(
-            p, i, j, "reverse", list(subjects(p, j)), wanted=phrase == "turn"
-        )
+        yield from _upside(p, i, j, "reverse", list(subjects(p, j)), wanted=phrase == "turn")
         if phrase != "turn" and (k := longest(p, j, ("everything", "things", "all"))):
             yield r.Reorder(how="reverse", span=p.span(i, k)), k
-    if j := longest(
-        p,
-        i,
-        "spell | read | write | build | stack | do | have | put | make | order | arrange",
-    ):
+    if j := longest(p, i, "spell | read | write | build | stack | do | have | put | make | order | arrange"):
         for theme, k in [(None, j), *subjects(p, j)]:
             if theme is not None and not old(theme):
                 continue
-            if end := longest(
-                p,
-                k,
-                "backwards | backward | in reverse | in reverse order | the other way round",
-            ):
+            if end := longest(p, k, "backwards | backward | in reverse | in reverse order | the other way round"):
                 yield r.Reorder(how="reverse", theme=theme, span=p.span(i, end)), end
     if j := longest(
             p,
@@ -119,19 +102,12 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 def _upside(
-    p: Parser,
-    i: int,
-    _at: int,
-    how: str,
-    themes: list[tuple[m.Meaning, int]],
-    wanted: bool = False,
+    p: Parser, i: int, _at: int, how: str, themes: list[tuple[m.Meaning, int]], wanted: bool = False
 ) -> Iterator[tuple[r.Request, int]]:
     for theme, k in themes:
         if isinstance(theme, m.Noun) and not theme.plural:
             continue
-        end = longest(p, k, "upside down | around | over | the other way around") or (
-            k if not wanted else 0
-        )
+        end = longest(p, k, "upside down | around | over | the other way around") or (k if not wanted else 0)
         if end:
             yield r.Reorder(how=how, theme=theme, span=p.span(i, end)), end
 
@@ -147,18 +123,9 @@ def _mirror(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     ):
         if j := p.seq(i, phrase):
             for theme, k in simple(p, j):
-                end = (
-                    longest(
-                        p, k, "left to right | horizontally | left and right | sideways"
-                    )
-                    or k
-                )
+                end = longest(p, k, "left to right | horizontally | left and right | sideways") or k
                 yield r.Reorder(how="mirror", theme=theme, span=p.span(i, end)), end
-            if k := longest(
-                p,
-                j,
-                "everything | the whole thing | the arrangement | the scene | the goal | the task",
-            ):
+            if k := longest(p, j, "everything | the whole thing | the arrangement | the scene | the goal | the task"):
                 yield r.Reorder(how="mirror", span=p.span(i, k)), k
     if j := longest(
             p,
@@ -176,11 +143,7 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase in SORT:
         if j := p.seq(i, phrase):
             starts.append((None, j))
-            starts += [
-                (theme, k)
-                for theme, k in noun_phrase(p, j)
-                if not isinstance(theme, m.Coord) and old(theme)
-            ]
+            starts += [(theme, k) for theme, k in noun_phrase(p, j) if not isinstance(theme, m.Coord) and old(theme)]
             if k := longest(p, j, "the letters | the numbers | the colors | the order"):
                 starts.append((None, k))
     for phrase in (
@@ -193,63 +156,35 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     ):
         if j := p.seq(i, phrase):
             starts.append((None, j))
-    if not starts and p.words[i : i + 1] in (
-        ["alphabetically"],
-        ["numerically"],
-        ["in"],
-        ["from"],
-    ):
+    if not starts and p.words[i : i + 1] in (["alphabetically"], ["numerically"], ["in"], ["from"]):
         starts.append((None, i))
     for theme, j in starts:
         if k := longest(
-            p,
-            j,
-            "alternate in color | alternate in colour | alternate colors | alternate | alternate by color",
+            p, j, "alternate in color | alternate in colour | alternate colors | alternate | alternate by color"
         ):
             yield r.Reorder(how="alternating", theme=theme, span=p.span(i, k)), k
         j = p.opt(j, "now", "so", "to")
-        j = (
-            longest(
-                p, j, "be sorted | be ordered | be arranged | sorted | ordered | be"
-            )
-            or j
-        )
+        j = longest(p, j, "be sorted | be ordered | be arranged | sorted | ordered | be") or j
         yield from _orders(p, i, j, theme)
 
 
-def _orders(
-    p: Parser, i: int, j: int, theme: m.Meaning | None
-) -> Iterator[tuple[r.Request, int]]:
+def _orders(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
     for phrase in _COLORS:
         if k := p.seq(j, phrase):
             yield r.Reorder(how="color", theme=theme, span=p.span(i, k)), k
     for found, k in order(p, j):
         if isinstance(found, m.Toward) and found.first:
-            yield (
-                r.Reorder(
-                    how="toward", theme=theme, first=found.first, span=p.span(i, k)
-                ),
-                k,
-            )
+            yield (r.Reorder(how="toward", theme=theme, first=found.first, span=p.span(i, k)), k)
         if not isinstance(found, m.OrderBy):
             continue
         how = _how(found)
         if how is None:
             continue
-        items = (
-            m.Coord(op="and", items=found.items, span=found.span)
-            if found.items
-            else None
-        )
+        items = m.Coord(op="and", items=found.items, span=found.span) if found.items else None
         for first, end in _first(p, k):
             yield (
                 r.Reorder(
-                    how=how,
-                    theme=theme,
-                    items=items,
-                    descending=found.descending,
-                    first=first,
-                    span=p.span(i, end),
+                    how=how, theme=theme, items=items, descending=found.descending, first=first, span=p.span(i, end)
                 ),
                 end,
             )
@@ -257,13 +192,15 @@ def _orders(
 
 _ORDERS = phrases(
     "the order should be | the order must be | the order is | make the order | i want the order | the new order is | "
-    "set the order to | change the order to | the order should now be | in the order | order them as | arrange them as | "
+    "set the order to | change the order to | the order should now be | in the order | order them as | "
+    "arrange them as | "
     "put them as | have them as | make it | make them | i want | they should be | it should be | it should go | it goes"
 )
 _DIRECTIONS = {
     f"{lead}{a} to {b}": a
     for a, b in (
-        ("bottom", "top"), ("top", "bottom"), ("left", "right"), ("right", "left"), ("front", "back"), ("back", "front"),
+        ("bottom", "top"), ("top", "bottom"), ("left", "right"), ("right", "left"), ("front", "back"),
+        ("back", "front"),
     )
     for lead in ("from ", "", "going from ")
 }  # fmt: skip
@@ -272,31 +209,14 @@ _DIRECTIONS = {
 def _listed(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "the order should be red, blue, green from bottom to top", "bottom to top: red, blue, green"."""
     for first, j in _direction(p, i):
-        start = (
-            longest(
-                p,
-                j,
-                "should be | must be | is | : | , | it should be | it is | should read",
-            )
-            or j
-        )
+        start = longest(p, j, "should be | must be | is | : | , | it should be | it is | should read") or j
         for listed, k in noun_phrase(p, start):
             if isinstance(listed, m.Coord):
-                yield (
-                    r.Reorder(
-                        how="given", items=listed, first=first, span=p.span(i, k)
-                    ),
-                    k,
-                )
+                yield (r.Reorder(how="given", items=listed, first=first, span=p.span(i, k)), k)
     j = longest(p, i, _ORDERS)
     for listed, k in noun_phrase(p, j) if j else ():
-        for first, end in (
-            _direction(p, p.opt(k, ",")) if isinstance(listed, m.Coord) else ()
-        ):
-            yield (
-                r.Reorder(how="given", items=listed, first=first, span=p.span(i, end)),
-                end,
-            )
+        for first, end in _direction(p, p.opt(k, ",")) if isinstance(listed, m.Coord) else ():
+            yield (r.Reorder(how="given", items=listed, first=first, span=p.span(i, end)), end)
 
 
 def _direction(p: Parser, i: int) -> Iterator[tuple[str, int]]:
@@ -323,15 +243,9 @@ def _first(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
 
 def _swap_them(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap them", "exchange the two": for two blocks, the reverse order."""
-    j = longest(
-        p, i, "swap | exchange | switch | interchange | swap around | swap round"
-    )
+    j = longest(p, i, "swap | exchange | switch | interchange | swap around | swap round")
     k = (
-        longest(
-            p,
-            j,
-            "them | the two | the two blocks | both | both blocks | them around | the blocks | those two",
-        )
+        longest(p, j, "them | the two | the two blocks | both | both blocks | them around | the blocks | those two")
         if j
         else 0
     )
@@ -350,7 +264,4 @@ def _no_matter(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         "free | any order will do | in no particular order",
     )
     if j:
-        yield (
-            r.Reorder(how="any", span=p.span(i, j)),
-            longest(p, j, ("any more", "anymore")) or j,
-        )
+        yield (r.Reorder(how="any", span=p.span(i, j)), longest(p, j, ("any more", "anymore")) or j)

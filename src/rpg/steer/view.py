@@ -16,19 +16,7 @@ from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order
 from rpg.ir.relations import On
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import (
-    Cells,
-    Equation,
-    Figure,
-    Grid,
-    GroupBy,
-    Pyramid,
-    Row,
-    Spells,
-    Stack,
-    Staircase,
-    Towers,
-)
+from rpg.ir.structures import Cells, Equation, Figure, Grid, GroupBy, Pyramid, Row, Spells, Stack, Staircase, Towers
 from rpg.ir.walk import children
 
 LineKind = Literal["tower", "row", "column"]
@@ -94,11 +82,7 @@ class View:
         """Towers, rows and columns, in order of reading; structures before chains of relations."""
         found = [line for path, atom in self.atoms for line in self._line(path, atom)]
         for chain in (*self._towers(found), *self._rows()):
-            found = [
-                line
-                for line in found
-                if not set(line.members) <= set(chain.members) or line.node is not None
-            ]
+            found = [line for line in found if not set(line.members) <= set(chain.members) or line.node is not None]
             if not any(set(chain.members) <= set(line.members) for line in found):
                 found.append(chain)
         return tuple(found)
@@ -107,11 +91,7 @@ class View:
     def figures(self) -> tuple[Shape, ...]:
         """Structures that are no lines."""
         kinds = (Cells, Towers, GroupBy)
-        return tuple(
-            Shape(atom, path, members_of(atom))
-            for path, atom in self.atoms
-            if isinstance(atom, kinds)
-        )
+        return tuple(Shape(atom, path, members_of(atom)) for path, atom in self.atoms if isinstance(atom, kinds))
 
     @property
     def idle(self) -> tuple[str, ...]:
@@ -129,9 +109,7 @@ class View:
 
     def line_of(self, names: Sequence[str]) -> Line | None:
         """The line that has all of `names`."""
-        return next(
-            (line for line in self.lines if set(names) <= set(line.members)), None
-        )
+        return next((line for line in self.lines if set(names) <= set(line.members)), None)
 
     def main_line(self) -> Line | None:
         """The line an edit means when it names none: that of the last mentioned block, else the only or last one."""
@@ -150,35 +128,17 @@ class View:
     def _line(self, path: Path, atom: g.Goal) -> Iterator[Line]:
         match atom:
             case Stack() | Row():
-                kind: LineKind = (
-                    "tower"
-                    if isinstance(atom, Stack)
-                    else "column"
-                    if atom.axis == "x"
-                    else "row"
-                )
+                kind: LineKind = "tower" if isinstance(atom, Stack) else "column" if atom.axis == "x" else "row"
                 members = self.sequence(atom.blocks, atom.order, kind)
-                yield Line(
-                    kind, members or atom.blocks, members is not None, atom, path
-                )
+                yield Line(kind, members or atom.blocks, members is not None, atom, path)
             case Spells():
                 members = self._spelt(atom)
                 kind = "row" if atom.along == "row" else "tower"
-                yield Line(
-                    kind, members or atom.blocks, members is not None, atom, path
-                )
+                yield Line(kind, members or atom.blocks, members is not None, atom, path)
             case Equation():
-                yield Line(
-                    "row" if atom.along == "row" else "tower",
-                    atom.blocks,
-                    False,
-                    atom,
-                    path,
-                )
+                yield Line("row" if atom.along == "row" else "tower", atom.blocks, False, atom, path)
 
-    def sequence(
-        self, blocks: Sequence[str], order: Order, kind: LineKind
-    ) -> tuple[str, ...] | None:
+    def sequence(self, blocks: Sequence[str], order: Order, kind: LineKind) -> tuple[str, ...] | None:
         """`blocks` from where lines of that kind begin, as `order` wants them; None where it leaves a choice."""
         begin = BEGINS[kind]
         if order.by == "given":
@@ -192,19 +152,12 @@ class View:
             keyed = [(sort_key(order, name, traits), name) for name in blocks]
             if any(value is None for value, _ in keyed):
                 return None
-            listed = [
-                name
-                for _, name in sorted(
-                    keyed, key=lambda item: item[0], reverse=order.descending
-                )
-            ]  # type: ignore[arg-type, return-value]
+            listed = [name for _, name in sorted(keyed, key=lambda item: item[0], reverse=order.descending)]  # type: ignore[arg-type, return-value]
         elif len(self._looks(blocks)) == 1:
             listed = list(blocks)
         else:
             return None
-        return tuple(
-            reversed(listed) if (order.first or begin) == ENDS[begin] else listed
-        )
+        return tuple(reversed(listed) if (order.first or begin) == ENDS[begin] else listed)
 
     def _looks(self, names: Sequence[str]) -> set[tuple[str, ...]]:
         return {self.world.look[name] for name in names if name in self.world.look}
@@ -227,18 +180,11 @@ class View:
         below: dict[str, str] = {}
         for _, atom in self.atoms:
             if isinstance(atom, On):
-                upper, lower = (
-                    self._one(atom.a, "bottom", lines),
-                    self._one(atom.b, "top", lines),
-                )
+                upper, lower = (self._one(atom.a, "bottom", lines), self._one(atom.b, "top", lines))
                 if upper and lower and lower in self.world.blocks:
                     above.setdefault(lower, []).append(upper)
                     below[upper] = lower
-        stacked = {
-            line.members[0]: line
-            for line in lines
-            if line.kind == "tower" and line.ordered
-        }
+        stacked = {line.members[0]: line for line in lines if line.kind == "tower" and line.ordered}
         tops = {line.members[-1] for line in stacked.values()}
         inside = {name for line in stacked.values() for name in line.members}
         for first in self.world.blocks:
@@ -246,9 +192,7 @@ class View:
             if first in below or not begins:
                 continue
             members = list(stacked[first].members) if first in stacked else [first]
-            while len(above.get(members[-1], ())) == 1 and (
-                members[-1] in tops or members[-1] not in inside
-            ):
+            while len(above.get(members[-1], ())) == 1 and (members[-1] in tops or members[-1] not in inside):
                 upper = above[members[-1]][0]
                 members += stacked[upper].members if upper in stacked else [upper]
             if len(members) > (len(stacked[first].members) if first in stacked else 1):
@@ -258,19 +202,8 @@ class View:
         """The block an operand stands for, where it can be told."""
         if isinstance(operand, Highest | Lowest):
             names = operand.highest if isinstance(operand, Highest) else operand.lowest
-            line = next(
-                (
-                    line
-                    for line in lines
-                    if set(names) <= set(line.members) and line.ordered
-                ),
-                None,
-            )
-            return (
-                None
-                if line is None
-                else line.members[-1 if isinstance(operand, Highest) else 0]
-            )
+            line = next((line for line in lines if set(names) <= set(line.members) and line.ordered), None)
+            return None if line is None else line.members[-1 if isinstance(operand, Highest) else 0]
         return _single(operand)
 
     def _rows(self) -> Iterator[Line]:
@@ -291,10 +224,7 @@ class View:
                 if first in before or first not in after:
                     continue
                 members = [first]
-                while (
-                    len(after.get(members[-1], ())) == 1
-                    and len(before.get(after[members[-1]][0], ())) == 1
-                ):
+                while len(after.get(members[-1], ())) == 1 and len(before.get(after[members[-1]][0], ())) == 1:
                     members.append(after[members[-1]][0])
                 yield Line(kind, tuple(members), True)
 

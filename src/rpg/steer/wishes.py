@@ -6,15 +6,7 @@ from collections.abc import Iterator
 
 from rpg.steer import requests as r
 from rpg.steer.changing import becomes
-from rpg.steer.language import (
-    Parser,
-    adjectives,
-    colors,
-    label_list,
-    longest,
-    m,
-    phrases,
-)
+from rpg.steer.language import Parser, adjectives, colors, label_list, longest, m, phrases
 from rpg.steer.phrases import old, subjects
 
 _WANTS = phrases(
@@ -22,12 +14,8 @@ _WANTS = phrases(
     "i need | i would love | we want | we need | we would like | i would like to have | i would like to see | "
     "i want to see | i want to have | let me have | let me see | show me | what if | how about | what about"
 )
-_AUXILIARIES = frozenset(
-    {"can", "could", "may", "might", "should", "must", "shall", "will", "would"}
-)
-_LINKS = phrases(
-    "to be | to become | be | become | turn | in | as | was | were | is | are"
-)
+_AUXILIARIES = frozenset({"can", "could", "may", "might", "should", "must", "shall", "will", "would"})
+_LINKS = phrases("to be | to become | be | become | turn | in | as | was | were | is | are")
 
 
 def wish(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -40,11 +28,7 @@ def wish(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def _question(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     j = p.one(i, _AUXILIARIES)
     for theme, k in subjects(p, j) if j else ():
-        n = longest(
-            p,
-            k,
-            "be | become | turn | turn into | both be | all be | instead be | maybe be",
-        )
+        n = longest(p, k, "be | become | turn | turn into | both be | all be | instead be | maybe be")
         if n and old(theme):
             yield from becomes(p, i, n, theme, cost=1)
 
@@ -65,29 +49,10 @@ def _given(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         n = longest(p, k, "a new | another | a | an | the color | the")
         for (listed, either), end in colors(p, n) if n else ():
             end = p.opt(end, "color", "shade", "look", "paint")
-            yield (
-                r.Restyle(
-                    theme=theme,
-                    traits=m.Traits(colors=listed, either=either),
-                    span=p.span(i, end),
-                ),
-                end,
-            )
+            yield (r.Restyle(theme=theme, traits=m.Traits(colors=listed, either=either), span=p.span(i, end)), end)
         if n := longest(p, k, "the letter | the label | the number | the symbol"):
             for (labels, _), end in label_list(p, n, True):
-                yield (
-                    r.Restyle(
-                        theme=theme, traits=m.Traits(labels=labels), span=p.span(i, end)
-                    ),
-                    end,
-                )
-        for marks, end in adjectives(
-            p, longest(p, k, "a size of | an edge of | edges of") or k
-        ):
+                yield (r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, end)), end)
+        for marks, end in adjectives(p, longest(p, k, "a size of | an edge of | edges of") or k):
             if set(marks) == {"edge"}:
-                yield (
-                    r.Restyle(
-                        theme=theme, traits=m.Traits(**marks), span=p.span(i, end)
-                    ),
-                    end,
-                )
+                yield (r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, end)), end)

@@ -23,29 +23,18 @@ def recount(draft: Draft, request: r.Recount) -> None:
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     line = found.line if found and found.whole else draft.view.main_line()
     figure = found.figure if found and found.whole else draft.view.main_figure()
-    draft.note(
-        "count",
-        {"amount": request.amount, "dims": list(request.dims), "by": request.by},
-    )
+    draft.note("count", {"amount": request.amount, "dims": list(request.dims), "by": request.by})
     draft.aim("TWEAK")
     if request.times is not None and line is None:
-        told, hint = (
-            "a figure is made larger by its dimensions",
-            "give its rows and columns, its base or its blocks",
-        )
+        told, hint = ("a figure is made larger by its dimensions", "give its rows and columns, its base or its blocks")
         raise draft.refusal("edit-unclear", told, request.span, hint)
-    if figure is not None and (
-        line is None or request.dims or (found is not None and found.figure is not None)
-    ):
+    if figure is not None and (line is None or request.dims or (found is not None and found.figure is not None)):
         _figure(draft, figure, request)
     elif line is not None and not request.dims:
         _line(draft, line, request)
     else:
         raise draft.refusal(
-            "edit-unclear",
-            "there is no structure whose size this could be",
-            request.span,
-            "say what is to be built",
+            "edit-unclear", "there is no structure whose size this could be", request.span, "say what is to be built"
         )
 
 
@@ -63,20 +52,13 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
         wanted = round(now * request.times)
         if wanted != now * request.times:
             told = f"{now} blocks cannot be halved"
-            raise draft.refusal(
-                "edit-unclear", told, request.span, "say how many blocks it should have"
-            )
+            raise draft.refusal("edit-unclear", told, request.span, "say how many blocks it should have")
     if wanted < 2:
         raise draft.refusal(
-            "breaks-structure",
-            f"a {line.kind} needs at least two blocks",
-            request.span,
-            "ask for two or more",
+            "breaks-structure", f"a {line.kind} needs at least two blocks", request.span, "ask for two or more"
         )
     if wanted == now:
-        raise draft.refusal(
-            "nothing-to-do", f"it has {now} blocks already", request.span
-        )
+        raise draft.refusal("nothing-to-do", f"it has {now} blocks already", request.span)
     for name in reversed(line.members[wanted:]):
         draft.do(RemoveAsset(name=name), request.span)
     if wanted > now:
@@ -96,22 +78,12 @@ def like(draft: Draft, members: Sequence[str], number: int) -> list[Asset]:
     if len(looks) == 1:
         blocks: list[Block] = [model] * number
     elif all(symbols):
-        labels = unused_labels(
-            draft, number, all(symbol.isdigit() for symbol in symbols)
-        )
+        labels = unused_labels(draft, number, all(symbol.isdigit() for symbol in symbols))
         blocks = describe(draft, m.Traits(labels=tuple(labels)), number)
     else:
-        blocks = describe(
-            draft, m.Traits(colors=tuple(unused_colors(draft, number))), number
-        )
+        blocks = describe(draft, m.Traits(colors=tuple(unused_colors(draft, number))), number)
         draft.assume("new blocks have colours that the task did not have yet")
-    return named(
-        draft,
-        [
-            block.model_copy(update={"size": model.size, "origin": None})
-            for block in blocks
-        ],
-    )
+    return named(draft, [block.model_copy(update={"size": model.size, "origin": None}) for block in blocks])
 
 
 def named(draft: Draft, blocks: Sequence[Block]) -> list[Asset]:
@@ -143,28 +115,16 @@ def _figure(draft: Draft, figure: Shape, request: r.Recount) -> None:
     if needed == len(there) and changed == node:
         raise draft.refusal("nothing-to-do", "it has this size already", request.span)
     for name in there[needed:]:
-        draft.do(
-            SetField(
-                at=figure.path, field="blocks", value=tuple(n for n in there[:needed])
-            ),
-            request.span,
-        )
+        draft.do(SetField(at=figure.path, field="blocks", value=tuple(n for n in there[:needed])), request.span)
         draft.do(RemoveAsset(name=name), request.span)
     new = _filling(draft, figure, changed, needed - len(there))
     for asset in new:
         draft.do(AddAsset(asset=asset), request.span)
     blocks = (*there[:needed], *(asset.name for asset in new))
-    draft.do(
-        ChangeCondition(
-            at=figure.path, to=changed.model_copy(update={"blocks": blocks})
-        ),
-        request.span,
-    )
+    draft.do(ChangeCondition(at=figure.path, to=changed.model_copy(update={"blocks": blocks})), request.span)
 
 
-def _dimensions(
-    draft: Draft, figure: Shape, request: r.Recount
-) -> dict[str, object] | None:
+def _dimensions(draft: Draft, figure: Shape, request: r.Recount) -> dict[str, object] | None:
     """The fields of a figure that the request changes."""
     node, dims = figure.node, request.dims
     step = request.by or 0
@@ -174,33 +134,17 @@ def _dimensions(
                 return {"rows": dims[0], "columns": dims[1], "layers": dims[2]}
             if len(dims) == 2:
                 wall = node.rows == 1 and node.layers > 1
-                return (
-                    {"columns": dims[0], "layers": dims[1]}
-                    if wall
-                    else {"rows": dims[0], "columns": dims[1]}
-                )
+                return {"columns": dims[0], "layers": dims[1]} if wall else {"rows": dims[0], "columns": dims[1]}
             if request.what == "height" or step:
                 return {"layers": request.amount or node.layers + step}
-            return (
-                {"columns": request.amount}
-                if request.what == "length" and request.amount
-                else None
-            )
+            return {"columns": request.amount} if request.what == "length" and request.amount else None
         case Pyramid():
             if len(dims) == 2:
                 return {"base": dims}
             size = request.amount or node.base[0] + step
-            return (
-                {"base": (size, size if node.base[1] > 1 else 1)}
-                if request.what != "blocks" or step
-                else None
-            )
+            return {"base": (size, size if node.base[1] > 1 else 1)} if request.what != "blocks" or step else None
         case Staircase():
-            return (
-                {"steps": request.amount or node.steps + step}
-                if not dims and request.what != "blocks"
-                else None
-            )
+            return {"steps": request.amount or node.steps + step} if not dims and request.what != "blocks" else None
         case Figure():
             if len(dims) == 2 and node.shape in ("square", "rectangle"):
                 return {"sides": dims}
@@ -215,11 +159,7 @@ def cells_of(node: Cells, asked: int | None = None) -> int:
             return node.rows * node.columns * node.layers
         case Pyramid():
             n, depth = node.base
-            return (
-                sum((n - k) * (depth - k) for k in range(min(n, depth)))
-                if depth > 1
-                else n * (n + 1) // 2
-            )
+            return sum((n - k) * (depth - k) for k in range(min(n, depth))) if depth > 1 else n * (n + 1) // 2
         case Staircase():
             return node.steps * (node.steps + 1) // 2
         case Figure(sides=(a, b)):
@@ -232,11 +172,7 @@ def _filling(draft: Draft, figure: Shape, changed: Cells, number: int) -> list[A
     if number <= 0:
         return []
     pattern = changed.pattern
-    if (
-        isinstance(pattern, Pattern)
-        and pattern.kind in ("row", "column", "layer")
-        and pattern.attribute == "color"
-    ):
+    if isinstance(pattern, Pattern) and pattern.kind in ("row", "column", "layer") and pattern.attribute == "color":
         return _by_lines(draft, figure, changed, number)
     return like(draft, figure.members, number)
 
@@ -267,18 +203,10 @@ def line_lengths(node: Cells) -> list[int]:
     """How many cells each row, column or layer of a patterned figure has."""
     assert node.pattern is not None
     if isinstance(node, Grid):
-        sizes = {
-            "row": (node.rows, node.columns * node.layers),
-            "column": (node.columns, node.rows * node.layers),
-        }
-        count, each = sizes.get(
-            node.pattern.kind, (node.layers, node.rows * node.columns)
-        )
+        sizes = {"row": (node.rows, node.columns * node.layers), "column": (node.columns, node.rows * node.layers)}
+        count, each = sizes.get(node.pattern.kind, (node.layers, node.rows * node.columns))
         return [each] * count
     if isinstance(node, Pyramid):
         n, depth = node.base
-        return [
-            (n - k) * (depth - k) if depth > 1 else n - k
-            for k in range(min(n, depth) if depth > 1 else n)
-        ]
+        return [(n - k) * (depth - k) if depth > 1 else n - k for k in range(min(n, depth) if depth > 1 else n)]
     return [len(node.blocks)]

@@ -20,25 +20,14 @@ from rpg.steer.draft import Draft
 from rpg.steer.operations.make import PALETTE
 from rpg.steer.refer import resolve
 
-SYMBOLS = {
-    "letter": string.ascii_uppercase,
-    "digit": "123456789",
-    "symbol": string.ascii_uppercase,
-}
+SYMBOLS = {"letter": string.ascii_uppercase, "digit": "123456789", "symbol": string.ascii_uppercase}
 MOST = {"letter": MAX_LETTERS, "digit": MAX_DIGITS, "symbol": MAX_LETTERS}
 
 
 def listed(draft: Draft, names: Sequence[str]) -> list[str]:
     """`names` in the order in which the goal lines them up, where it does."""
     wanted = set(names)
-    line = next(
-        (
-            line
-            for line in draft.view.lines
-            if wanted <= set(line.members) and line.ordered
-        ),
-        None,
-    )
+    line = next((line for line in draft.view.lines if wanted <= set(line.members) and line.ordered), None)
     return [name for name in (line.members if line else names) if name in wanted]
 
 
@@ -52,33 +41,17 @@ def convert(draft: Draft, names: Sequence[str], kind: str, span: Span) -> None:
     classes = _classes(draft, names, kind)
     new: dict[str, Asset] = {}
     if kind == "plain":
-        new = {
-            name: _plain(draft, name, PALETTE[classes[name] % len(PALETTE)])
-            for name in names
-        }
+        new = {name: _plain(draft, name, PALETTE[classes[name] % len(PALETTE)]) for name in names}
         draft.assume("colours in the order of the rainbow, as none were named")
     else:
-        row = (
-            SYMBOLS[kind]
-            if max(classes.values(), default=0) < 9 or kind != "digit"
-            else "0123456789"
-        )
+        row = SYMBOLS[kind] if max(classes.values(), default=0) < 9 or kind != "digit" else "0123456789"
         chosen = names[: MOST[kind]]
         if len(chosen) < len(names):
             draft.assume(
                 f"at most {MOST[kind]} blocks can show a {kind}; the other {len(names) - len(chosen)} stay plain"
             )
-        new = {
-            name: _symbol(
-                draft.view.world.blocks[name], row[classes[name] % len(row)], kind
-            )
-            for name in chosen
-        }
-    _adapt(
-        draft,
-        "color" if kind == "plain" else "label",
-        "number" if kind == "digit" else "label",
-    )
+        new = {name: _symbol(draft.view.world.blocks[name], row[classes[name] % len(row)], kind) for name in chosen}
+    _adapt(draft, "color" if kind == "plain" else "label", "number" if kind == "digit" else "label")
     exchange(draft, new, span)
 
 
@@ -96,12 +69,7 @@ def _attributes(atom: g.Goal) -> set[str]:
     """The attributes by which an atom holds blocks together."""
     found: set[str] = set()
     pattern = getattr(atom, "pattern", None)
-    if isinstance(pattern, Pattern) and pattern.kind in (
-        "row",
-        "column",
-        "layer",
-        "checkerboard",
-    ):
+    if isinstance(pattern, Pattern) and pattern.kind in ("row", "column", "layer", "checkerboard"):
         found.add(pattern.attribute)
     if isinstance(atom, GroupBy) and atom.by:
         found.add(atom.by)
@@ -118,9 +86,7 @@ def _adapt(draft: Draft, attribute: str, sorting: str) -> None:
 
     def adapted(order: Order) -> Order:
         if order.by in ("rainbow", "label", "number"):
-            return order.model_copy(
-                update={"by": "rainbow" if attribute == "color" else sorting}
-            )
+            return order.model_copy(update={"by": "rainbow" if attribute == "color" else sorting})
         if order.by in ("alternating", "mirrored", "together"):
             return order.model_copy(update={"attribute": attribute})
         return order
@@ -131,9 +97,7 @@ def _adapt(draft: Draft, attribute: str, sorting: str) -> None:
         if isinstance(order, Order):
             update["order"] = adapted(order)
         if isinstance(pattern, Pattern):
-            update["pattern"] = pattern.model_copy(
-                update={"attribute": attribute, "order": adapted(pattern.order)}
-            )
+            update["pattern"] = pattern.model_copy(update={"attribute": attribute, "order": adapted(pattern.order)})
         if isinstance(node, GroupBy) and node.by:
             update["by"] = attribute
         if isinstance(node, Towers) and node.each:
@@ -149,9 +113,7 @@ def _plain(draft: Draft, name: str, color: str) -> Block:
     block = draft.view.world.blocks[name]
     if isinstance(block, ColoredCube):
         return block
-    return ColoredCube.model_validate(
-        {"name": name, "color": color, "size": block.size}
-    )
+    return ColoredCube.model_validate({"name": name, "color": color, "size": block.size})
 
 
 def _symbol(block: Block, label: str, kind: str) -> Block:
@@ -161,9 +123,7 @@ def _symbol(block: Block, label: str, kind: str) -> Block:
     return SemanticCube(name=block.name, label=label, size=block.size)
 
 
-def mix(
-    draft: Draft, names: Sequence[str], kinds: Sequence[str | None], span: Span
-) -> None:
+def mix(draft: Draft, names: Sequence[str], kinds: Sequence[str | None], span: Span) -> None:
     """Blocks become a mixture of kinds in equal shares; groups are then told apart by kind."""
     from rpg.steer.operations.restyle import exchange
 
@@ -177,27 +137,17 @@ def mix(
         block = draft.view.world.blocks[name]
         if kind == "plain":
             new[name] = ColoredCube.model_validate(
-                {
-                    "name": name,
-                    "color": PALETTE[place % len(PALETTE)],
-                    "size": block.size,
-                }
+                {"name": name, "color": PALETTE[place % len(PALETTE)], "size": block.size}
             )
         else:
-            new[name] = SemanticCube(
-                name=name, label=SYMBOLS[kind][place], size=block.size
-            )
+            new[name] = SemanticCube(name=name, label=SYMBOLS[kind][place], size=block.size)
     renamed = exchange(draft, new, span)
     _regroup(draft, [renamed[name] for name in order], share)
 
 
 def mixed(draft: Draft, request: r.Kinds) -> None:
     """The blocks of the request, or of the whole task, become a mixture."""
-    names = (
-        resolve(draft.view, request.theme).names
-        if request.theme is not None
-        else draft.view.busy
-    )
+    names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
     mix(draft, names, request.kinds, request.span)
 
 
@@ -205,12 +155,8 @@ def _regroup(draft: Draft, names: Sequence[str], share: int) -> None:
     """Groups follow the kinds that their blocks have now."""
 
     def change(node: g.Goal) -> g.Goal:
-        if isinstance(node, GroupBy) and {
-            n for group in node.groups for n in group
-        } == set(names):
-            groups = tuple(
-                tuple(names[k : k + share]) for k in range(0, len(names), share)
-            )
+        if isinstance(node, GroupBy) and {n for group in node.groups for n in group} == set(names):
+            groups = tuple(tuple(names[k : k + share]) for k in range(0, len(names), share))
             return node.model_copy(update={"groups": groups, "by": "kind"})
         return node
 

@@ -18,9 +18,7 @@ from rpg.steer.language import m
 from rpg.steer.view import BEGINS, ENDS, STEPS, Line
 
 
-def insert(
-    draft: Draft, line: Line, index: int, name: str, span: Span | None = None
-) -> None:
+def insert(draft: Draft, line: Line, index: int, name: str, span: Span | None = None) -> None:
     """Put the new block `name` at `index` of `line`."""
     if line.node is None:
         _insert_in_chain(draft, line, index, name)
@@ -30,12 +28,7 @@ def insert(
         free_order = isinstance(line.node, Stack | Row) and line.node.order.by == "any"
         if index == 1 and len(line.members) == 2 and free_order:
             draft.do(SetField(at=line.path, field="blocks", value=members), span)
-            draft.do(
-                AddCondition(
-                    goal=Between(a=(name,), b=line.members[:1], c=line.members[1:])
-                ),
-                span,
-            )
+            draft.do(AddCondition(goal=Between(a=(name,), b=line.members[:1], c=line.members[1:])), span)
             return
         if index not in (0, len(line.members)):
             raise draft.refusal(
@@ -46,9 +39,7 @@ def insert(
             )
         free = _free_groups(line)
         groups = (*free, (name,)) if index else ((name,), *free)
-        draft.do(
-            ChangeCondition(at=line.path, to=_with_ranks(line, members, groups)), span
-        )
+        draft.do(ChangeCondition(at=line.path, to=_with_ranks(line, members, groups)), span)
         return
     draft.do(ChangeCondition(at=line.path, to=arranged(draft, line, members)), span)
 
@@ -66,30 +57,17 @@ def _free_groups(line: Line) -> tuple[tuple[str, ...], ...]:
 def pin(draft: Draft, names: Sequence[str], span: Span) -> None:
     """Blocks that a phrase picked by their place keep it, though they looked like the others of their line."""
     line = draft.view.line_of(names)
-    if (
-        line is None
-        or not isinstance(line.node, Stack | Row)
-        or line.node.order.by != "any"
-        or not line.ordered
-    ):
+    if line is None or not isinstance(line.node, Stack | Row) or line.node.order.by != "any" or not line.ordered:
         return
     chosen = set(names)
-    groups = [
-        tuple(members)
-        for _, members in groupby(line.members, key=lambda name: name in chosen)
-    ]
+    groups = [tuple(members) for _, members in groupby(line.members, key=lambda name: name in chosen)]
     if len(groups) > 1:
-        draft.do(
-            ChangeCondition(at=line.path, to=_with_ranks(line, line.members, groups)),
-            span,
-        )
+        draft.do(ChangeCondition(at=line.path, to=_with_ranks(line, line.members, groups)), span)
 
 
 def by_place(phrase: m.Meaning | None) -> bool:
     """Whether a phrase picks blocks by where they are: "the top block", "the second one"."""
-    return isinstance(phrase, m.PartOf) or (
-        isinstance(phrase, m.Noun) and bool(phrase.traits.rank)
-    )
+    return isinstance(phrase, m.PartOf) or (isinstance(phrase, m.Noun) and bool(phrase.traits.rank))
 
 
 def arranged(draft: Draft, line: Line, members: Sequence[str]) -> g.Goal:
@@ -106,11 +84,7 @@ def arranged(draft: Draft, line: Line, members: Sequence[str]) -> g.Goal:
     assert isinstance(node, Stack | Row)
     same = node.model_copy(update={"blocks": tuple(members)})
     kept = draft.view.sequence(same.blocks, node.order, line.kind)
-    if (
-        node.order.by in (*SORTED, "any")
-        and kept is not None
-        and _looks(draft, kept) == _looks(draft, members)
-    ):
+    if node.order.by in (*SORTED, "any") and kept is not None and _looks(draft, kept) == _looks(draft, members):
         return same
     return _with_ranks(line, members, tuple((name,) for name in members))
 
@@ -119,9 +93,7 @@ def _looks(draft: Draft, members: Sequence[str]) -> list[tuple[str, ...]]:
     return [draft.view.world.look[name] for name in members]
 
 
-def _with_ranks(
-    line: Line, members: Sequence[str], ranks: Sequence[tuple[str, ...]]
-) -> g.Goal:
+def _with_ranks(line: Line, members: Sequence[str], ranks: Sequence[tuple[str, ...]]) -> g.Goal:
     """The structure with its members ranked from where the line begins."""
     assert isinstance(line.node, Stack | Row)
     begin = BEGINS[line.kind]
@@ -153,11 +125,7 @@ def step(line: Line, before: str, after: str) -> g.Goal:
     """The relation between two neighbours of a chain."""
     if line.kind == "tower":
         return On(a=(after,), b=(before,))
-    return (
-        LeftOf(a=(before,), b=(after,))
-        if line.kind == "row"
-        else InFrontOf(a=(before,), b=(after,))
-    )
+    return LeftOf(a=(before,), b=(after,)) if line.kind == "row" else InFrontOf(a=(before,), b=(after,))
 
 
 def link(draft: Draft, before: str, after: str) -> Path | None:
@@ -166,9 +134,7 @@ def link(draft: Draft, before: str, after: str) -> Path | None:
         if isinstance(atom, On) and atom.a == (after,) and atom.b == (before,):
             return path
         if isinstance(atom, LeftOf | RightOf | InFrontOf | Behind):
-            first, second = (
-                (atom.a, atom.b) if STEPS[atom.kind][1] else (atom.b, atom.a)
-            )
+            first, second = (atom.a, atom.b) if STEPS[atom.kind][1] else (atom.b, atom.a)
             if first == (before,) and second == (after,):
                 return path
     return None

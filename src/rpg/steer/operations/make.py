@@ -17,9 +17,7 @@ DIGITS = "1234567890"
 SPELT = dict(SIGNS.items())
 
 
-def new_assets(
-    draft: Draft, phrase: m.Meaning, count: int | None = None
-) -> list[Asset]:
+def new_assets(draft: Draft, phrase: m.Meaning, count: int | None = None) -> list[Asset]:
     """The objects that `phrase` brings in; `count` where it does not say how many."""
     if isinstance(phrase, m.Coord):
         found: list[Asset] = []
@@ -29,15 +27,10 @@ def new_assets(
     return _named(draft, phrase, count, [])
 
 
-def _named(
-    draft: Draft, phrase: m.Meaning, count: int | None, before: Sequence[Asset]
-) -> list[Asset]:
+def _named(draft: Draft, phrase: m.Meaning, count: int | None, before: Sequence[Asset]) -> list[Asset]:
     if not isinstance(phrase, m.Noun):
         raise draft.refusal(
-            "edit-unclear",
-            "this does not describe a block or a patch",
-            phrase.span,
-            "say a block's colour or letter",
+            "edit-unclear", "this does not describe a block or a patch", phrase.span, "say a block's colour or letter"
         )
     check_new(phrase)
     taken = {asset.name for asset in (*draft.schema.assets, *before)}
@@ -45,11 +38,7 @@ def _named(
     if phrase.head == "patch":
         return _patches(phrase, number, taken)
     blocks = describe(
-        draft,
-        phrase.traits,
-        number,
-        like=phrase.det in ("another", "some") or phrase.head == "any",
-        before=before,
+        draft, phrase.traits, number, like=phrase.det in ("another", "some") or phrase.head == "any", before=before
     )
     named: list[Asset] = []
     for block in blocks:
@@ -67,72 +56,41 @@ def _number(phrase: m.Noun, count: int | None) -> int:
 
 
 def describe(
-    draft: Draft,
-    traits: m.Traits,
-    number: int,
-    *,
-    like: bool = False,
-    before: Iterable[Asset] = (),
+    draft: Draft, traits: m.Traits, number: int, *, like: bool = False, before: Iterable[Asset] = ()
 ) -> list[Block]:
     """`number` blocks without names yet. `like`: what is not said is as with the blocks mentioned last."""
-    edge = traits.edge or {"big": lexicon.BIG_EDGE, "small": lexicon.SMALL_EDGE}.get(
-        traits.size or "", EDGE
-    )
+    edge = traits.edge or {"big": lexicon.BIG_EDGE, "small": lexicon.SMALL_EDGE}.get(traits.size or "", EDGE)
     kind = traits.kind if traits.kind in ("letter", "digit", "symbol") else None
     if traits.labels or kind:
-        labels = (
-            _cycled(traits.labels, number)
-            if traits.labels
-            else unused_labels(draft, number, kind == "digit")
-        )
+        labels = _cycled(traits.labels, number) if traits.labels else unused_labels(draft, number, kind == "digit")
         colors = _cycled(traits.colors, number) or ["ivory"] * number
         return [
-            SemanticCube.model_validate(
-                {"name": "new", "label": label, "color": c, "size": edge}
-            )
+            SemanticCube.model_validate({"name": "new", "label": label, "color": c, "size": edge})
             for label, c in zip(labels, colors, strict=True)
         ]
-    model = (
-        _model(draft, like)
-        if not traits.colors and traits.scheme is None and not traits.extra
-        else None
-    )
+    model = _model(draft, like) if not traits.colors and traits.scheme is None and not traits.extra else None
     if model is not None:
-        return _alike(
-            draft, model, number, traits.edge or (edge if traits.size else model.size)
-        )
+        return _alike(draft, model, number, traits.edge or (edge if traits.size else model.size))
     colors = _cycled(traits.colors, number) or unused_colors(draft, number, before)
     if not traits.colors:
         draft.assume(f"colours that the task does not have yet: {', '.join(colors)}")
-    return [
-        ColoredCube.model_validate({"name": "new", "color": color, "size": edge})
-        for color in colors
-    ]
+    return [ColoredCube.model_validate({"name": "new", "color": color, "size": edge}) for color in colors]
 
 
 def _model(draft: Draft, like: bool) -> Block | None:
     """The block whose looks a new one takes: the one mentioned last, or any of a task of look-alikes."""
     view = draft.view
-    recent = [
-        view.world.blocks[name] for name in view.focus if name in view.world.blocks
-    ]
+    recent = [view.world.blocks[name] for name in view.focus if name in view.world.blocks]
     if like and recent:
         return recent[-1]
     looks = {view.world.look[name] for name in view.busy}
-    return (
-        view.world.blocks[view.busy[0]]
-        if len(looks) == 1 and len(view.busy) > 1
-        else None
-    )
+    return view.world.blocks[view.busy[0]] if len(looks) == 1 and len(view.busy) > 1 else None
 
 
 def _alike(draft: Draft, model: Block, number: int, edge: float) -> list[Block]:
     if isinstance(model, SemanticCube):
         labels = unused_labels(draft, number, model.label.isdigit())
-        return [
-            SemanticCube(name="new", label=label, color=model.color, size=edge)
-            for label in labels
-        ]
+        return [SemanticCube(name="new", label=label, color=model.color, size=edge) for label in labels]
     return [ColoredCube(name="new", color=model.color, size=edge)] * number
 
 
@@ -165,11 +123,7 @@ def _patches(phrase: m.Noun, number: int, taken: set[str]) -> list[Asset]:
         )
         name = _free(f"{color}_patch" if traits.colors else "patch", taken)
         taken.add(name)
-        found.append(
-            GoalPatch.model_validate(
-                {"name": name, "color": color, "shape": shape, "size": size}
-            )
-        )
+        found.append(GoalPatch.model_validate({"name": name, "color": color, "shape": shape, "size": size}))
     return found
 
 

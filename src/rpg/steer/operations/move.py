@@ -27,14 +27,8 @@ def move(draft: Draft, request: r.Move) -> None:
     """What the goal said of where these blocks are gives way to the place that the request names."""
     found = resolve(draft.view, request.theme)
     names = found.names
-    near = getattr(request.place, "landmark", None) or getattr(
-        request.place, "whole", None
-    )
-    if (
-        near is not None
-        and exists(draft.view, near)
-        and set(resolve(draft.view, near).names) <= set(names)
-    ):
+    near = getattr(request.place, "landmark", None) or getattr(request.place, "whole", None)
+    if near is not None and exists(draft.view, near) and set(resolve(draft.view, near).names) <= set(names):
         told, hint = "a block cannot be moved next to itself", "name another block"
         raise draft.refusal("edit-unclear", told, request.span, hint)
     line = draft.view.line_of(names)
@@ -53,19 +47,10 @@ def move(draft: Draft, request: r.Move) -> None:
         _whole_elsewhere(draft, found, request)
         return
     draft.aim("MODIFY")
-    if (
-        line is not None
-        and line.ordered
-        and isinstance(request.place, r.Spot)
-        and request.place.side != "beside"
-    ):
+    if line is not None and line.ordered and isinstance(request.place, r.Spot) and request.place.side != "beside":
         _move_in_line(draft, line, names, request)
         return
-    anchor = (
-        None
-        if landmark is None or isinstance(landmark, m.TableTop)
-        else resolve(draft.view, landmark)
-    )
+    anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
     _give_way(draft, names, request, _without(anchor, names))
 
 
@@ -79,45 +64,21 @@ def _without(anchor: Found | None, names: Sequence[str]) -> Found | None:
 
 def _whole_elsewhere(draft: Draft, found: Found, request: r.Move) -> None:
     """A structure stays what it is and goes elsewhere: a region, a patch or a side that it had gives way to the new."""
-    before = [
-        part
-        for part in conjuncts(draft.schema.goal)
-        if not _only_where(part, found.names)
-    ]
-    draft.aim(
-        "EXTEND" if len(before) == len(conjuncts(draft.schema.goal)) else "MODIFY"
-    )
+    before = [part for part in conjuncts(draft.schema.goal) if not _only_where(part, found.names)]
+    draft.aim("EXTEND" if len(before) == len(conjuncts(draft.schema.goal)) else "MODIFY")
     if before:
-        draft.do(
-            SetGoal(goal=before[0] if len(before) == 1 else g.All(goals=tuple(before))),
-            request.span,
-        )
+        draft.do(SetGoal(goal=before[0] if len(before) == 1 else g.All(goals=tuple(before))), request.span)
     landmark = getattr(request.place, "landmark", None)
-    anchor = (
-        None
-        if landmark is None or isinstance(landmark, m.TableTop)
-        else resolve(draft.view, landmark)
-    )
+    anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
     if isinstance(request.place, m.In) or anchor is None:
         put(draft, found.names, request.place, anchor, request.span)
     elif set(anchor.names) <= set(draft.view.world.patches) and found.line is not None:
-        stand_on(
-            draft,
-            draft.view.line_of(found.names) or found.line,
-            anchor.names[-1],
-            request.span,
-        )
+        stand_on(draft, draft.view.line_of(found.names) or found.line, anchor.names[-1], request.span)
     else:
-        foot = (
-            Lowest(lowest=found.names)
-            if found.line is not None and found.line.kind == "tower"
-            else found.names
-        )
+        foot = Lowest(lowest=found.names) if found.line is not None and found.line.kind == "tower" else found.names
         place = request.place
         assert isinstance(place, m.Loc)
-        goal = relation(
-            draft, place.rel, foot, anchor.names, place.mods, request.span, place
-        )
+        goal = relation(draft, place.rel, foot, anchor.names, place.mods, request.span, place)
         draft.do(AddCondition(goal=goal), request.span)
     draft.look_at(found.names)
 
@@ -127,9 +88,7 @@ def _only_where(part: g.Goal, names: Sequence[str]) -> bool:
     return isinstance(part, InRegion | OnPatch) and set(members(part.a)) <= set(names)
 
 
-def _give_way(
-    draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None
-) -> None:
+def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None) -> None:
     """Drop what the goal asks of `names`, then ask for the new place."""
     before = draft.schema.goal
     goal = before
@@ -138,51 +97,27 @@ def _give_way(
     left = without(goal, set(names))
     if left is not None:
         draft.do(SetGoal(goal=left), request.span)
-    put(
-        draft,
-        names,
-        request.place,
-        anchor,
-        request.span,
-        draft.view.main_line() if left is not None else None,
-    )
+    put(draft, names, request.place, anchor, request.span, draft.view.main_line() if left is not None else None)
     if left is None:
         new = conjuncts(draft.schema.goal)[len(conjuncts(before)) :]
         if not new:
             raise draft.refusal(
-                "edit-unclear",
-                "this place cannot be asked for here",
-                request.span,
-                "say the whole goal",
+                "edit-unclear", "this place cannot be asked for here", request.span, "say the whole goal"
             )
-        draft.do(
-            SetGoal(goal=new[0] if len(new) == 1 else g.All(goals=new)), request.span
-        )
+        draft.do(SetGoal(goal=new[0] if len(new) == 1 else g.All(goals=new)), request.span)
     draft.look_at(tuple(names))
 
 
-def _move_in_line(
-    draft: Draft, line: Line, names: Sequence[str], request: r.Move
-) -> None:
+def _move_in_line(draft: Draft, line: Line, names: Sequence[str], request: r.Move) -> None:
     assert isinstance(request.place, r.Spot)
     rest = [name for name in line.members if name not in names]
     side = request.place.side
     last = side in ("top", "end", "right", "back")
     index = len(rest) // 2 if side == "middle" else len(rest) if last else 0
-    fits = {
-        "top": "tower",
-        "bottom": "tower",
-        "left": "row",
-        "right": "row",
-        "front": "column",
-        "back": "column",
-    }
+    fits = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
     if fits.get(side, line.kind) != line.kind:
         raise draft.refusal(
-            "edit-unclear",
-            f"a {line.kind} has no {side} end",
-            request.span,
-            "name a block to put it beside",
+            "edit-unclear", f"a {line.kind} has no {side} end", request.span, "name a block to put it beside"
         )
     put_in_order(draft, line, [*rest[:index], *names, *rest[index:]], request.span)
     draft.look_at(tuple(names))

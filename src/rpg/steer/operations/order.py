@@ -30,21 +30,13 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
     """Another order for a line or a figure: the one named, else the one mentioned last."""
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     line, figure = _target(draft, found)
-    draft.note(
-        "order",
-        {"how": request.how, "descending": request.descending, "first": request.first},
-    )
+    draft.note("order", {"how": request.how, "descending": request.descending, "first": request.first})
     if request.how == "mirror":
         draft.aim("MODIFY")
         draft.do(SetGoal(goal=mirrored(draft.schema.goal)), request.span)
     elif request.how in ("reverse", "swap"):
         if request.how == "swap" and line is not None and len(line.members) != 2:
-            raise draft.refusal(
-                "ambiguous-object",
-                "this could be any two blocks",
-                request.span,
-                "name the two blocks",
-            )
+            raise draft.refusal("ambiguous-object", "this could be any two blocks", request.span, "name the two blocks")
         _reverse(draft, line, figure, request.span)
     elif request.how == "given":
         _given(draft, line, request)
@@ -61,19 +53,8 @@ def _target(draft: Draft, found: Found | None) -> tuple[Line | None, Shape | Non
         return line, None
     line, figure = draft.view.main_line(), draft.view.main_figure()
     if line is not None and figure is not None:
-        recent = next(
-            (
-                n
-                for n in reversed(draft.focus)
-                if n in line.members or n in figure.members
-            ),
-            None,
-        )
-        return (
-            (None, figure)
-            if recent is not None and recent not in line.members
-            else (line, None)
-        )
+        recent = next((n for n in reversed(draft.focus) if n in line.members or n in figure.members), None)
+        return (None, figure) if recent is not None and recent not in line.members else (line, None)
     return line, figure
 
 
@@ -83,9 +64,7 @@ def _reverse(draft: Draft, line: Line | None, figure: Shape | None, span: Span) 
         _reverse_figure(draft, figure, span)
         return
     if isinstance(line.node, Spells):
-        draft.do(
-            SetField(at=line.path, field="reverse", value=not line.node.reverse), span
-        )
+        draft.do(SetField(at=line.path, field="reverse", value=not line.node.reverse), span)
         return
     if not line.ordered or len({draft.view.world.look[n] for n in line.members}) == 1:
         raise draft.refusal(
@@ -96,11 +75,7 @@ def _reverse(draft: Draft, line: Line | None, figure: Shape | None, span: Span) 
         )
     free = [name for name in line.members if name not in draft.kept]
     node = line.node
-    if (
-        isinstance(node, Stack | Row)
-        and node.order.by in SORTED
-        and len(free) == len(line.members)
-    ):
+    if isinstance(node, Stack | Row) and node.order.by in SORTED and len(free) == len(line.members):
         order = node.order.model_copy(update={"descending": not node.order.descending})
         draft.do(SetField(at=line.path, field="order", value=order.model_dump()), span)
         return
@@ -111,24 +86,13 @@ def _reverse_figure(draft: Draft, figure: Shape | None, span: Span) -> None:
     node = figure.node if figure else None
     if isinstance(node, Staircase) and node.up is not None and figure is not None:
         draft.do(SetField(at=figure.path, field="up", value=ENDS[node.up]), span)
-    elif (
-        isinstance(node, Cells)
-        and node.pattern is not None
-        and node.pattern.kind == "reading"
-        and figure is not None
-    ):
+    elif isinstance(node, Cells) and node.pattern is not None and node.pattern.kind == "reading" and figure is not None:
         order = node.pattern.order
         turned = (
-            {"ranks": tuple(reversed(order.ranks))}
-            if order.by == "given"
-            else {"descending": not order.descending}
+            {"ranks": tuple(reversed(order.ranks))} if order.by == "given" else {"descending": not order.descending}
         )
-        pattern = node.pattern.model_copy(
-            update={"order": order.model_copy(update=turned)}
-        )
-        draft.do(
-            SetField(at=figure.path, field="pattern", value=pattern.model_dump()), span
-        )
+        pattern = node.pattern.model_copy(update={"order": order.model_copy(update=turned)})
+        draft.do(SetField(at=figure.path, field="pattern", value=pattern.model_dump()), span)
     else:
         raise draft.refusal(
             "nothing-to-do",
@@ -144,12 +108,7 @@ def _toward(draft: Draft, line: Line | None, request: r.Reorder) -> None:
     node = line.node if line is not None else None
     begin = BEGINS[line.kind] if line is not None else ""
     fits = request.first is not None and request.first in (begin, ENDS.get(begin))
-    if (
-        line is None
-        or not isinstance(node, Stack | Row)
-        or node.order.by == "any"
-        or not fits
-    ):
+    if line is None or not isinstance(node, Stack | Row) or node.order.by == "any" or not fits:
         raise draft.refusal(
             "edit-unclear",
             "there is no order here that could begin on that side",
@@ -157,13 +116,9 @@ def _toward(draft: Draft, line: Line | None, request: r.Reorder) -> None:
             "sort a row or a tower",
         )
     if (node.order.first or begin) == request.first:
-        raise draft.refusal(
-            "nothing-to-do", "the order begins there already", request.span
-        )
+        raise draft.refusal("nothing-to-do", "the order begins there already", request.span)
     order = node.order.model_copy(update={"first": request.first})
-    draft.do(
-        SetField(at=line.path, field="order", value=order.model_dump()), request.span
-    )
+    draft.do(SetField(at=line.path, field="order", value=order.model_dump()), request.span)
 
 
 def permute(draft: Draft, parts: dict[str, str], span: Span) -> None:
@@ -180,26 +135,11 @@ def _given(draft: Draft, line: Line | None, request: r.Reorder) -> None:
     items = request.items.items if isinstance(request.items, m.Coord) else ()
     listed: list[str] = []
     for item in items:
-        listed += [
-            name for name in resolve(draft.view, item).names if name not in listed
-        ]
+        listed += [name for name in resolve(draft.view, item).names if name not in listed]
     if line is None or set(listed) != set(line.members):
-        missing = [
-            bare(n, draft.view.world)
-            for n in (line.members if line else ())
-            if n not in listed
-        ]
-        told = (
-            f"the order leaves out the {join(missing)}"
-            if missing
-            else "these blocks do not stand in a line"
-        )
-        raise draft.refusal(
-            "edit-unclear",
-            told,
-            request.span,
-            "list every block of the tower or the row once",
-        )
+        missing = [bare(n, draft.view.world) for n in (line.members if line else ()) if n not in listed]
+        told = f"the order leaves out the {join(missing)}" if missing else "these blocks do not stand in a line"
+        raise draft.refusal("edit-unclear", told, request.span, "list every block of the tower or the row once")
     if request.first not in (None, BEGINS[line.kind], ENDS[BEGINS[line.kind]]):
         told = f"a {line.kind} has no {request.first} end"
         hint = f"say the order from {BEGINS[line.kind]} to {ENDS[BEGINS[line.kind]]}"
@@ -217,23 +157,12 @@ def put_in_order(draft: Draft, line: Line, members: Sequence[str], span: Span) -
         draft.do(ChangeCondition(at=line.path, to=arranged(draft, line, members)), span)
 
 
-def _sort(
-    draft: Draft, line: Line | None, figure: Shape | None, request: r.Reorder
-) -> None:
+def _sort(draft: Draft, line: Line | None, figure: Shape | None, request: r.Reorder) -> None:
     members = line.members if line else figure.members if figure else draft.view.busy
-    if request.how in ("label", "number", "color") and not _can(
-        draft, members, request.how
-    ):
-        convert(
-            draft,
-            members,
-            {"label": "letter", "number": "digit", "color": "plain"}[request.how],
-            request.span,
-        )
+    if request.how in ("label", "number", "color") and not _can(draft, members, request.how):
+        convert(draft, members, {"label": "letter", "number": "digit", "color": "plain"}[request.how], request.span)
         line, figure = _target(draft, None)
-        members = (
-            line.members if line else figure.members if figure else draft.view.busy
-        )
+        members = line.members if line else figure.members if figure else draft.view.busy
     if line is not None:
         _sort_line(draft, line, request)
     elif figure is not None:
@@ -256,11 +185,7 @@ def _can(draft: Draft, members: Sequence[str], how: str) -> bool:
         return all(symbols)
     if how == "number":
         return sum(kind_of(symbol) == "digit" for symbol in symbols) > 1
-    colors = {
-        draft.view.world.blocks[name].color
-        for name in members
-        if name in draft.view.world.blocks
-    }
+    colors = {draft.view.world.blocks[name].color for name in members if name in draft.view.world.blocks}
     return len(colors) > 1 or (any(symbols) and len(colors) > 1)
 
 
@@ -277,10 +202,7 @@ def _sort_line(draft: Draft, line: Line, request: r.Reorder) -> None:
                 request.span,
                 "remove the relation instead",
             )
-        draft.do(
-            SetField(at=line.path, field="order", value=Order().model_dump()),
-            request.span,
-        )
+        draft.do(SetField(at=line.path, field="order", value=Order().model_dump()), request.span)
         draft.aim("MODIFY")
         return
     if request.how in ("even_first", "odd_first", "vowel_first", "consonant_first"):
@@ -289,9 +211,7 @@ def _sort_line(draft: Draft, line: Line, request: r.Reorder) -> None:
     by, descending = _by(draft, line.members, request)
     if isinstance(node, Stack | Row):
         first = request.first or (None if line.kind == "tower" else BEGINS[line.kind])
-        order = Order.model_validate(
-            {"by": by, "descending": descending, "first": first}
-        )
+        order = Order.model_validate({"by": by, "descending": descending, "first": first})
         if by in SORTED and draft.view.sequence(node.blocks, order, line.kind) is None:
             raise draft.refusal(
                 "edit-unclear",
@@ -299,10 +219,7 @@ def _sort_line(draft: Draft, line: Line, request: r.Reorder) -> None:
                 request.span,
                 "list the order you want",
             )
-        draft.do(
-            SetField(at=line.path, field="order", value=order.model_dump()),
-            request.span,
-        )
+        draft.do(SetField(at=line.path, field="order", value=order.model_dump()), request.span)
         _drop_between(draft, line, request.span)
         return
     members = sorted_members(draft, line.members, by, descending)
@@ -314,29 +231,19 @@ def _sort_line(draft: Draft, line: Line, request: r.Reorder) -> None:
 def _drop_between(draft: Draft, line: Line, span: Span) -> None:
     """A new order of a line gives up which of its blocks were to be between which."""
     parts = conjuncts(draft.schema.goal)
-    left = [
-        part
-        for part in parts
-        if not (isinstance(part, Between) and set(names_in(part)) <= set(line.members))
-    ]
+    left = [part for part in parts if not (isinstance(part, Between) and set(names_in(part)) <= set(line.members))]
     if len(left) < len(parts):
         draft.aim("MODIFY")
-        draft.do(
-            SetGoal(goal=left[0] if len(left) == 1 else All(goals=tuple(left))), span
-        )
+        draft.do(SetGoal(goal=left[0] if len(left) == 1 else All(goals=tuple(left))), span)
 
 
 def _sort_by_class(draft: Draft, line: Line, request: r.Reorder) -> None:
     if not isinstance(line.node, Stack | Row):
-        raise draft.refusal(
-            "edit-unclear", "this order needs a row or a tower", request.span
-        )
+        raise draft.refusal("edit-unclear", "this order needs a row or a tower", request.span)
     ranks = ranks_by_class(draft, line.members, request.how)
     first = request.first or (None if line.kind == "tower" else BEGINS[line.kind])
     order = Order.model_validate({"by": "given", "ranks": ranks, "first": first})
-    draft.do(
-        SetField(at=line.path, field="order", value=order.model_dump()), request.span
-    )
+    draft.do(SetField(at=line.path, field="order", value=order.model_dump()), request.span)
 
 
 def _by(draft: Draft, members: Sequence[str], request: r.Reorder) -> tuple[str, bool]:
@@ -345,18 +252,10 @@ def _by(draft: Draft, members: Sequence[str], request: r.Reorder) -> tuple[str, 
         return "size", request.how == "size_down"
     if request.how == "ascending":
         kinds = {kind_of(symbol_of(draft.view.world, name)) for name in members}
-        return (
-            "number"
-            if kinds == {"digit"}
-            else "label"
-            if kinds == {"letter"}
-            else "size"
-        ), request.descending
+        return ("number" if kinds == {"digit"} else "label" if kinds == {"letter"} else "size"), request.descending
     if request.how == "color":
         colors = [draft.view.world.blocks[name].color for name in members]
-        return (
-            "rainbow" if len(set(colors)) == len(colors) else "together"
-        ), request.descending
+        return ("rainbow" if len(set(colors)) == len(colors) else "together"), request.descending
     return BY.get(request.how, request.how), request.descending
 
 
@@ -368,40 +267,24 @@ def _sort_figure(draft: Draft, figure: Shape, request: r.Reorder) -> None:
         return
     if not isinstance(node, Cells):
         raise draft.refusal(
-            "edit-unclear",
-            "this structure has no order",
-            request.span,
-            "sort a row, a tower or a pyramid",
+            "edit-unclear", "this structure has no order", request.span, "sort a row, a tower or a pyramid"
         )
     if request.how == "color":
         color_pattern(draft, figure, request.span)
         return
     by, descending = _by(draft, figure.members, request)
-    pattern = Pattern(
-        kind="reading", order=Order.model_validate({"by": by, "descending": descending})
-    )
+    pattern = Pattern(kind="reading", order=Order.model_validate({"by": by, "descending": descending}))
     traits = Traits(draft.view.world)
-    if by in ("number", "label") and not all(
-        traits.symbol(name) for name in figure.members
-    ):
+    if by in ("number", "label") and not all(traits.symbol(name) for name in figure.members):
         marked = [name for name in figure.members if traits.symbol(name)]
         ranks = tuple((name,) for name in sorted_members(draft, marked, by, descending))
         pattern = Pattern(kind="reading", order=Order(by="given", ranks=ranks))
-    draft.do(
-        SetField(at=figure.path, field="pattern", value=pattern.model_dump()),
-        request.span,
-    )
+    draft.do(SetField(at=figure.path, field="pattern", value=pattern.model_dump()), request.span)
     if not node.readable and by in ("number", "label"):
         draft.do(SetField(at=figure.path, field="readable", value=True), request.span)
 
 
-def _group(
-    draft: Draft,
-    members: Sequence[str],
-    attribute: str,
-    span: Span,
-    figure: Shape | None = None,
-) -> None:
+def _group(draft: Draft, members: Sequence[str], attribute: str, span: Span, figure: Shape | None = None) -> None:
     """Blocks without a line are sorted into groups."""
     draft.aim("MODIFY")
     groups = Traits(draft.view.world).by_value(tuple(members), attribute)  # type: ignore[arg-type]
@@ -412,9 +295,7 @@ def _group(
             span,
             "sort by something that they differ in",
         )
-    goal = GroupBy.model_validate(
-        {"groups": tuple(tuple(names) for names in groups.values()), "by": attribute}
-    )
+    goal = GroupBy.model_validate({"groups": tuple(tuple(names) for names in groups.values()), "by": attribute})
     if figure is not None:
         draft.do(ChangeCondition(at=figure.path, to=goal), span)
     else:
@@ -423,11 +304,7 @@ def _group(
 
 def group(draft: Draft, request: r.Group) -> None:
     """Blocks are sorted into groups by what the request says, else by what they differ in: kind before colour."""
-    names = (
-        resolve(draft.view, request.theme).names
-        if request.theme is not None
-        else draft.view.busy
-    )
+    names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
     figure = next((f for f in draft.view.figures if isinstance(f.node, GroupBy)), None)
     members = figure.members if figure is not None and request.theme is None else names
     by = request.by or ""
@@ -455,11 +332,7 @@ def trade(draft: Draft, request: r.Trade) -> None:
             "name as many blocks on both sides",
         )
     before = draft.schema.goal
-    permute(
-        draft,
-        {**dict(zip(a, b, strict=True)), **dict(zip(b, a, strict=True))},
-        request.span,
-    )
+    permute(draft, {**dict(zip(a, b, strict=True)), **dict(zip(b, a, strict=True))}, request.span)
     if draft.schema.goal == before:
         raise draft.refusal(
             "nothing-to-do",

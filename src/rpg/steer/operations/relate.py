@@ -31,28 +31,15 @@ PLAIN: dict[str, Any] = {
 
 
 def relation(
-    draft: Draft,
-    word: str,
-    a: Operand,
-    b: Operand,
-    mods: tuple[str, ...],
-    span: Span,
-    place: m.Loc | None = None,
+    draft: Draft, word: str, a: Operand, b: Operand, mods: tuple[str, ...], span: Span, place: m.Loc | None = None
 ) -> g.Goal:
     """The atom that says `a` is `word` of `b`."""
     if "start" in mods or (place is not None and place.second is not None):
         raise draft.refusal(
-            "edit-unclear",
-            "this place cannot be asked for in an edit",
-            span,
-            "give the whole instruction",
+            "edit-unclear", "this place cannot be asked for in an edit", span, "give the whole instruction"
         )
     if word in DIRECTIONS:
-        flags = {
-            name: True
-            for name in ("directly", "immediate", "somewhere")
-            if name in mods
-        }
+        flags = {name: True for name in ("directly", "immediate", "somewhere") if name in mods}
         atom: g.Goal = DIRECTIONS[word].model_validate({"a": a, "b": b, **flags})  # type: ignore[assignment]
         if place is not None and (place.low is not None or place.high is not None):
             atom = g.All(goals=(atom, _distance(a, b, place)))
@@ -77,11 +64,5 @@ def relation(
 def _distance(a: tuple[str, ...], b: Operand, place: m.Loc) -> rel.Distance:
     measure = "faces" if place.measure == "faces" else "centres"
     return rel.Distance.model_validate(
-        {
-            "a": a,
-            "b": b,
-            "minimum": place.low,
-            "maximum": place.high,
-            "measure": measure,
-        }
+        {"a": a, "b": b, "minimum": place.low, "maximum": place.high, "measure": measure}
     )

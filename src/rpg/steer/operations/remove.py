@@ -17,9 +17,7 @@ def remove(draft: Draft, request: r.Remove) -> None:
     if request.others:
         names = tuple(name for name in draft.view.world.blocks if name not in names)
         if not names:
-            raise draft.refusal(
-                "nothing-to-do", "the task has no other blocks", request.span
-            )
+            raise draft.refusal("nothing-to-do", "the task has no other blocks", request.span)
     idle = set(draft.view.idle)
     draft.note("remove", list(names))
     for name in names:

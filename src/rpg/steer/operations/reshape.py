@@ -23,18 +23,7 @@ from rpg.steer.refer import resolve
 from rpg.steer.view import Line, View
 
 FIGURES = ("circle", "square", "rectangle", "triangle", "plus", "L", "T", "V", "U", "X")
-LEAST = {
-    "circle": 5,
-    "square": 4,
-    "rectangle": 6,
-    "triangle": 3,
-    "plus": 5,
-    "L": 3,
-    "T": 4,
-    "V": 3,
-    "U": 5,
-    "X": 5,
-}
+LEAST = {"circle": 5, "square": 4, "rectangle": 6, "triangle": 3, "plus": 5, "L": 3, "T": 4, "V": 3, "U": 5, "X": 5}
 
 
 def reshape(draft: Draft, request: r.Reshape) -> None:
@@ -81,39 +70,19 @@ def _check_members(draft: Draft, wanted: m.Structure, blocks: Sequence[str]) -> 
         if wanted.members.traits == m.Traits() and not wanted.members.conditions:
             said = wanted.members.amount.low if wanted.members.amount else said
         elif set(resolve(draft.view, wanted.members).names) != set(blocks):
-            raise draft.refusal(
-                "edit-unclear",
-                "these are not the blocks of the task",
-                wanted.span,
-                _WHOLE,
-            )
+            raise draft.refusal("edit-unclear", "these are not the blocks of the task", wanted.span, _WHOLE)
     elif wanted.members is not None:
-        raise draft.refusal(
-            "edit-unclear", "these are not the blocks of the task", wanted.span, _WHOLE
-        )
+        raise draft.refusal("edit-unclear", "these are not the blocks of the task", wanted.span, _WHOLE)
     fits = {len(blocks)}
     if wanted.kind == "staircase":
         fits = {n for n in range(2, 8) if n * (n + 1) // 2 == len(blocks)}
     if wanted.kind == "pyramid":
-        fits |= {
-            n
-            for n in range(2, 8)
-            if len(blocks) in (n * (n + 1) // 2, n * (n + 1) * (2 * n + 1) // 6)
-        }
+        fits |= {n for n in range(2, 8) if len(blocks) in (n * (n + 1) // 2, n * (n + 1) * (2 * n + 1) // 6)}
     if said is not None and said not in fits:
         told = f"there are {len(blocks)} blocks, which do not form a {wanted.kind} of {said}"
-        raise draft.refusal(
-            "breaks-structure", told, wanted.span, "change the number of blocks first"
-        )
-    if (wanted.filled and wanted.kind in ("circle", "triangle", "plus")) or (
-        wanted.upright and wanted.kind in FIGURES
-    ):
-        raise draft.refusal(
-            "edit-unclear",
-            f"the blocks cannot form a {wanted.kind} like this",
-            wanted.span,
-            _WHOLE,
-        )
+        raise draft.refusal("breaks-structure", told, wanted.span, "change the number of blocks first")
+    if (wanted.filled and wanted.kind in ("circle", "triangle", "plus")) or (wanted.upright and wanted.kind in FIGURES):
+        raise draft.refusal("edit-unclear", f"the blocks cannot form a {wanted.kind} like this", wanted.span, _WHOLE)
 
 
 _WHOLE = "give the whole instruction"
@@ -122,55 +91,28 @@ _WHOLE = "give the whole instruction"
 def _same_kind(view: View, names: Sequence[str], wanted: m.Structure) -> bool:
     figure = next((f for f in view.figures if set(names) <= set(f.members)), None)
     if figure is not None:
-        kinds = {
-            "grid": ("grid", "square", "cube", "wall"),
-            "pyramid": ("pyramid",),
-            "staircase": ("staircase",),
-        }
-        return wanted.kind in kinds.get(figure.node.kind, ()) and bool(
-            wanted.dims or wanted.size
-        )
+        kinds = {"grid": ("grid", "square", "cube", "wall"), "pyramid": ("pyramid",), "staircase": ("staircase",)}
+        return wanted.kind in kinds.get(figure.node.kind, ()) and bool(wanted.dims or wanted.size)
     line = view.line_of(names)
     return (
         line is not None
-        and wanted.kind
-        == {"tower": "stack", "row": "row", "column": "column"}[line.kind]
+        and wanted.kind == {"tower": "stack", "row": "row", "column": "column"}[line.kind]
         and wanted.size is not None
     )
 
 
-def structure(
-    draft: Draft,
-    wanted: m.Structure,
-    names: Sequence[str],
-    line: Line | None,
-    span: Span,
-) -> g.Goal:
+def structure(draft: Draft, wanted: m.Structure, names: Sequence[str], line: Line | None, span: Span) -> g.Goal:
     """The structure that `names` are to form; a line hands its order on to another line."""
     blocks = tuple(names)
-    ordered = (
-        line is not None
-        and line.ordered
-        and len({draft.view.world.look[n] for n in names}) > 1
-    )
+    ordered = line is not None and line.ordered and len({draft.view.world.look[n] for n in names}) > 1
     ranks = tuple((name,) for name in names)
     match wanted.kind:
         case "stack":
-            return Stack(
-                blocks=blocks,
-                order=Order(by="given", ranks=ranks) if ordered else Order(),
-                exact=not ordered,
-            )
+            return Stack(blocks=blocks, order=Order(by="given", ranks=ranks) if ordered else Order(), exact=not ordered)
         case "row" | "column":
             begin = "left" if wanted.kind == "row" else "front"
-            order = (
-                Order.model_validate({"by": "given", "ranks": ranks, "first": begin})
-                if ordered
-                else Order()
-            )
-            return Row(
-                blocks=blocks, axis="y" if wanted.kind == "row" else "x", order=order
-            )
+            order = Order.model_validate({"by": "given", "ranks": ranks, "first": begin}) if ordered else Order()
+            return Row(blocks=blocks, axis="y" if wanted.kind == "row" else "x", order=order)
         case "pyramid":
             return Pyramid(blocks=blocks, base=_base(draft, len(blocks), wanted, span))
         case "staircase":
@@ -181,11 +123,7 @@ def structure(
         case "grid" | "wall" | "cube":
             return _grid(draft, wanted, blocks, span)
         case kind if kind in FIGURES:
-            if (
-                wanted.dims
-                and len(wanted.dims) == 2
-                and kind in ("square", "rectangle")
-            ):
+            if wanted.dims and len(wanted.dims) == 2 and kind in ("square", "rectangle"):
                 return _grid(draft, wanted, blocks, span)
             if len(blocks) < LEAST[kind]:
                 raise _unfit(draft, kind, len(blocks), f"at least {LEAST[kind]}", span)
@@ -206,13 +144,7 @@ def _base(draft: Draft, count: int, wanted: m.Structure, span: Span) -> tuple[in
             return n, depth
         if depth == 1 and flat == n:
             return n, 1
-        raise _unfit(
-            draft,
-            "pyramid",
-            count,
-            str(sum((n - k) * (depth - k) for k in range(min(n, depth)))),
-            span,
-        )
+        raise _unfit(draft, "pyramid", count, str(sum((n - k) * (depth - k) for k in range(min(n, depth)))), span)
     for n in range(2, 8):
         if n * (n + 1) // 2 == count:
             return n, 1
@@ -221,9 +153,7 @@ def _base(draft: Draft, count: int, wanted: m.Structure, span: Span) -> tuple[in
     raise _unfit(draft, "pyramid", count, "3, 5, 6, 10 or 14", span)
 
 
-def _grid(
-    draft: Draft, wanted: m.Structure, blocks: tuple[str, ...], span: Span
-) -> g.Goal:
+def _grid(draft: Draft, wanted: m.Structure, blocks: tuple[str, ...], span: Span) -> g.Goal:
     dims = wanted.dims
     if wanted.kind == "wall":
         columns, layers = dims if len(dims) == 2 else (len(blocks) // 2, 2)
@@ -249,9 +179,7 @@ def _unfit(draft: Draft, kind: str, count: int, needed: str, span: Span) -> Exce
     )
 
 
-def _respell(
-    draft: Draft, line: Line | None, names: Sequence[str], word: str, span: Span
-) -> None:
+def _respell(draft: Draft, line: Line | None, names: Sequence[str], word: str, span: Span) -> None:
     """Another word: cubes that it shares stay, others are relabelled, missing ones are added, spare ones leave."""
     if line is None or not isinstance(line.node, Spells):
         draft.aim("PIVOT")
@@ -266,18 +194,11 @@ def _respell(
         if name is not None:
             spare.remove(name)
         places.append(name)
-    changed = {
-        k: spare.pop(0) for k, name in enumerate(places) if name is None and spare
-    }
+    changed = {k: spare.pop(0) for k, name in enumerate(places) if name is None and spare}
     draft.do(
         ChangeCondition(
             at=line.path,
-            to=line.node.model_copy(
-                update={
-                    "word": word,
-                    "blocks": tuple(n for n in line.members if n not in spare),
-                }
-            ),
+            to=line.node.model_copy(update={"word": word, "blocks": tuple(n for n in line.members if n not in spare)}),
         ),
         span,
     )
@@ -285,9 +206,7 @@ def _respell(
         draft.do(RemoveAsset(name=name), span)
     if changed:
         blocks = {
-            n: draft.view.world.blocks[n].model_copy(
-                update={"label": word[k], "labels": None}
-            )
+            n: draft.view.world.blocks[n].model_copy(update={"label": word[k], "labels": None})
             for k, n in changed.items()
         }
         renamed = exchange(draft, blocks, span)
@@ -297,13 +216,7 @@ def _respell(
     added = (
         draft.add(
             new_assets(
-                draft,
-                m.Noun(
-                    head="block",
-                    plural=True,
-                    traits=m.Traits(labels=tuple(word[k] for k in new)),
-                    span=span,
-                ),
+                draft, m.Noun(head="block", plural=True, traits=m.Traits(labels=tuple(word[k] for k in new)), span=span)
             ),
             span,
         )
@@ -313,13 +226,7 @@ def _respell(
     for k, name in zip(new, added, strict=True):
         places[k] = name
     final = tuple(name for name in places if name is not None)
-    draft.do(
-        ChangeCondition(
-            at=line.path,
-            to=line.node.model_copy(update={"word": word, "blocks": final}),
-        ),
-        span,
-    )
+    draft.do(ChangeCondition(at=line.path, to=line.node.model_copy(update={"word": word, "blocks": final})), span)
     draft.look_at(final)
 
 
@@ -327,9 +234,7 @@ def _spell_afresh(draft: Draft, names: Sequence[str], word: str, span: Span) -> 
     """Blocks that spelt nothing become the letters of a word."""
     blocks = [name for name in listed(draft, names) if name in draft.view.world.blocks]
     for name in blocks[len(word) :]:
-        draft.do(
-            SetGoal(goal=Spells(blocks=tuple(blocks[: len(word)]), word=word)), span
-        )
+        draft.do(SetGoal(goal=Spells(blocks=tuple(blocks[: len(word)]), word=word)), span)
         draft.do(RemoveAsset(name=name), span)
     blocks = blocks[: len(word)]
     for asset in like(draft, blocks, len(word) - len(blocks)):
@@ -341,9 +246,6 @@ def _spell_afresh(draft: Draft, names: Sequence[str], word: str, span: Span) -> 
     world = draft.view.world
     exchange(
         draft,
-        {
-            n: SemanticCube(name=n, label=letter, size=world.edge[n])
-            for n, letter in zip(blocks, word, strict=True)
-        },
+        {n: SemanticCube(name=n, label=letter, size=world.edge[n]) for n, letter in zip(blocks, word, strict=True)},
         span,
     )

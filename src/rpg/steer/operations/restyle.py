@@ -22,18 +22,10 @@ from rpg.steer.refer import resolve
 
 def restyle(draft: Draft, request: r.Restyle) -> None:
     """Other colours, symbols or sizes: "make the red block green", "make them bigger", "change the A to a B"."""
-    names = (
-        resolve(draft.view, request.theme).names
-        if request.theme is not None
-        else draft.view.busy
-    )
+    names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
     names = tuple(name for name in names if name not in draft.kept)
     traits = request.traits
-    if (
-        traits.kind in ("letter", "digit", "plain", "symbol")
-        and not traits.labels
-        and not traits.colors
-    ):
+    if traits.kind in ("letter", "digit", "plain", "symbol") and not traits.labels and not traits.colors:
         convert(draft, names, traits.kind, request.span)
         return
     if traits.scheme == "some":
@@ -48,16 +40,10 @@ def restyle(draft: Draft, request: r.Restyle) -> None:
     for index, name in enumerate(listed(draft, names)):
         asset = draft.view.world.assets[name]
         if isinstance(asset, GoalPatch):
-            new[name] = _patch(
-                asset, traits, request.scale, colors[index] if colors else None
-            )
+            new[name] = _patch(asset, traits, request.scale, colors[index] if colors else None)
         else:
             new[name] = _block(
-                asset,
-                traits,
-                request.scale,
-                colors[index] if colors else None,
-                labels[index] if labels else None,
+                asset, traits, request.scale, colors[index] if colors else None, labels[index] if labels else None
             )
     if any(type(new[name]) is not type(draft.view.world.assets[name]) for name in new):
         draft.aim("MODIFY")
@@ -71,20 +57,10 @@ def _said(request: r.Restyle) -> dict[str, object]:
         "label": list(request.traits.labels),
         "edge_m": request.traits.edge,
     }
-    return {
-        key: value
-        for key, value in {
-            **said,
-            "scale": request.scale,
-            "size": request.traits.size,
-        }.items()
-        if value
-    }
+    return {key: value for key, value in {**said, "scale": request.scale, "size": request.traits.size}.items() if value}
 
 
-def _colors(
-    draft: Draft, names: Sequence[str], traits: m.Traits, span: Span
-) -> list[str] | None:
+def _colors(draft: Draft, names: Sequence[str], traits: m.Traits, span: Span) -> list[str] | None:
     """A colour for each of `names`; None where colours stay."""
     if traits.colors:
         if len(traits.colors) not in (1, len(names)) and not traits.either:
@@ -94,9 +70,7 @@ def _colors(
                 span,
                 "give one colour, or one for each",
             )
-        return [
-            traits.colors[index % len(traits.colors)] for index in range(len(names))
-        ]
+        return [traits.colors[index % len(traits.colors)] for index in range(len(names))]
     if traits.scheme in ("different", "mixed"):
         return unused_colors(draft, len(names))
     if traits.scheme == "same":
@@ -104,9 +78,7 @@ def _colors(
     return None
 
 
-def _labels(
-    draft: Draft, names: Sequence[str], traits: m.Traits, span: Span
-) -> list[str] | None:
+def _labels(draft: Draft, names: Sequence[str], traits: m.Traits, span: Span) -> list[str] | None:
     if not traits.labels:
         return None
     if len(traits.labels) not in (1, len(names)):
@@ -119,20 +91,12 @@ def _labels(
     return [traits.labels[index % len(traits.labels)] for index in range(len(names))]
 
 
-def _block(
-    block: Block,
-    traits: m.Traits,
-    scale: float | None,
-    color: str | None,
-    label: str | None,
-) -> Block:
+def _block(block: Block, traits: m.Traits, scale: float | None, color: str | None, label: str | None) -> Block:
     size = block.size
     if traits.edge is not None:
         size = traits.edge
     elif traits.size:
-        size = {"big": lexicon.BIG_EDGE, "small": lexicon.SMALL_EDGE}.get(
-            traits.size, EDGE
-        )
+        size = {"big": lexicon.BIG_EDGE, "small": lexicon.SMALL_EDGE}.get(traits.size, EDGE)
     elif scale is not None:
         size = round(block.size * scale, 4)
     if label is not None:
@@ -140,19 +104,14 @@ def _block(
             {
                 "name": block.name,
                 "label": label,
-                "color": color
-                or (block.color if isinstance(block, SemanticCube) else "ivory"),
+                "color": color or (block.color if isinstance(block, SemanticCube) else "ivory"),
                 "size": size,
             }
         )
-    return type(block).model_validate(
-        {**block.model_dump(), "color": color or block.color, "size": size}
-    )
+    return type(block).model_validate({**block.model_dump(), "color": color or block.color, "size": size})
 
 
-def _patch(
-    patch: GoalPatch, traits: m.Traits, scale: float | None, color: str | None
-) -> GoalPatch:
+def _patch(patch: GoalPatch, traits: m.Traits, scale: float | None, color: str | None) -> GoalPatch:
     width, depth = patch.size
     shape = traits.shape or patch.shape
     if traits.edge is not None:
@@ -163,18 +122,11 @@ def _patch(
         factor = scale or {"big": 1.5, "small": 0.75}.get(traits.size or "", 1.0)
         width, depth = round(width * factor, 4), round(depth * factor, 4)
     return GoalPatch.model_validate(
-        {
-            **patch.model_dump(),
-            "size": (width, depth),
-            "shape": shape,
-            "color": color or patch.color,
-        }
+        {**patch.model_dump(), "size": (width, depth), "shape": shape, "color": color or patch.color}
     )
 
 
-def exchange(
-    draft: Draft, new: Mapping[str, Asset], span: Span | None
-) -> dict[str, str]:
+def exchange(draft: Draft, new: Mapping[str, Asset], span: Span | None) -> dict[str, str]:
     """Give objects their new looks, and the names that fit them; words on cubes follow. Old name -> new name."""
     taken = {asset.name for asset in draft.schema.assets} - set(new)
     exchanges: list[Exchange] = []
@@ -183,20 +135,9 @@ def exchange(
         called = name if _same_words(draft, name, asset) else _called(asset, taken)
         taken.add(called)
         names[name] = called
-        exchanges.append(
-            Exchange(name=name, asset=asset.model_copy(update={"name": called}))
-        )
+        exchanges.append(Exchange(name=name, asset=asset.model_copy(update={"name": called})))
     draft.do(ReplaceAssets(exchanges=tuple(exchanges)), span)
-    draft.look_at(
-        tuple(
-            dict.fromkeys(
-                [
-                    *(names.get(n, n) for n in draft.focus if n not in names),
-                    *names.values(),
-                ]
-            )
-        )
-    )
+    draft.look_at(tuple(dict.fromkeys([*(names.get(n, n) for n in draft.focus if n not in names), *names.values()])))
     _respell(draft)
     return names
 
@@ -211,11 +152,7 @@ def _words(asset: Asset) -> tuple[object, ...]:
     if isinstance(asset, GoalPatch):
         return (asset.color,)
     size = (asset.size > EDGE) - (asset.size < EDGE)
-    return (
-        (asset.label, asset.labels, size)
-        if isinstance(asset, SemanticCube)
-        else (asset.color, size)
-    )
+    return (asset.label, asset.labels, size) if isinstance(asset, SemanticCube) else (asset.color, size)
 
 
 def _called(asset: Asset, taken: set[str]) -> str:
@@ -234,9 +171,7 @@ def _respell(draft: Draft) -> None:
         if isinstance(line.node, Equation) and line.node.text is not None:
             draft.do(SetField(at=line.path, field="text", value=None))
     for path, atom in draft.view.atoms:
-        if isinstance(atom, Spells) and sorted(atom.word) != sorted(
-            traits.symbol(n) for n in atom.blocks
-        ):
+        if isinstance(atom, Spells) and sorted(atom.word) != sorted(traits.symbol(n) for n in atom.blocks):
             word = "".join(traits.symbol(name) for name in atom.blocks)
             draft.do(SetField(at=path, field="word", value=word))
 
@@ -255,13 +190,9 @@ def replace(draft: Draft, request: r.Replace) -> None:
         return
     draft.aim("MODIFY")
     new = request.new
-    if isinstance(new, m.Noun) and (
-        new.head == "patch" or all(name in draft.view.world.patches for name in old)
-    ):
+    if isinstance(new, m.Noun) and (new.head == "patch" or all(name in draft.view.world.patches for name in old)):
         _replace_patches(draft, old, new, request.span)
-    elif isinstance(new, m.Noun) and (
-        new.amount.low if new.amount else len(old)
-    ) == len(old):
+    elif isinstance(new, m.Noun) and (new.amount.low if new.amount else len(old)) == len(old):
         _replace_each(draft, old, new, request.span)
     else:
         _replace_by_several(draft, old, request)
@@ -273,14 +204,8 @@ def _replace_each(draft: Draft, old: Sequence[str], new: m.Noun, span: Span) -> 
     blocks = describe(draft, new.traits, len(old), like=new.head == "any")
     if not (new.traits.edge or new.traits.size):
         edges = [draft.view.world.edge[name] for name in listed(draft, old)]
-        blocks = [
-            block.model_copy(update={"size": edge})
-            for block, edge in zip(blocks, edges, strict=True)
-        ]
-    draft.note(
-        "replace",
-        exchange(draft, dict(zip(listed(draft, old), blocks, strict=True)), span),
-    )
+        blocks = [block.model_copy(update={"size": edge}) for block, edge in zip(blocks, edges, strict=True)]
+    draft.note("replace", exchange(draft, dict(zip(listed(draft, old), blocks, strict=True)), span))
 
 
 def _old(draft: Draft, request: r.Replace) -> tuple[str, ...]:
@@ -299,11 +224,7 @@ def _kinds(new: m.Meaning) -> list[str | None]:
     for item in items:
         traits = item.traits if isinstance(item, m.Noun) else None
         found.append(
-            None
-            if traits is None
-            else "plain"
-            if traits.scheme in ("some",) and not traits.colors
-            else traits.kind
+            None if traits is None else "plain" if traits.scheme in ("some",) and not traits.colors else traits.kind
         )
     return found if all(found) or len(found) == 1 else [None]
 
@@ -321,37 +242,23 @@ def replace_head(wanted: m.Noun) -> m.Noun:
     return dataclasses.replace(wanted, head="patch")
 
 
-def _replace_patches(
-    draft: Draft, old: Sequence[str], wanted: m.Noun, span: Span
-) -> None:
+def _replace_patches(draft: Draft, old: Sequence[str], wanted: m.Noun, span: Span) -> None:
     check_new(replace_head(wanted))
     new: dict[str, Asset] = {}
     for name in old:
         patch = draft.view.world.patches.get(name)
         if patch is None:
             raise draft.refusal(
-                "edit-unclear",
-                "a block cannot be replaced by a patch",
-                span,
-                "remove the block, then add a patch",
+                "edit-unclear", "a block cannot be replaced by a patch", span, "remove the block, then add a patch"
             )
-        new[name] = _patch(
-            patch,
-            wanted.traits,
-            None,
-            wanted.traits.colors[0] if wanted.traits.colors else None,
-        )
+        new[name] = _patch(patch, wanted.traits, None, wanted.traits.colors[0] if wanted.traits.colors else None)
     exchange(draft, new, span)
 
 
 def _replace_by_several(draft: Draft, old: Sequence[str], request: r.Replace) -> None:
     """One block gives way to several in the same place of its line."""
     line = draft.view.line_of(old)
-    assets = [
-        a
-        for a in new_assets(draft, request.new)
-        if isinstance(a, ColoredCube | SemanticCube)
-    ]
+    assets = [a for a in new_assets(draft, request.new) if isinstance(a, ColoredCube | SemanticCube)]
     if line is None or len(old) != 1 or not assets:
         raise draft.refusal(
             "edit-unclear",
@@ -363,12 +270,7 @@ def _replace_by_several(draft: Draft, old: Sequence[str], request: r.Replace) ->
     names = exchange(draft, {old[0]: assets[0]}, request.span)
     first = names[old[0]]
     more = draft.add(
-        [
-            a.model_copy(
-                update={"name": free_name(a, {x.name for x in draft.schema.assets})}
-            )
-            for a in assets[1:]
-        ],
+        [a.model_copy(update={"name": free_name(a, {x.name for x in draft.schema.assets})}) for a in assets[1:]],
         request.span,
     )
     for offset, name in enumerate(more):

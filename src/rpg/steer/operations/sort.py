@@ -31,9 +31,7 @@ _CLASSES = {
 }
 
 
-def sorted_members(
-    draft: Draft, members: Sequence[str], by: str, descending: bool
-) -> list[str]:
+def sorted_members(draft: Draft, members: Sequence[str], by: str, descending: bool) -> list[str]:
     """`members` in the order that `by` gives; equal ones stay as they are."""
     order = Order.model_validate({"by": by})
     traits = Traits(draft.view.world)
@@ -43,9 +41,7 @@ def sorted_members(
     return [*known, *(name for name in members if keys[name] is None)]
 
 
-def ranks_by_class(
-    draft: Draft, members: Sequence[str], how: str
-) -> tuple[tuple[str, ...], ...]:
+def ranks_by_class(draft: Draft, members: Sequence[str], how: str) -> tuple[tuple[str, ...], ...]:
     """Two ranks: the members of the class that comes first, then the others."""
     attribute, value = _CLASSES[how]
     traits = Traits(draft.view.world)
@@ -57,16 +53,9 @@ def layers_of(node: Cells) -> list[int]:
     """How many cells each layer (or, flat, each row) has, from the bottom (from the back)."""
     if isinstance(node, Pyramid):
         n, depth = node.base
-        return [
-            (n - k) * max(depth - k, 1) if depth > 1 else n - k
-            for k in range(n if depth == 1 else min(n, depth))
-        ]
+        return [(n - k) * max(depth - k, 1) if depth > 1 else n - k for k in range(n if depth == 1 else min(n, depth))]
     if isinstance(node, Grid):
-        return (
-            [node.rows * node.columns] * node.layers
-            if node.layers > 1
-            else [node.columns] * node.rows
-        )
+        return [node.rows * node.columns] * node.layers if node.layers > 1 else [node.columns] * node.rows
     return []
 
 
@@ -79,31 +68,19 @@ def color_pattern(draft: Draft, figure: Shape, span: Span) -> None:
     layers = layers_of(node)
     if not layers:
         pattern = Pattern(kind="reading", order=Order(by="together"))
-        draft.do(
-            SetField(at=figure.path, field="pattern", value=pattern.model_dump()), span
-        )
+        draft.do(SetField(at=figure.path, field="pattern", value=pattern.model_dump()), span)
         return
     flat = isinstance(node, Grid) and node.layers == 1
     world = draft.view.world
     colors = [world.blocks[name].color for name in figure.members]
     counts = sorted(colors.count(color) for color in set(colors))
     if counts != sorted(layers):
-        wanted = [
-            color
-            for k, size in enumerate(layers)
-            for color in [PALETTE[k % len(PALETTE)]] * size
-        ]
+        wanted = [color for k, size in enumerate(layers) for color in [PALETTE[k % len(PALETTE)]] * size]
         new: dict[str, Asset] = {
-            name: ColoredCube.model_validate(
-                {"name": name, "color": color, "size": world.edge[name]}
-            )
+            name: ColoredCube.model_validate({"name": name, "color": color, "size": world.edge[name]})
             for name, color in zip(figure.members, wanted, strict=True)
         }
         exchange(draft, new, span)
-        draft.assume(
-            f"one colour for each {'row' if flat else 'layer'}, as none were named"
-        )
+        draft.assume(f"one colour for each {'row' if flat else 'layer'}, as none were named")
     pattern = Pattern(kind="row" if flat else "layer", attribute="color")
-    draft.do(
-        SetField(at=figure.path, field="pattern", value=pattern.model_dump()), span
-    )
+    draft.do(SetField(at=figure.path, field="pattern", value=pattern.model_dump()), span)

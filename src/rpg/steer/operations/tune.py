@@ -16,30 +16,17 @@ from rpg.steer.view import Shape
 
 EDGES = {"on": ("offset_edges",), "row": ("line_edges",), "between": ("within_edges",)}
 """Tolerances in edges, by kind of atom."""
-METRES = {
-    "stayed": ("tolerance",),
-    "swapped": ("tolerance",),
-    "moved": (),
-    "touching": ("gap",),
-    "on_table": ("gap",),
-}
+METRES = {"stayed": ("tolerance",), "swapped": ("tolerance",), "moved": (), "touching": ("gap",), "on_table": ("gap",)}
 """Tolerances in metres, by kind of atom."""
 
 
 def loosen(draft: Draft, request: r.Loosen) -> None:
     """Change what the request names, wherever the goal has it."""
     draft.aim("TWEAK")
-    draft.note(
-        "tune",
-        {"what": request.what, "factor": request.factor, "value_m": request.value},
-    )
-    change = {"tolerance": _tolerance, "even": _even, "touching": _touching}.get(
-        request.what, _gaps
-    )
+    draft.note("tune", {"what": request.what, "factor": request.factor, "value_m": request.value})
+    change = {"tolerance": _tolerance, "even": _even, "touching": _touching}.get(request.what, _gaps)
     if not change(draft, request):
-        what = {"tolerance": "tolerance", "gap": "gap", "spacing": "spacing"}.get(
-            request.what, "spacing"
-        )
+        what = {"tolerance": "tolerance", "gap": "gap", "spacing": "spacing"}.get(request.what, "spacing")
         raise draft.refusal(
             "edit-unclear",
             f"nothing in the goal has a {what} that could change",
@@ -55,24 +42,14 @@ def _tolerance(draft: Draft, request: r.Loosen) -> bool:
         for field in kinds:
             edge = _edge(draft, atom)
             value = (
-                request.value / edge
-                if request.value is not None
-                else getattr(atom, field) * (request.factor or 1.0)
+                request.value / edge if request.value is not None else getattr(atom, field) * (request.factor or 1.0)
             )
             done |= _set(draft, path, field, round(value, 6))
         for field in METRES.get(atom.kind, ()):
-            value = (
-                request.value
-                if request.value is not None
-                else getattr(atom, field) * (request.factor or 1.0)
-            )
+            value = request.value if request.value is not None else getattr(atom, field) * (request.factor or 1.0)
             done |= _set(draft, path, field, round(value, 6))
         if isinstance(atom, Row) and (atom.spacing is not None or atom.gap is not None):
-            value = (
-                request.value
-                if request.value is not None
-                else atom.tolerance * (request.factor or 1.0)
-            )
+            value = request.value if request.value is not None else atom.tolerance * (request.factor or 1.0)
             done |= _set(draft, path, "tolerance", round(value, 6))
     return done
 
@@ -81,14 +58,7 @@ def _edge(draft: Draft, atom: g.Goal) -> float:
     """The largest edge of the blocks of an atom."""
     from rpg.ir.walk import names
 
-    return max(
-        (
-            draft.view.world.edge[name]
-            for name in names(atom)
-            if name in draft.view.world.edge
-        ),
-        default=0.04,
-    )
+    return max((draft.view.world.edge[name] for name in names(atom) if name in draft.view.world.edge), default=0.04)
 
 
 def _set(draft: Draft, path: Path, field: str, value: Any) -> bool:
@@ -121,11 +91,7 @@ def _gaps(draft: Draft, request: r.Loosen) -> bool:
             case Row():
                 done |= _row(draft, path, atom, request)
             case rel.Near() | rel.Apart():
-                value = (
-                    request.value
-                    if request.value is not None
-                    else atom.distance * (request.factor or 1.0)
-                )
+                value = request.value if request.value is not None else atom.distance * (request.factor or 1.0)
                 done |= _set(draft, path, "distance", round(value, 6))
             case rel.Distance():
                 done |= _distance(draft, path, atom, request)
@@ -137,21 +103,13 @@ def _gaps(draft: Draft, request: r.Loosen) -> bool:
                 )
                 done |= _set(draft, path, "gap_edges", round(value, 6))
             case GroupBy():
-                done |= _set(
-                    draft,
-                    path,
-                    "outer_edges",
-                    round(atom.outer_edges * (request.factor or 1.0), 6),
-                )
+                done |= _set(draft, path, "outer_edges", round(atom.outer_edges * (request.factor or 1.0), 6))
     return done
 
 
 def _row(draft: Draft, path: Path, atom: Row, request: r.Loosen) -> bool:
     field = (
-        "spacing"
-        if request.what == "spacing"
-        and (request.value is not None or atom.spacing is not None)
-        else "gap"
+        "spacing" if request.what == "spacing" and (request.value is not None or atom.spacing is not None) else "gap"
     )
     other = "gap" if field == "spacing" else "spacing"
     if request.value is not None:
@@ -163,21 +121,10 @@ def _row(draft: Draft, path: Path, atom: Row, request: r.Loosen) -> bool:
     else:
         now = getattr(atom, field)
         if now is None and (request.factor or 1.0) < 1.0:
-            return _set(
-                draft,
-                path,
-                "gap_edges",
-                round(atom.gap_edges * (request.factor or 1.0), 6),
-            )
-        middle = (
-            now * (request.factor or 1.0)
-            if now is not None
-            else atom.gap_edges * _edge(draft, atom)
-        )
+            return _set(draft, path, "gap_edges", round(atom.gap_edges * (request.factor or 1.0), 6))
+        middle = now * (request.factor or 1.0) if now is not None else atom.gap_edges * _edge(draft, atom)
         if now is None:
-            draft.assume(
-                f"further apart: gaps of {middle * 100:.0f} cm, the widest that a row allows by itself"
-            )
+            draft.assume(f"further apart: gaps of {middle * 100:.0f} cm, the widest that a row allows by itself")
     if getattr(atom, other) is not None:
         _set(draft, path, other, None)
     return _set(draft, path, field, round(middle, 6))
@@ -216,9 +163,7 @@ def outliers(draft: Draft, request: r.Outliers) -> None:
         )
     draft.aim("MODIFY")
     draft.note("outliers", request.count)
-    draft.do(
-        SetField(at=figure.path, field="outliers", value=request.count), request.span
-    )
+    draft.do(SetField(at=figure.path, field="outliers", value=request.count), request.span)
 
 
 def _grown(draft: Draft, figure: Shape, size: int) -> Shape:
@@ -232,9 +177,7 @@ def _grown(draft: Draft, figure: Shape, size: int) -> Shape:
     if [tuple(group) for group in groups] == list(figure.node.groups):
         return figure
     draft.assume(f"groups of {size}, so that what does not belong there stands out")
-    node = figure.node.model_copy(
-        update={"groups": tuple(tuple(group) for group in groups)}
-    )
+    node = figure.node.model_copy(update={"groups": tuple(tuple(group) for group in groups)})
     draft.do(ChangeCondition(at=figure.path, to=node))
     if any(set(heap) & set(figure.members) for heap in draft.schema.init.heaps):
         draft.do(SetStart(init=_heaped(draft.schema.init, groups)))

@@ -263,10 +263,12 @@ def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
 
 
 def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: Span) -> Structure:
-    members = base.members
-    if isinstance(members, Noun) and not members.traits.colors:
-        members = replace(members, traits=replace(members.traits, colors=colors))
-    return replace(base, members=members, details=(*base.details, pattern), span=span)
+    members, traits = base.members, base.traits
+    if isinstance(members, Noun):
+        members = replace(members, traits=replace(members.traits, colors=members.traits.colors or colors))
+    else:
+        traits = replace(traits, colors=traits.colors or colors)
+    return replace(base, members=members, traits=traits, details=(*base.details, pattern), span=span)
 
 
 @rule

@@ -21,6 +21,7 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.reordered import moved_within
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.structures import either, make, stack_built
+from rpg.passes.schema.resolve.things import plain_colors
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -38,19 +39,11 @@ def counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
     ):
         return replace(theme, traits=replace(theme.traits, kind=kind))
     total = next((z for z in spec.sizes if z.what in ("size", "total") and z.amount is not None), None)
-    colors = _plain_colors(theme)
+    colors = plain_colors(theme)
     if total is None or len(colors) < 2:
         return theme
     spec.sizes.remove(total)
     return Noun(head="block", amount=total.amount, plural=True, traits=Traits(colors=colors), span=theme.span)
-
-
-def _plain_colors(theme: Meaning) -> tuple[str, ...]:
-    """The colours of "red and blue", where they are all that is said."""
-    if isinstance(theme, Coord) and theme.op == "and":
-        return tuple(c for item in theme.items for c in _plain_colors(item))
-    plain = isinstance(theme, Noun) and theme.amount is None and theme.det == "bare" and theme.head == "any"
-    return theme.traits.colors if plain and isinstance(theme, Noun) and not theme.traits.either else ()
 
 
 def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:

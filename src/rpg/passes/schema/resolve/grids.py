@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from rpg.ir import structures as s
 from rpg.language.meaning import Pattern as Said
-from rpg.language.meaning import Structure
+from rpg.language.meaning import Coord, Structure
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.parts import widened
 from rpg.passes.schema.resolve.patterns import pattern_of
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import plain_colors
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -22,6 +24,7 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     need = rows * columns * layers
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
+        shape = _two_colors(shape, spec)
     form = s.Grid(blocks=("",), rows=rows, columns=columns, layers=layers)
     shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
@@ -30,6 +33,15 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         blocks=names, rows=rows, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
     )
     return made("grid" if shape.kind == "checkerboard" else shape.kind, node, names, shape.span, scene)
+
+
+def _two_colors(shape: Structure, spec: Spec) -> Structure:
+    """ "a checkerboard, red and white": the two colours, not an order."""
+    for order in [o for o in spec.orders if len(o.items) == 2 and o.by in ("named", "given") and not o.first]:
+        if shape.members is None and all(len(plain_colors(item)) == 1 for item in order.items):
+            spec.orders.remove(order)
+            return replace(shape, members=Coord(op="and", items=order.items, span=order.span))
+    return shape
 
 
 def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:

@@ -9,7 +9,7 @@ from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structur
 from rpg.passes.schema.resolve.orders import implied_kind
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.things import create, matching
+from rpg.passes.schema.resolve.things import create, matching, plain_colors
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -28,6 +28,9 @@ def members_of(
     source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
     listed = _order_items(spec)
     count = need or (len(listed) if listed else None)
+    colors = plain_colors(source) if isinstance(source, Coord) else ()
+    if source is not None and need is not None and need > len(colors) > 1:
+        source = Noun(head="block", plural=True, traits=Traits(colors=colors), span=source.span)
     if source is not None:
         source = _with_kind(source, implied_kind(spec), shape.traits)
         named = refer(

@@ -18,7 +18,7 @@ from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
-CHAINED = ("left", "right", "front", "behind", "above", "under")
+CHAINED = ("left", "right", "front", "behind", "above", "under", "beside", "adjacent", "touching", "near")
 
 
 def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:

@@ -28,7 +28,7 @@ from rpg.passes.schema.resolve.stacking import vertical
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
-HALFWAY_GAP = 12.0
+HALFWAY_GAP = 10.0
 """How far apart two blocks with one halfway between them may be, in edges: as far as the workspace allows."""
 PATCH_MIDDLE = 0.02
 """How far from a patch's centre a block in its middle may be, in metres."""

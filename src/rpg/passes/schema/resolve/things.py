@@ -6,7 +6,7 @@ import string
 from dataclasses import dataclass
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Meaning, Noun, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.world import Scene, Thing
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
@@ -159,3 +159,11 @@ def amount_of(meaning: Meaning | None) -> int | None:
     """The plain number in a noun phrase."""
     amount: Amount | None = getattr(meaning, "amount", None)
     return amount.low if amount is not None and amount.low == amount.high else None
+
+
+def plain_colors(theme: Meaning) -> tuple[str, ...]:
+    """The colours of "red and blue", where they are all that is said."""
+    if isinstance(theme, Coord) and theme.op == "and":
+        return tuple(c for item in theme.items for c in plain_colors(item))
+    plain = isinstance(theme, Noun) and theme.amount is None and theme.det == "bare" and theme.head == "any"
+    return theme.traits.colors if plain and isinstance(theme, Noun) and not theme.traits.either else ()

@@ -50,8 +50,8 @@ bench: setup ## measure speed, each figure beside its floor
 bench-memory: setup ## compile 10,000 instructions in one process and watch its memory
 	$(BIN)/python benchmarks/memory.py
 
-bench-kills: setup ## kill a batch at 50 random moments; it resumes to the same bytes
-	$(BIN)/python benchmarks/kills.py
+bench-resume: setup ## kill a batch at 50 random moments; it resumes to the same bytes
+	$(BIN)/python benchmarks/resuming.py
 
 bench-sleep: setup ## whether sleeping bodies and threads would help the gates, and change no verdict
 	$(BIN)/python benchmarks/sleeping.py

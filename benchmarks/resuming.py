@@ -1,6 +1,6 @@
 """A batch that is killed again and again, at random moments, until it is done: are its bytes those of a whole one?
 
-`python benchmarks/kills.py [KILLS] [INSTRUCTIONS]` (50 and 60 unless told) runs `rpg batch` as a command, kills it in
+`python benchmarks/resuming.py [KILLS] [INSTRUCTIONS]` (50 and 60 unless told) runs `rpg batch` as a command, kills it in
 turn with all its processes, without them, and by Ctrl-C, and compares the workspace in the end.
 """
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -28,9 +29,13 @@ def shell(repository: Path, command: str) -> subprocess.CompletedProcess[str]:
 
 
 def steps() -> list[str]:
-    """The commands of the workflow, but for the installation, which a test cannot do over."""
+    """The commands of the workflow after the installation, which a test cannot do over."""
+    return commands()[1:]
+
+
+def commands() -> list[str]:
     job = yaml.safe_load((CI / "check-tasks.yml").read_text())["jobs"]["check"]
-    return [step["run"] for step in job["steps"] if "run" in step and step["name"] != "install"]
+    return [step["run"] for step in job["steps"] if "run" in step]
 
 
 def test_the_hook_builds_and_the_workflow_then_agrees(repository: Path) -> None:
@@ -38,6 +43,7 @@ def test_the_hook_builds_and_the_workflow_then_agrees(repository: Path) -> None:
     assert hook.returncode == 0, hook.stderr
     staged = shell(repository, "git diff --cached --name-only").stdout
     assert "tasks/red-on-blue/HEAD" in staged and "tasks/rpg.lock" in staged
+    assert "tasks/.lock" not in staged
     for command in steps():
         done = shell(repository, command)
         assert done.returncode == 0, done.stdout + done.stderr
@@ -55,6 +61,13 @@ def test_the_workflow_finds_a_changed_instruction_and_a_flipped_byte(repository:
     code.write_text(code.read_text().replace('"red_block"', '"blue_block"', 1))
     flipped = shell(repository, check)
     assert flipped.returncode == 1 and "code.py" in flipped.stdout
+
+
+def test_the_workflow_installs_the_mujoco_that_verified_the_tasks(repository: Path) -> None:
+    assert shell(repository, str(CI / "pre-commit")).returncode == 0
+    pip = 'pip() { printf "%s\\n" "$@"; }; RPG=the-package; '
+    done = shell(repository, pip + commands()[0])
+    assert done.stdout.split() == ["install", "the-package", f"mujoco=={metadata.version('mujoco')}"]
 
 
 def test_the_hook_stops_at_a_refusal(repository: Path) -> None:

@@ -61,6 +61,19 @@ def test_a_lost_worker_is_replaced(tmp_path: Path, cluster: None) -> None:
     assert contents(tmp_path / "ray") == contents(tmp_path / "local")
 
 
+@needs_ray
+def test_a_cluster_that_is_not_there_is_said_to_be_missing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def init(**_: object) -> None:
+        raise ConnectionError("ray://nowhere:10001 does not answer\nmore")
+
+    monkeypatch.setattr(ray, "init", init)
+    (tmp_path / "a.txt").write_text(STACK)
+    assert run(["batch", str(tmp_path / "a.txt"), "--executor", "ray", "--tasks", str(tmp_path / "w")]) == 4
+    assert capsys.readouterr().err == "rpg: no Ray cluster is to be had: ray://nowhere:10001 does not answer\n"
+
+
 def _read(path: Path) -> bytes:
     try:
         return path.read_bytes()

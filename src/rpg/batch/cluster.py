@@ -29,7 +29,7 @@ class RayCluster:
             return
         started = not ray.is_initialized()
         if started:
-            ray.init(log_to_driver=False, include_dashboard=False)
+            _begin(ray)
         try:
             remote = ray.remote(max_retries=RETRIES)(_build)
             ahead = AHEAD * max(1, int(ray.cluster_resources().get("CPU", 1)))
@@ -43,6 +43,14 @@ class RayCluster:
         finally:
             if started:
                 ray.shutdown()
+
+
+def _begin(ray: Any) -> None:
+    try:
+        ray.init(log_to_driver=False, include_dashboard=False)
+    except Exception as error:  # Ray raises whatever it met with
+        reason = next(iter(str(error).splitlines()), type(error).__name__)
+        raise Unavailable(f"no Ray cluster is to be had: {reason}") from error
 
 
 def _build(entry: Entry, pictures: bool) -> Result:

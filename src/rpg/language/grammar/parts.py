@@ -121,7 +121,7 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
 def _looks(p: Parser, j: int) -> Results[Noun]:
     """What a part is made of: a colour, or blocks of it."""
     for theme, k in simple(p, j):
-        if _plain(theme) and not (theme.plural and theme.det == "the"):
+        if isinstance(theme, Noun) and _plain(theme) and not (theme.plural and theme.det == "the"):
             yield theme, k
 
 
@@ -198,7 +198,7 @@ def _kind_of(p: Parser, j: int) -> Results[Noun]:
 
 def _wholes(p: Parser, i: int, at: int, had: tuple[Absolute, ...]) -> Results[Coord]:
     ones = [(Places(side="one", unit="whole", span=p.span(at, k)), k) for _, k in p.standing(at, _ONES)]
-    named = [(whole, k) for x, k in part(p, at, "whole") if (whole := _whole(x)) is not None]
+    named = [(one, k) for x, k in part(p, at, "whole") if (one := _whole(x)) is not None]
     for place, j in [*ones, *named]:
         for theme, k in _kind_of(p, p.any_of(j, _IS) or j):
             whole = (*had, Absolute(theme=theme, adjuncts=(place,), span=p.span(at, k)))

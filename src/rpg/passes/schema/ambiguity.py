@@ -55,7 +55,7 @@ def _unspanned(data: object, blocks: int) -> object:
     if isinstance(data, dict):
         whole = data.get("kind") == "stack" and len(data["blocks"]) == blocks
         kept = {k: _unspanned(v, blocks) for k, v in data.items() if k != "span" and not (whole and k == "exact")}
-        return {k: sorted(v, key=repr) if k in _UNORDERED and v else v for k, v in kept.items()}
+        return {k: sorted(v, key=repr) if k in _UNORDERED and isinstance(v, list) else v for k, v in kept.items()}
     if isinstance(data, list):
         return [_unspanned(v, blocks) for v in data]
     return data

@@ -27,7 +27,7 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
                 thing.scheme = thing.scheme or "same"
         elif not alike(things):
             raise refuse("ambiguous", "it is not said which block goes into which corner", span, "name each corner")
-        lots = [(n,) for n in names]
+        lots: list[tuple[str, ...]] = [(n,) for n in names]
     elif indefinite(theme):
         lots = one_lot_each(theme, len(CORNERS), scene)
     else:

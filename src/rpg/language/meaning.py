@@ -6,7 +6,9 @@ goal. `cost` ranks readings: natural ones are free.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, fields, is_dataclass
+from functools import cache
 from typing import Any, NamedTuple
 
 from rpg.core.diagnostics import Span
@@ -20,12 +22,32 @@ class Amount(NamedTuple):
     strict: bool = False
 
 
+class _Remembered:
+    """Room for what is worked out once of a record that never changes: its hash and its whole cost."""
+
+    __slots__ = ("_hash", "_whole_cost")
+    _hash: int
+    _whole_cost: int
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Meaning:
+class Meaning(_Remembered):
     """The root of every record."""
 
     span: Span
     cost: int = 0
+
+    def __init_subclass__(cls) -> None:
+        cls.__hash__ = Meaning.__hash__  # type: ignore[method-assign]
+
+    def __hash__(self) -> int:
+        try:
+            return self._hash
+        except AttributeError:
+            kind: Any = type(self)
+            found = hash((kind, *[getattr(self, name) for name in _names(kind)]))
+            object.__setattr__(self, "_hash", found)
+            return found
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -289,10 +311,31 @@ class Chain(Meaning):
     links: tuple[str, ...]
 
 
+@cache
+def _names(kind: Any) -> tuple[str, ...]:
+    """The fields of a kind of record."""
+    return tuple(f.name for f in fields(kind))
+
+
+@cache
+def _inner(kind: Any) -> tuple[str, ...]:
+    """The fields of a kind of record that may hold others."""
+    return tuple(f.name for f in fields(kind) if not _ATOMIC.issuperset(re.findall(r"\w+", str(f.type))))
+
+
+_ATOMIC = frozenset({"int", "float", "str", "bool", "None", "tuple", "Span", "Amount", "Traits"})
+
+
 def cost_of(meaning: Any) -> int:
     """The sum of the costs of a meaning and everything in it."""
     if isinstance(meaning, Meaning):
-        return meaning.cost + sum(cost_of(getattr(meaning, f.name)) for f in fields(meaning) if f.name != "span")
+        try:
+            return meaning._whole_cost
+        except AttributeError:
+            kind: Any = type(meaning)
+            found = meaning.cost + sum([cost_of(getattr(meaning, name)) for name in _inner(kind)])
+            object.__setattr__(meaning, "_whole_cost", found)
+            return found
     if isinstance(meaning, tuple) and not isinstance(meaning, Amount):
         return sum(cost_of(item) for item in meaning)
     return 0
@@ -302,9 +345,10 @@ def parts_of(meaning: Any) -> Any:
     """Every record inside `meaning`, itself first, in order of reading."""
     if isinstance(meaning, Meaning):
         yield meaning
-        for f in fields(meaning):
-            if f.name not in ("span", "cost"):
-                yield from parts_of(getattr(meaning, f.name))
+        kind: Any = type(meaning)
+        for name in _inner(kind):
+            if (held := getattr(meaning, name)) is not None:
+                yield from parts_of(held)
     elif isinstance(meaning, tuple) and not is_dataclass(meaning):
         for item in meaning:
             yield from parts_of(item)

@@ -6,12 +6,14 @@ position or 0 for "no".
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import lru_cache, wraps
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
+from rpg.language.outlook import END, Hidden, Leaf, Outlook, View, free_of_places, key_of, leaf_of
 from rpg.language.tokens import Token
 
 M = TypeVar("M")
@@ -44,6 +46,7 @@ class Parser:
     def __init__(self, tokens: list[Token]) -> None:
         self.tokens = tokens
         self.words = [t.word if t.kind in ("word", "punct", "sign", "number") else "" for t in tokens] + ["", "", ""]
+        self.keys: Sequence[str | None] = [*map(key_of, tokens), *[END] * len(tokens), END, END, END]
         self.end = len(tokens)
         self.memo: dict[tuple[Any, ...], list[tuple[Any, int]]] = {}
         self.far = 0
@@ -55,6 +58,10 @@ class Parser:
             return (0, 0)
         last = self.tokens[max(i, j - 1)] if i < len(self.tokens) else self.tokens[-1]
         return (self.tokens[min(i, len(self.tokens) - 1)].span[0], last.span[1])
+
+    def char(self, index: int, side: int) -> int:
+        """The character where a token begins (side 0) or ends (side 1)."""
+        return self.tokens[index].span[side]
 
     def reach(self, j: int) -> int:
         """Note that the words before `j` were understood."""
@@ -147,29 +154,79 @@ def _split(phrase: str) -> tuple[str, ...]:
     return tuple(phrase.split())
 
 
+class Glimpse(Parser):
+    """A parser on a view."""
+
+    def __init__(self, view: View) -> None:
+        self.tokens, self.words, self.keys, self.end = cast(Any, (view.tokens, view.words, view.keys, view.end))
+        self.view = view
+        self.memo = {}
+        self.far = view.base
+        self.work = 0
+
+    def span(self, i: int, j: int) -> Span:
+        """Codes for the place of tokens i..j-1."""
+        if not self.view.key(i):
+            raise Hidden(self.view)
+        return (self.char(i, 0), self.char(max(i, j - 1), 1))
+
+    def char(self, index: int, side: int) -> int:
+        """The code for where a token begins (side 0) or ends (side 1)."""
+        return self.view.char(index, side)
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """Tries a rule on a view."""
+
+    name: str
+    body: Callable[..., Results[Any]]
+
+    def __call__(self, view: View, args: tuple[Any, ...]) -> Leaf:
+        p = Glimpse(view)
+        p.memo[(self.name, view.base, args)] = []
+        found = _distinct(self.body(p, view.base, *args))
+        return leaf_of(found, view.base, max([p.far, *[j for _, j in found]]))
+
+
 def rule(
     body: Callable[Concatenate[Parser, int, A], Results[M]],
 ) -> Callable[Concatenate[Parser, int, A], list[tuple[M, int]]]:
-    """Memoise a rule: its distinct readings at a place, in order of preference, bounded in number."""
+    """Memoise a rule: its distinct readings at a place, in order of preference, bounded in number.
+
+    Its outlook spares it what it has seen in other sentences.
+    """
     name = f"{body.__module__}.{body.__qualname__}"
+    outlook = Outlook(Attempt(name, body)) if free_of_places(body) else None
 
     @wraps(body)
     def apply(p: Parser, i: int, *args: A.args, **kwargs: A.kwargs) -> list[tuple[M, int]]:
-        key = (name, i, args, tuple(kwargs.items()))
+        assert not kwargs
+        key = (name, i, args)
         found = p.memo.get(key)
         if found is None:
+            leaf = outlook.recall(p.keys, i, args) if outlook is not None else None
+            if leaf is not None:
+                p.reach(i + leaf.far)
+                found = p.memo[key] = leaf.at(i, p.char) if leaf.readings else []
+                return found
             p.memo[key] = []
             p.work += 1
             if p.work > MAX_WORK:
                 raise TooMuchWork
-            seen: dict[tuple[Any, int], None] = {}
-            for reading in body(p, i, *args, **kwargs):
-                seen.setdefault(reading)
-                if len(seen) >= MAX_READINGS:
-                    break
-            found = p.memo[key] = list(seen)
+            found = p.memo[key] = _distinct(body(p, i, *args, **kwargs))
             for _, j in found:
                 p.reach(j)
         return found
 
     return cast(Callable[Concatenate[Parser, int, A], list[tuple[M, int]]], apply)
+
+
+def _distinct(readings: Results[M]) -> list[tuple[M, int]]:
+    """The first of the readings that differ."""
+    seen: dict[tuple[Any, int], None] = {}
+    for reading in readings:
+        seen.setdefault(reading)
+        if len(seen) >= MAX_READINGS:
+            break
+    return list(seen)

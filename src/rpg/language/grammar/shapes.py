@@ -56,9 +56,8 @@ def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
     """ "L shape", "shape of a T", "an L"."""
     letter = _letter_at(p, i)
     if letter:
-        for tail in _TAILS:
-            if j := p.seq(i + 1, tail):
-                yield letter, tail == "shapes", j
+        for tail, j in p.standing(i + 1, _TAILS):
+            yield letter, tail == "shapes", j
         if (
             p.words[i - 1 : i] in (["a"], ["an"])
             and i > 0
@@ -66,20 +65,19 @@ def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
             and p.tokens[i].raw.isupper()
         ):
             yield letter, False, p.reach(i + 1)
-    for lead in _LEADS:
-        if j := p.seq(i, lead):
-            letter = _letter_at(p, j)
-            if letter and (
-                lead not in ("letter", "the letter")
-                or p.one(j + 1, frozenset({"shape", "formation"}))
-                or p.words[i - 1] == "like"
-                or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
-            ):
-                yield letter, False, p.opt(p.reach(j + 1), "shape", "formation")
-            elif not letter and lead not in ("capital", "letter"):
-                inner = p.lex(j, lexicon.STRUCTURE)
-                if inner:
-                    yield inner[0], False, p.opt(j + 1, "sign", "shape")
+    for lead, j in p.standing(i, _LEADS):
+        letter = _letter_at(p, j)
+        if letter and (
+            lead not in ("letter", "the letter")
+            or p.one(j + 1, frozenset({"shape", "formation"}))
+            or p.words[i - 1] == "like"
+            or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
+        ):
+            yield letter, False, p.opt(p.reach(j + 1), "shape", "formation")
+        elif not letter and lead not in ("capital", "letter"):
+            inner = p.lex(j, lexicon.STRUCTURE)
+            if inner:
+                yield inner[0], False, p.opt(j + 1, "sign", "shape")
 
 
 def _letter_at(p: Parser, i: int) -> str | None:

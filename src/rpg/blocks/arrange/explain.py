@@ -10,6 +10,7 @@ from rpg.blocks.arrange.alternatives import alternatives
 from rpg.blocks.arrange.bounds import Contradiction
 from rpg.blocks.arrange.fit import most_that_fit, oversize
 from rpg.blocks.arrange.solve import Solver
+from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.english import clause
 from rpg.blocks.nouns import bare, number
 from rpg.blocks.predicates import PREDICATES
@@ -23,6 +24,10 @@ MOST_CHECKS = 40
 """Subsets of the conditions that are tried."""
 SMALL = 1500
 """Candidate places judged for each subset of the conditions."""
+ELBOW = 0.01
+"""Room left between blocks that stand side by side, in metres."""
+DENSEST = 0.7
+"""The share of the table that blocks put anywhere on it can take."""
 AXES = ("from front to back", "from left to right")
 
 
@@ -98,13 +103,32 @@ def _diagnostic(parts: list[g.Goal], world: World, start: BlockState | None) -> 
         )
     if reason is not None:
         return _does_not_fit(reason, texts, span, labels, world)
+    if len(parts) < 2 and (crowd := _crowd(world)) is not None:
+        return crowd
     return Diagnostic(
         code="goal-contradiction",
         message=_contradiction(texts),
         span=span,
         labels=labels,
-        hint="drop or change one of these conditions" if len(parts) > 1 else None,
+        hint="drop or change one of these conditions" if len(parts) > 1 else "ask for something else of these blocks",
         facts={"conditions": texts},
+        origin="arrange",
+    )
+
+
+def _crowd(world: World) -> Diagnostic | None:
+    """Blocks that leave no room for each other on the table, whatever is asked of them."""
+    edges = [block.size for block in world.blocks.values()]
+    deep, wide = (high - low + max(edges) for low, high in (WORKSPACE_X, WORKSPACE_Y))
+    needed, room = sum((edge + ELBOW) ** 2 for edge in edges), deep * wide
+    if needed < DENSEST * room:
+        return None
+    taken, free = round(needed * 1e4), round(room * 1e4)
+    return Diagnostic(
+        code="start-no-room",
+        message=f"{number(len(edges))} blocks of this size take {taken} cm² of the table, and it has {free}",
+        hint=f"use at most {int(len(edges) * DENSEST * room / needed)} such blocks, or smaller ones",
+        facts={"blocks": len(edges), "needed_cm2": taken, "available_cm2": free},
         origin="arrange",
     )
 

@@ -10,8 +10,8 @@ CODES: tuple[Code, ...] = (
         title="conditions that cannot hold together",
         explanation="No arrangement satisfies these conditions, though one does without any single one of them. "
         "Directions that run in a ring are proved to clash; other clashes are found by a bounded search.",
-        example="put the red block to the left of the blue block and the blue block to the left of the red block",
-        remedy="put the red block to the left of the blue block and the blue block to the left of the green block",
+        example="put the red block next to the blue block and more than 20 cm away from the blue block",
+        remedy="put the red block next to the blue block and more than 8 cm away from the blue block",
     ),
     Code(
         id="support-cycle",
@@ -34,11 +34,15 @@ CODES: tuple[Code, ...] = (
         title="more patches than the table has room for",
         explanation="Patches lie side by side, at least 2 cm apart, and grow with what must lie on them; these have no "
         "room within the workspace.",
+        example="put a red block on each of twelve patches",
+        remedy="put a red block on each of three patches",
     ),
     Code(
         id="too-many-namings",
         title="too many look-alike blocks with different duties",
         explanation="A goal holds if it does for some choice of which of several blocks that look alike is which. "
         "More than 5,000 such choices are not searched.",
+        example="put each of the eight red blocks next to one of the eight blue blocks",
+        remedy="put each of the three red blocks next to one of the three blue blocks",
     ),
 )

@@ -72,7 +72,7 @@ CODES: tuple[Code, ...] = (
         "bad-equation",
         "this is no equation",
         "An equation has numbers, + − × ÷ between them, and one equals sign.",
-        "",
+        "build the equation 2+3",
         "build the equation 2+2=4",
     ),
     Code(

@@ -82,7 +82,7 @@ CODES: tuple[Code, ...] = (
         "too-complex",
         "the sentence is too tangled",
         "Reading the sentence would take more work than is allowed.",
-        "",
+        "a tower with red at the bottom, " * 18 + "a tower with red at the",
         "put the red block on the blue block",
     ),
     Code(
@@ -110,8 +110,8 @@ CODES: tuple[Code, ...] = (
         "unused-block",
         "a block is named and then forgotten",
         "A block is spoken of, but no condition mentions it. It may have been meant as a distractor.",
-        "",
-        "put the red block on the blue block, with an extra green block",
+        "the red blocks spell CAT",
+        "the letter blocks spell CAT",
     ),
     Code(
         "unsupported-structure",

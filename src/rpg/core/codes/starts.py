@@ -18,6 +18,8 @@ CODES: tuple[Code, ...] = (
         title="the blocks do not fit on the table",
         explanation="The blocks of a start are kept apart from each other and from the patches; these leave no room "
         "for all of them within the workspace.",
+        example="put the red block on the blue block. there are 25 distractor blocks of 10 cm",
+        remedy="put the red block on the blue block. there are 5 distractor blocks of 5 cm",
     ),
     Code(
         id="start-unstable",

@@ -24,6 +24,8 @@ MAX_READINGS = 48
 """Readings kept per rule and place; more than this only arises from endless coordination."""
 MAX_WORK = 60_000
 """Rule applications per sentence."""
+MAX_STEPS = 100_000
+"""Words taken per sentence, over all readings: twenty times what the longest natural sentences need."""
 
 
 class TooMuchWork(Exception):
@@ -51,6 +53,7 @@ class Parser:
         self.memo: dict[tuple[Any, ...], list[tuple[Any, int]]] = {}
         self.far = 0
         self.work = 0
+        self.steps = 0
 
     def span(self, i: int, j: int) -> Span:
         """Characters of tokens i..j-1."""
@@ -65,6 +68,9 @@ class Parser:
 
     def reach(self, j: int) -> int:
         """Note that the words before `j` were understood."""
+        self.steps += 1
+        if self.steps > MAX_STEPS:
+            raise TooMuchWork
         if j > self.far:
             self.far = j
         return j

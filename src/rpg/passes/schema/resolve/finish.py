@@ -69,7 +69,15 @@ def choose(scene: Scene) -> None:
     for thing in things:
         if thing.patch and thing.color is None:
             taken = {t.color for t in things if t.patch}
-            thing.color = next(c for c in PATCH_COLORS if c not in taken)
+            thing.color = next((c for c in PATCH_COLORS if c not in taken), None)
+            if thing.color is None:
+                raise refuse(
+                    "patches-no-room",
+                    f"more than {len(PATCH_COLORS)} patches cannot be told apart on the table",
+                    None,
+                    f"use at most {len(PATCH_COLORS)} patches",
+                    patches=sum(t.patch for t in things),
+                )
             scene.assume(f"the colour of the patch is not said: {thing.color}")
 
 

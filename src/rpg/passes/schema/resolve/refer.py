@@ -76,9 +76,9 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
                     "ambiguous", "it is not clear what belongs to 'each'", item.span, "say it in two sentences"
                 )
         parts.append(refer(item, scene, scope))
-        scene.mentions.pop()
         if parts[-1].table:
-            raise refuse("misplaced", "the table is no block", parts[-1].span)
+            raise refuse("misplaced", "the table is no block", parts[-1].span, "name blocks")
+        scene.mentions.pop()
     if len({part.patch for part in parts}) > 1:
         raise refuse(
             "misplaced",

@@ -9,8 +9,6 @@ TWO_WAYS = (
     "tower of two blue blocks with green on top and red beside it",
     "the pink block goes in the middle between the black block and the white block",
     "white goes on black, but pink has to go on gray before that",
-    "I want the blocks lined up in the order red, yellow, green, blue starting at the left",
-    "Arrange a column on the table with black at the front and then gray and then white at the back.",
 )
 
 

@@ -169,6 +169,7 @@ class Glimpse(Parser):
         self.memo = {}
         self.far = view.base
         self.work = 0
+        self.steps = 0
 
     def span(self, i: int, j: int) -> Span:
         """Codes for the place of tokens i..j-1."""

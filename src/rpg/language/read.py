@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.language import lexicon
 from rpg.language.grammar.chains import chain
 from rpg.language.grammar.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
@@ -13,6 +14,7 @@ from rpg.language.tokens import Token
 
 MAX_KEPT = 24
 _ENDS = frozenset({".", "!", "?"})
+_STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
 _BRACKETS = frozenset({"(", ")", "[", "]"})
 _TELLING = frozenset({"the", "which", "that", "not", "it", "this", "whose", "where", "i", "or"})
 _THEN = (
@@ -108,6 +110,9 @@ def read_sentence(tokens: list[Token]) -> Sentence:
     if p.words[start : start + 1] == ["step"] and (step := p.number(start + 1)) is not None:
         start = p.opt(start + 2, ":", ",", "-")
         link = "then" if step > 1 else "and"
+    ordinal = p.lex(start, lexicon.ORDINAL)
+    if ordinal and p.one(start + 1, _STEPS) and (j := p.one(start + 2, frozenset({":", ",", "-"}))):
+        link, start = "then" if ordinal > 1 else "and", j
     for phrase in _EARLIER:
         if j := p.seq(start, phrase):
             link, start = "before", p.opt(j, ",", ":")

@@ -53,6 +53,10 @@ _NOT_LITERAL = frozenset(
         "something",
         "my",
         "your",
+        "in",
+        "on",
+        "across",
+        "down",
     }
 )
 

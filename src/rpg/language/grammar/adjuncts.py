@@ -132,7 +132,7 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
         for members, k in noun_phrase(p, j):
             if not any(isinstance(part, Structure) for part in parts_of(members)):
                 yield Using(members=members, span=p.span(i, k), cost=1), k
-    if j := p.any_of(i, ("in", "written in", "written with", "spelled with", "spelled in")):
+    if j := p.any_of(i, ("in", "by", "written in", "written with", "spelled with", "spelled in")):
         for members, k in noun_phrase(p, j):
             if isinstance(members, Noun) and members.head == "block" and members.plural and members.traits.kind:
                 yield Using(members=members, span=p.span(i, k), cost=1), k

@@ -200,3 +200,33 @@ def length(p: Parser, i: int) -> Results[float]:
         factor = p.lex(j, lexicon.UNIT)
         if factor is not None:
             yield factor / 2, j + 1
+
+
+def makes_number(p: Parser, k: int) -> bool:
+    """Whether what follows a digit makes it a number: "3 blocks", "2 red ..."."""
+    word = p.words[k] if k < p.end else ""
+    tables = (
+        lexicon.BLOCK,
+        lexicon.LOOSE_BLOCK,
+        lexicon.COLOR,
+        lexicon.STRUCTURE,
+        lexicon.UNIT,
+        lexicon.LETTER,
+        lexicon.DIGIT,
+        lexicon.SIZE,
+        lexicon.PATCH,
+    )
+    return (word != "in" and any(word in table for table in tables)) or word in (
+        "of",
+        "by",
+        "x",
+        "more",
+        "steps",
+        "rows",
+        "layers",
+        "high",
+        "wide",
+        "each",
+        "other",
+        "letters",
+    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import by_first
@@ -19,6 +20,7 @@ _ANYWHERE = (
     "kinda", "mate", "buddy", "dude", "my friend", "good luck",
 )  # fmt: skip
 """Phrases that carry nothing in any place."""
+_HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
              "nice and neat", "nice and tidy", "good", "proper")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
@@ -29,7 +31,10 @@ _FREE = (
     "any way you like", "however you like", "whichever direction", "in whichever direction",
     "any direction", "direction does not matter", "the direction does not matter", "in no particular direction",
     "regardless of the order", "regardless of order", "the exact order does not matter", "in random order",
-    "in a random order", "that is all", "that is it", "i think", "all good",
+    "in a random order", "hello", "hi", "hello there", "hi there", "hello robot", "hi robot", "hey", "hey robot",
+    "hello everyone", "good morning", "good day", "dear robot", "ok", "okay", "alright", "great", "your choice",
+    "up to you", "as you like", "you choose", "either is fine", "any order will do", "any order is fine", "any order works", "any direction will do",
+    "any direction is fine", "that is all", "that is it", "i think", "all good",
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
 _BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
@@ -38,6 +43,8 @@ _DEGREES = frozenset({"and", "but", "to", "near", "close", "far", "long", "small
 _BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
 """Words that are said again when what they begin is begun again."""
 
+_STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between", "near", "touching", "at", "beside"})
+"""After these "its" was meant as "it is"."""
 _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
 
 
@@ -56,8 +63,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             out.append(tokens[at])
             at += 1
         else:
-            at = _closed(tokens, out, end)
-    return [_joining(out, n) for n in range(len(out))]
+            at = _closed(tokens, out, end, words[at] in _HESITATIONS)
+    return [token for n in range(len(out)) for token in _meant(out, n)]
 
 
 def _shouted(token: Token) -> bool:
@@ -81,16 +88,16 @@ def _emphatic(words: list[str], end: int) -> bool:
 
 
 def _set_off(words: list[str], at: int, end: int) -> bool:
-    before = at == 0 or words[at - 1] in _BREAKS
-    after = end == len(words) or words[end] in _BREAKS
-    return after if words[at] in ("that", "i", "all") and not before else before or after
+    before = at == 0 or words[at - 1] in _BREAKS or words[at] in ("in", "regardless")
+    return before and (end == len(words) or words[end] in _BREAKS)
 
 
-def _closed(tokens: list[Token], out: list[Token], end: int) -> int:
-    """Where to go on after an aside that ends at `end`; its commas, and what was begun twice, are gone from `out`."""
+def _closed(tokens: list[Token], out: list[Token], end: int, whole: bool) -> int:
+    """Where to go on after an aside that ends at `end`; its commas (one of two unless `whole`), and what was begun
+    twice, are gone from `out`."""
     opened = not out or out[-1].word in _BREAKS
     last = end == len(tokens) or tokens[end].word in _BREAKS - {","}
-    if out and out[-1].word == "," and (last or tokens[end].word == ","):
+    if out and out[-1].word == "," and (last or (whole and tokens[end].word == ",")):
         out.pop()
     if end < len(tokens) and tokens[end].word == "," and opened:
         end += 1
@@ -102,16 +109,19 @@ def _closed(tokens: list[Token], out: list[Token], end: int) -> int:
     return end
 
 
-def _joining(tokens: list[Token], at: int) -> Token:
-    """ "red n blue": "n" between two things is "and"; "can u": you."""
+def _meant(tokens: list[Token], at: int) -> list[Token]:
+    """ "red n blue": "n" between two things is "and"; "can u": you; "so its behind": it is."""
     token = tokens[at]
+    after = tokens[at + 1].word if at + 1 < len(tokens) else ""
+    if token.word == "its" and at and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING:
+        return [replace(token, word=word) for word in ("it", "is")]
     if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
-        return Token("word", "you", token.raw, token.span)
+        return [replace(token, word="you")]
     if token.raw != "n" or not 0 < at < len(tokens) - 1:
-        return token
+        return [token]
     before = tokens[at - 1]
     tables = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
     thing = before.kind == "number" or any(before.word in table for table in tables)
     place = before.word in ("top", "bottom", "left", "right", "middle")
     letter = before.kind == "word" and len(before.raw) == 1 and before.raw.isupper()
-    return Token("word", "and", token.raw, token.span) if thing or place or letter else token
+    return [replace(token, word="and") if thing or place or letter else token]

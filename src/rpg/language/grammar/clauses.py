@@ -16,6 +16,7 @@ from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.piled import piled
 from rpg.language.grammar.states import state
+from rpg.language.grammar.terse import about, said_of, terse
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
 from rpg.language.grammar.wishes import COMMAND_WISHES, STATE_WISHES
 from rpg.language.meaning import (
@@ -59,6 +60,11 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield from part_clause(p, i)
     yield from _for_each(p, i)
     yield from inventory(p, i)
+    yield from terse(p, i, when)
+    for (theme, start), _ in about(p, i):
+        for found, j in _command(p, start):
+            if (said := said_of(theme, found)) is not None:
+                yield said, j
 
 
 @rule
@@ -157,6 +163,8 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
             for j in table.matches(p, start):
                 if p.words[j - 1] == "next" and p.words[j] == "to":
                     continue
+                if start > 0 and p.tokens[start].kind == "number" and p.words[start - 1] != ";":
+                    continue
                 dashed = j < p.end and p.words[j] == "," and p.tokens[j].raw != ","
                 j = p.opt(j, ",") if table in (FIRST, START_FRAMES) or dashed else j
                 if j not in seen and len(found) < 40:
@@ -238,7 +246,7 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
             isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items)
         )
         for found, k in [
-            *adjuncts(p, j),
+            *adjuncts(p, p.opt(j, "each", "all", "both") if isinstance(theme, Noun | Coord) else j),
             *((f, e) for f, e in (adjuncts(p, j + 1) if p.words[j : j + 1] == [","] else ()) if f),
         ]:
             if found or shaped:

@@ -51,7 +51,7 @@ def gap(p: Parser, i: int) -> Results[Meaning]:
             for b, k in bounds(p, j)
             if (e := p.any_of(k, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}")))
         ]
-        if (k := p.one(j, noun)) and (k := p.one(k, "between")):
+        if (k := p.one(j, noun)) and (k := p.any_of(k, ("between", "of"))):
             for theme, end in noun_phrase(p, k):
                 end = p.any_of(end, ("is", "should be", "must be", "has to be", "shall be", "be"))
                 for (low, high), last in bounds(p, end) if end else ():

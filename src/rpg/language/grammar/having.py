@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase
-from rpg.language.meaning import At, Clause, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop
+from rpg.language.meaning import Absolute, At, Clause, Loc, Meaning, Noun, PartOf, Places, Pronoun, Structure, TableTop
 
 _HAS = (
     "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have",
@@ -35,6 +35,11 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 if (place := _on_patch(owner, theme, p.span(i, start))) is not None:
                     yield _stated(p, i, start, *place, mode), start
                 for found, end in adjuncts(p, start):
+                    if isinstance(owner, Structure) and owner.members is not None and _parts(found):
+                        detail = Absolute(theme=theme, adjuncts=found, span=p.span(k, end))
+                        built = Clause(verb="build", theme=owner, adjuncts=(detail,), mode=mode, span=p.span(i, end))
+                        yield built, end
+                        continue
                     places = _owned(found, owner)
                     if places is not None:
                         yield _stated(p, i, end, theme, places, mode), end
@@ -54,6 +59,10 @@ def _on_patch(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tupl
         return None
     block, patch = (theme, owner) if owner.head == "patch" else (owner, theme)
     return block, (Loc(rel="on", landmark=patch, span=span),)
+
+
+def _parts(found: tuple[Meaning, ...]) -> bool:
+    return bool(found) and all(isinstance(part, At | Places) for part in found)
 
 
 def _owned(found: tuple[Meaning, ...], owner: Meaning) -> tuple[Meaning, ...] | None:

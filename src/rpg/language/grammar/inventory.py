@@ -19,7 +19,8 @@ _LEADS = (
     "there are", "there is", "there have", "we have", "you have", "i have", "we have got", "you get", "you have got",
     "we take", "you take", "we use", "take", "use", "using", "given are", "given", "consider", "they are", "these are",
     "those are", "it is", "namely", "that is", "we are given", "you are given", "with", "here are", "get", "we got",
-    "i have got", "i got", "and there are", "use only", "take only", "available are", "available :", "blocks :",
+    "i have got", "i got", "and there are", "use only", "take only", "available are", "available :", "letters :", "digits :", "numbers :", "the letters are",
+    "the digits are", "the numbers are", "letters are", "digits are", "blocks :",
     "cubes :", "inventory :", "material :", "materials :", "have", "we work with", "from", "out of", "made of",
     "we start with", "you start with", "start with", "starting with", "it starts with", "the blocks are", "the cubes are", "all blocks are",
 )  # fmt: skip
@@ -72,7 +73,7 @@ def _contents(p: Parser, i: int) -> list[tuple[Meaning | None, tuple[Size, ...],
         if end := p.any_of(k, IN_TOTAL):
             block = Noun(head="block", amount=many, plural=many.high != 1, span=p.span(i, end))
             found.append((block, (), end))
-    found += [(_whole(p, i, j, items), (), j) for items, j in _run(p, i)]
+    found += [(_whole(p, i, j, items), (), j) for items, j in _run(p, i, p.words[i - 1 : i] == [":"])]
     return found
 
 
@@ -81,18 +82,29 @@ def _whole(p: Parser, i: int, j: int, items: tuple[Noun, ...]) -> Meaning:
 
 
 @rule
-def _run(p: Parser, i: int) -> Results[tuple[Noun, ...]]:
-    """Counted things, one after the other."""
-    for first, j in _item(p, i):
+def _run(p: Parser, i: int, definite: bool = False) -> Results[tuple[Noun, ...]]:
+    """Counted things, one after the other. `definite`: "the four red ones" too."""
+    for first, j in _item(p, i, definite):
         yield first, j
         after = p.opt(j, ",", ":", ";")
         after = p.any_of(after, _BETWEEN) or after
-        for rest, k in _run(p, after) if after > j else ():
+        goes_on = after > j or (j < p.end and p.tokens[j].kind == "number")
+        for rest, k in _run(p, after, definite) if goes_on else ():
             yield (*first, *rest), k
 
 
-def _item(p: Parser, i: int) -> Results[tuple[Noun, ...]]:
-    yield from (((theme,), j) for theme, j in simple(p, i) if isinstance(theme, Noun) and _counted(theme))
+def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
+    things = [(theme, j) for theme, j in simple(p, i) if isinstance(theme, Noun) and _counted(theme, definite)]
+    longest = max((j for theme, j in things if theme.traits.labels), default=0)
+    yield from (((replace(theme, cost=0),), j) for theme, j in things if not theme.traits.labels or j == longest)
+    for theme, j in things:
+        for named, k in color(p, j + 1) if not theme.traits.colors and p.words[j : j + 1] == [","] else ():
+            if theme.traits.extra and k >= p.end:
+                yield (replace(theme, traits=replace(theme.traits, colors=(named,)), span=p.span(i, k)),), k
+    for items, j in _colors(p, i):
+        for many, k in amounts.count(p, p.opt(j, ",", ":")):
+            if end := p.any_of(p.opt(k, "block", "blocks", "cube", "cubes"), ("each", "of each", "apiece")):
+                yield tuple(_of_color(c, many, p.span(i, end)) for c in items), end
     for many, j in amounts.count(p, i):
         for named, k in color(p, p.opt(j, "is", "are")) if p.words[j : j + 1] in (["is"], ["are"]) else ():
             yield (_of_color(named, many, p.span(i, k)),), k
@@ -121,11 +133,12 @@ def _colors(p: Parser, i: int) -> Results[tuple[str, ...]]:
         i = p.opt(comma, "and", "&")
 
 
-def _counted(theme: Noun) -> bool:
+def _counted(theme: Noun, definite: bool) -> bool:
     """Whether a phrase brings up blocks and says how many."""
     plain = theme.part_of is None and not theme.conditions and theme.head != "patch"
     marks = theme.traits
-    plain = plain and marks.rank is None and not marks.matching and not marks.either and theme.det in ("bare", "a")
+    plain = plain and marks.rank is None and not marks.matching and not marks.either
+    plain = plain and theme.det in (("bare", "a", "the") if definite else ("bare", "a"))
     exact = theme.amount is not None and theme.amount.low == theme.amount.high and not theme.amount.strict
     return plain and (exact or (bool(marks.labels) and theme.amount is None and not marks.open_ended))
 

@@ -92,3 +92,10 @@ def literal(p: Parser, i: int) -> str | None:
         p.reach(i + 1)
         return token.raw
     return None
+
+
+def digits_of(p: Parser, i: int) -> str | None:
+    """A number of several digits, to be written with a cube for each."""
+    token = p.token(i)
+    plain = token is not None and token.kind == "number" and len(token.raw) > 1 and token.raw.isdigit()
+    return token.raw if token is not None and plain and p.reach(i + 1) else None

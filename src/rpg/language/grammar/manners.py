@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language.grammar import amounts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.meaning import Manner, Meaning
 
@@ -37,11 +38,30 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         yield Manner(kind="rising", value="left", span=p.span(i, j)), j
     for n, j in _degrees(p, i):
         yield from _spun(p, i, j, n)
+    yield from _strangers(p, i, comma)
     for phrase, j in p.standing(i, _LITTLE):
         kind, value = _LITTLE[phrase]
         yield Manner(kind=kind, value=value, span=p.span(i, j)), j
 
 
+def _strangers(p: Parser, i: int, comma: int) -> Results[Meaning]:
+    """ "but with exactly one wrong block in each group": so many strangers in each."""
+    j = p.any_of(comma, ("with", "but with", "and with", "each with", "but", "so that each has", "so each has"))
+    for many, k in amounts.amount(p, j) if j else ():
+        end = p.any_of(k, _STRANGERS)
+        last = (
+            p.any_of(end, ("in each group", "in each pile", "in each", "per group", "each", "in every group"))
+            if end
+            else 0
+        )
+        if last and many.low == many.high:
+            yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last
+
+
+_STRANGERS = (
+    "outlier", "outliers", "stranger", "strangers", "wrong block", "wrong blocks", "wrong one", "wrong ones",
+    "wrong cube", "wrong cubes", "odd one out", "misfit", "misfits", "intruder", "intruders", "block that does not belong",
+)  # fmt: skip
 _DOWN = (
     "upside down", "flipped upside down", "inverted", "in an inverted orientation", "turned upside down",
     "rotated upside down",

@@ -104,6 +104,12 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
         if end:
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
+    noted = p.any_of(i, ("spacing", "gap", "gaps", "distance", "with spacing", "with gaps"))
+    for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
+        end = p.opt(j, "gap", "gaps")
+        measure = "faces" if end > j or p.words[noted - 1] in ("gap", "gaps") else "centres"
+        each = Pronoun(word="each other", span=p.span(i, end))
+        yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end), cost=1), end
     yield from _moved(p, i)
     if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")):
         for (low, high), k in bounds(p, j):

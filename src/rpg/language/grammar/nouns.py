@@ -13,7 +13,16 @@ from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
 from rpg.language.grammar.pronouns import pronoun
-from rpg.language.grammar.retold import part_after, restates, retold, shares_head, tally, universal
+from rpg.language.grammar.retold import (
+    named_together,
+    part_after,
+    restates,
+    retelling,
+    retold,
+    shares_head,
+    tally,
+    universal,
+)
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
 
 _APART = frozenset({"own", "separate", "distinct"})
@@ -40,7 +49,8 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
     for item, j in simple(p, i):
         yield item, j
         yield from _apposed(p, i, item, j)
-        yield from _list(p, i, (item,), j, None)
+        if not (isinstance(item, Noun) and item.det == "both" and item.head == "any"):
+            yield from _list(p, i, (item,), j, None)
 
 
 def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
@@ -117,6 +127,9 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
         if part_after(items[-1], item):
             item = replace(item, cost=item.cost + 3)
         whole = (*items, item)
+        if joined and now == "and" and (named := named_together(whole)) is not None:
+            yield replace(named, span=p.span(i, j)), j
+            continue
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
             yield Coord(op="xor", items=whole, span=p.span(i, k)), k
         if joined:
@@ -124,6 +137,9 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from _list(p, i, whole, j, now)
         else:
+            if (same := retelling(items, item)) is not None:
+                yield from ((replace(found, span=p.span(i, j)), j) for found in same)
+                continue
             if not restates(items[-1], item):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from _list(p, i, whole, j, op or "comma")
@@ -150,6 +166,8 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
 
     yield from structure(p, i)
     yield from _part(p, i)
+    if j := p.any_of(i, ("the centers of", "the centres of", "the middles of", "centers of")):
+        yield from noun_phrase(p, j)
     if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
         yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
     for found, j in amounts.quantity(p, i):
@@ -252,6 +270,8 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
         if j := p.one(i, frozenset({words, words + "s"})):
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
+    if j := p.one(i, frozenset({"distractor", "distractors"})):
+        yield ("block", p.words[i] == "distractors", {"extra": True}), j
     if j := p.one(i, frozenset({"one", "ones"})):
         yield ("any", p.words[i] == "ones", {}), j
     if i < p.end and p.words[i] in lexicon.COLOR_PLURAL:
@@ -281,12 +301,13 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     if counted and quantity.det == "bare" and start > i and p.tokens[start - 1].kind == "number":
         counted = False
     if j == start and (counted or quantity.det in ("other", "another")):
-        yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=2)
+        digit = quantity.det == "the" and p.tokens[start - 1].kind == "number"
+        yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=3 if digit else 2)
     if (quantity.det in ("bare", "the", "all", "both") and quantity.amount is None) or quantity.det == "a":
         for (labels, more), k in label_list(p, j):
             held = merge(marks, {"labels": labels, "open_ended": more})
             digit = len(labels) == 1 and labels[0].isdigit()
-            if digit and (_goes_on(p, k) or quantity.det == "all"):
+            if digit and (amounts.makes_number(p, k) or quantity.det == "all"):
                 continue
             if held is not None and (len(labels) == 1 or quantity.det != "a"):
                 yield from _finish(
@@ -305,36 +326,6 @@ def _list_goes_on(p: Parser, j: int) -> bool:
     """Whether a list of colours continues behind j."""
     k = p.opt(p.opt(j, ","), "and", "or", "&")
     return k > j and k < p.end and p.words[k] in lexicon.COLOR
-
-
-def _goes_on(p: Parser, k: int) -> bool:
-    """Whether what follows a digit makes it a number: "3 blocks", "2 red ..."."""
-    word = p.words[k] if k < p.end else ""
-    tables = (
-        lexicon.BLOCK,
-        lexicon.LOOSE_BLOCK,
-        lexicon.COLOR,
-        lexicon.STRUCTURE,
-        lexicon.UNIT,
-        lexicon.LETTER,
-        lexicon.DIGIT,
-        lexicon.SIZE,
-        lexicon.PATCH,
-    )
-    return (word != "in" and any(word in table for table in tables)) or word in (
-        "of",
-        "by",
-        "x",
-        "more",
-        "steps",
-        "rows",
-        "layers",
-        "high",
-        "wide",
-        "each",
-        "other",
-        "letters",
-    )
 
 
 def _finish(

@@ -52,6 +52,8 @@ def _alternating(p: Parser, i: int) -> Results[Meaning]:
             "in alternating colors ,",
             "so that the colors alternate between",
             "alternating",
+            "alternately",
+            "alternately in",
             "with alternating",
             "of alternating",
             "that alternate between",
@@ -131,6 +133,11 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
                      "in the sequence of"))  # fmt: skip
     if not j:
         return
+    for way, k in toward(p, p.opt(j, ",", "(")):
+        k = p.opt(p.opt(k, ")"), ":", ",")
+        if isinstance(way, Toward) and way.first and p.words[k - 1] in (":", ","):
+            for items, end in listed(p, k):
+                yield OrderBy(by="given", items=items, first=way.first, span=p.span(i, end)), end
     j = p.opt(j, ":", ",", "of")
     j = p.opt(j, "first") if p.words[j : j + 1] == ["first"] else j
     j = p.opt(j, "from") if p.words[j : j + 1] == ["from"] and j + 1 < p.end and p.words[j + 1] in lexicon.COLOR else j

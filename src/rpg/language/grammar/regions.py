@@ -17,7 +17,7 @@ def _half(word: str) -> str | None:
 
 
 def _of_table(p: Parser, i: int) -> int:
-    j = p.any_of(i, ("of", "on", "in"))
+    j = p.any_of(i, ("of", "on", "in")) or (i if p.lex(i, lexicon.TABLE) is False else 0)
     if not j:
         return 0
     j = p.opt(j, "the")
@@ -149,3 +149,17 @@ def _corner(p: Parser, k: int, side: str) -> list[tuple[str, int, bool]]:
     if across not in ("left", "right") or along not in ("near", "far"):
         return []
     return [(f"{along}_{across}_corner", e, True)]
+
+
+def named(p: Parser, i: int) -> list[tuple[str, int]]:
+    """A region by its name alone, as a note ends: "far left corner", "middle", "left", "corner near right"."""
+    found = [(name.rstrip("?"), k) for name, k, _ in _names(p, i)]
+    if k := p.one(i, "corner"):
+        sides = (p.words[k], p.words[k + 1] if k + 1 < p.end else "")
+        halves = [h for h in (_half(side) for side in sides) if h is not None]
+        if len(halves) == 2:
+            across = next((h for h in halves if h in ("left", "right")), None)
+            along = next((h for h in halves if h in ("near", "far")), None)
+            if across and along:
+                found.append((f"{along}_{across}_corner", p.reach(k + 2)))
+    return found

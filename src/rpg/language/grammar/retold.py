@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Pronoun, Structure, Traits
 
 
@@ -37,10 +39,38 @@ def restates(before: Meaning, item: Meaning) -> bool:
     return item.members is None or (isinstance(item.members, Noun) and item.members.head == "any")
 
 
+def retelling(items: tuple[Meaning, ...], item: Meaning) -> tuple[Noun, ...] | None:
+    """ "some distractors, exactly three purple ones": the first thing with what a comma adds to it; with nothing where
+    "digits, A, B, C" would list things beside a word for all of them. None: the list goes on."""
+    first = items[-1]
+    if not (isinstance(first, Noun) and isinstance(item, Noun)) or first.amount is not None or first.traits.labels:
+        return None
+    if len(items) == 1 and first.det == "some" and item.amount is not None and item.head == "any":
+        return (replace(first, amount=item.amount, traits=replace(first.traits, colors=item.traits.colors)),)
+    general = first.det in ("bare", "the", "all") and first.plural and first.traits.kind is not None
+    return () if general and not first.traits.colors and item.traits.labels and item.det == "bare" else None
+
+
 def part_after(before: Meaning, item: Meaning) -> bool:
     """ "a tower with black ends and white ..." goes on with the tower's parts."""
     parts = isinstance(before, Structure) and any(isinstance(d, Absolute | Coord) for d in before.details)
     return parts and not isinstance(item, Structure)
+
+
+def named_together(items: tuple[Meaning, ...]) -> Noun | None:
+    """ "the red and the blue blocks": the plural noun stands for both, as in "the red and blue blocks"."""
+    last = items[-1]
+    if not (isinstance(last, Noun) and last.det == "the" and last.plural and last.amount is None):
+        return None
+    colors: tuple[str, ...] = ()
+    for item in items:
+        bare = isinstance(item, Noun) and item.det == "the" and item.amount is None and not item.conditions
+        if not (bare and isinstance(item, Noun) and item.traits == Traits(colors=item.traits.colors)):
+            return None
+        if len(item.traits.colors) != 1 or (item is not last and (item.head != "any" or item.plural)):
+            return None
+        colors += item.traits.colors
+    return replace(last, traits=replace(last.traits, colors=colors)) if last.head != "any" else None
 
 
 def shares_head(before: Meaning, item: Meaning) -> bool:

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
-from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, merge
+from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, colors, merge
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.equations import equation, unequal
-from rpg.language.grammar.labels import literal
+from rpg.language.grammar.labels import digits_of, literal
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.shapes import noun
 from rpg.language.grammar.sizes import IN_TOTAL, dimensions, size_phrase
@@ -44,6 +44,9 @@ _MODIFIERS = {
     "addition": {},
     "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
 }  # fmt: skip
+
+
+_EDGES = {"edges": True, "edge": True, "sides": True, "side": True, "size": True}
 
 
 _OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
@@ -166,7 +169,8 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
         if (
             kind == "cube"
             and len(before.dims) != 3
-            and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "with", ","))
+            and not p.any_of(k, ("of", "out of", "made of", "made from", "from"))
+            and not ((m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, _EDGES)))
         ):
             continue
         rank = before.marks.get("rank")
@@ -191,6 +195,8 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
         )  # fmt: skip
         yield from _tail(p, i, k, base)
+    if (k := p.any_of(j, ("number", "year", "pin", "code"))) and (digits := digits_of(p, k)) is not None:
+        yield Structure(kind="word", det="the", letter=digits, span=p.span(j, k + 1)), k + 1
     for text, k in equation(p, j):
         yield Structure(kind="equation", det="the", letter=text, span=p.span(j, k)), k
 
@@ -303,6 +309,13 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
     ):
         yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
+    plain = base.members is None and not base.traits.colors
+    comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
+    if plain and (comma > j or base.kind == "checkerboard"):
+        for (named, either), k in colors(p, p.any_of(comma, ("all in", "all", "in")) or comma):
+            if not either and (len(named) == 1 or base.kind == "checkerboard") and (k >= p.end or p.words[k] == ","):
+                painted = replace(base.traits, colors=named)
+                yield replace(base, traits=painted, span=p.span(i, k), cost=base.cost + 1), k
     for size, k in size_phrase(p, j):
         changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
         yield from _sized(p, i, k, changed)

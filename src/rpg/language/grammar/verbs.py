@@ -16,6 +16,7 @@ from rpg.language.meaning import (
     At,
     Chain,
     Clause,
+    In,
     Loc,
     Manner,
     Meaning,
@@ -195,6 +196,12 @@ def _too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[M
             yield (replace(said, adjuncts=(*kept, both)) if end > k else said), end
 
 
+_SO_ARE = ("should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
+           "must not", "should not be", "must not be", "is not", "are not", "can be", "may be", "has to", "have to",
+           "will be", "will")  # fmt: skip
+"""What stands for the whole predicate of the clause before: "... and the blue one should be"."""
+
+
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
@@ -202,9 +209,16 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         yield from _too(p, i, j, theme, before)
         for found, k in adjuncts(p, j):
             if found and not isinstance(found[0], That) and not _pairs(found):
-                cost = 2 if before.verb in ("build", "spell", "sort") and not isinstance(theme, Structure) else 0
+                gathers = before.verb == "sort" and all(isinstance(a, Loc | In) for a in found)
+                again = gathers or isinstance(theme, Structure)
+                cost = 2 if before.verb in ("build", "spell", "sort") and not again else 0
                 cost += 2 if _bare_count(theme) or (before.verb == "stack" and isinstance(found[0], At)) else 0
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
+    for theme, j in noun_phrase(p, i) if before.verb == "be" and before.adjuncts else ():
+        k = p.any_of(p.opt(j, "all"), _SO_ARE)
+        if k and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
+            yield replace(before, theme=theme, negated=p.words[k - 1] == "not" or p.words[k - 2] == "not",
+                          span=p.span(i, k), cost=1), k  # fmt: skip
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):
             if found and (isinstance(found[0], Loc) or (isinstance(found[0], Manner) and found[0].kind == "stay")):

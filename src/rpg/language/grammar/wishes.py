@@ -22,7 +22,9 @@ _WANT = (
     "expect|expects|imagine|imagines|request|requests|have_in_mind|picture|propose|suggest|envision|look|looking|"
     "hoping|asking|wondering|wanting|dreaming|thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing"
 )
-_SEE = "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|:"
+_SEE = (
+    "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|:"
+)
 _DO = (
     "to|you_to|the_robot_to|us_to|to_ask_you_to|it_if_you_would|it_if_you_could|if_you_could|if_you_would|it_if_you|"
     "the_arm_to|that_you"
@@ -84,8 +86,13 @@ COMMAND_WISHES = Patterns(
     "be so kind|nice|good and|as to?",
     "is|would|might there be? a|any|some way|chance|possibility to|you_could|you_can|for_you_to|that_you",
     "is|would it be? possible|okay|ok|fine|feasible|alright to|for_you_to|if_you|for_the_robot_to",
-    "how|what about", "why do? not you|we", "do you think|suppose you could|can|would",
-    "can|could|may|might i|we ask|request|trouble|bother you to", "i was? wonder|wondering if|whether you could|can|might",
+    "clean|tidy|sort up|out :|,",
+    "a|the? sequential|final|main|first|simple|small|multi_step|two_step|step_by_step? task|job|exercise|goal :",
+    "how|what about",
+    "why do? not you|we",
+    "do you think|suppose you could|can|would",
+    "can|could|may|might i|we ask|request|trouble|bother you to",
+    "i was? wonder|wondering if|whether you could|can|might",
     "would|do you mind|care",
     "any chance you could|can",
     "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|if_we_could",
@@ -105,8 +112,11 @@ STATE_WISHES = Patterns(
     f"in|on the|this|my|our final|resulting|finished|target|goal|end? {_PICTURE} ,? we|one|you|i? can? see? ,?",
     "we|you|one|i should|must|can|could|will|would|shall? see|observe|notice that?",
     "it can|should|must|could|shall be seen|shown that?",
-    "is it possible|okay|true|allowed|fine that", "could|can|would|may|might it be that", "is there a way that",
-    "how|what about having|that|if?", "why not have?",
+    "is it possible|okay|true|allowed|fine that",
+    "could|can|would|may|might it be that",
+    "is there a way that",
+    "how|what about having|that|if?",
+    "why not have?",
     "arrange|set_up|set|organize|change|make|build|lay_out|prepare|configure|design|rearrange|modify|adjust|create|fix "
     "the|a|this|our scene|table|workspace|setup|picture|world|things|desk up? such_that|so|so_that|until|in_such_a_way_that",
     "it would be nice|great|good|lovely|wonderful|perfect|best|ideal if|that|to_see|to_have",

@@ -163,7 +163,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
         scene.assume("moved: at least 5 cm away from where it started")
         return [spread(theme, lambda a: r.Moved(a=a, span=clause.span), clause.span, together=True)]
-    if clause.negated and clause.verb == "place" and not clause.adjuncts:
+    if clause.negated and clause.verb == "place" and all(getattr(a, "kind", "") == "always" for a in clause.adjuncts):
         return turning.stay(clause, spec, scene, scope, stays=True)
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):
         return shaped(clause, spec, scene, scope)
@@ -266,7 +266,8 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         for name in theme.names:
             scene.things[name].declared = True
         amount = getattr(clause.theme, "amount", None)
-        if isinstance(clause.theme, Noun) and amount is not None and amount.strict and amount.low == amount.high:
+        exact = amount is not None and amount.strict and amount.low == amount.high
+        if exact and isinstance(clause.theme, Noun) and not clause.theme.traits.extra:
             scene.closed.append((clause.theme.traits, amount.low, clause.span))
         starting = replace(scope, start=True)
         if spec.intos:

@@ -81,12 +81,20 @@ def choose(scene: Scene) -> None:
             scene.assume(f"the colour of the patch is not said: {thing.color}")
 
 
+_UNCOUNTED = (
+    "the number of blocks is not said",
+    "the size of the pyramid",
+    "the number of steps",
+    "the size of the grid",
+)
+
+
 def _no_strangers(scene: Scene) -> None:
     """Blocks of which neither look nor number was said are not made up beside blocks that are named."""
     open_ = [t for t in scene.blocks() if t.color is None and t.label is None and not t.kind and not t.extra]
     vague = [t for t in open_ if t.elastic is not None]
     vague += [t for t in scene.blocks() if t.name in scene.vague]
-    if not vague and any(a.startswith("the number of blocks is not said") for a in scene.assumptions):
+    if not vague and any(a.startswith(_UNCOUNTED) for a in scene.assumptions):
         vague = [t for t in open_ if t.batch == open_[-1].batch]
     named = [t for t in scene.blocks() if t not in vague and not t.extra]
     if vague and named:

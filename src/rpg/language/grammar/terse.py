@@ -1,0 +1,68 @@
+"""Notes: "blue pile left", "purple block: far left corner", "ROBOT, spelled out in letter blocks"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import literal
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.regions import named
+from rpg.language.meaning import Clause, Coord, In, Meaning, Noun, OrderBy, Pronoun, Structure
+
+_SPELT = ("spelled out", "spelt out", "written out", "spelled", "spelt", "written")
+_KINDRED = ("same colors", "the same colors", "same color", "the same color", "blocks of the same color",
+            "cubes of the same color", "same colored blocks", "equal colors", "each color", "like colors")  # fmt: skip
+_TOGETHER = ("be together", "should be together", "must be together", "together", "are together", "go together",
+             "stay together", "be in one group", "should go together", "in one group")  # fmt: skip
+
+
+@rule
+def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """Clauses without a verb."""
+    yield from _placed(p, i, mode)
+    yield from _spelt(p, i)
+    start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
+    if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER)):
+        everything = Pronoun(word="everything", span=p.span(i, j))
+        by_color = OrderBy(by="attribute", attribute="color", span=p.span(i, k))
+        yield Clause(verb="sort", lemma="sort", theme=everything, adjuncts=(by_color,), span=p.span(i, k), cost=1), k
+
+
+def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "red pile right", "purple block: far left corner": a part of the table ends the note."""
+    for theme, j in noun_phrase(p, i):
+        if not isinstance(theme, Noun | Structure | Coord):
+            continue
+        for region, k in named(p, p.opt(j, ":", ",")):
+            if k >= p.end or p.words[k] in (",", ";", "and"):
+                verb = "build" if isinstance(theme, Structure) else "be"
+                place = In(region=region, span=p.span(j, k))
+                yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=3), k
+
+
+def _spelt(p: Parser, i: int) -> Results[Meaning]:
+    """A word, and that it is spelt."""
+    text = literal(p, i)
+    j = p.any_of(p.opt(i + 1, ","), _SPELT) if text is not None else 0
+    if text is None or not j:
+        return
+    word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
+    for found, k in adjuncts(p, j):
+        yield Clause(verb="spell", theme=word, adjuncts=found, span=p.span(i, k), cost=1), k
+
+
+@rule
+def about(p: Parser, i: int) -> Results[tuple[Noun, int]]:
+    """ "the blue one, put that on ...": what a clause is about, said first, with the position of the clause."""
+    for theme, j in simple(p, i):
+        if isinstance(theme, Noun) and theme.det == "the" and p.words[j : j + 1] == [","]:
+            yield (theme, j + 1), j + 1
+
+
+def said_of(theme: Noun, found: Meaning) -> Clause | None:
+    """`found` with its pronoun as the thing that was said first."""
+    if isinstance(found, Clause) and isinstance(found.theme, Pronoun) and found.theme.word in ("it", "that", "this"):
+        return replace(found, theme=theme, cost=found.cost + 1)
+    return None

@@ -1,9 +1,10 @@
 """Commands killed at random moments: `python -m tests.steer.kills --times 200` (or `make kills`).
 
-Every command runs as a process of its own and is killed by a signal that it cannot catch. Half of the moments are
-spread evenly over all the time that the command takes; the others follow the moment at which it begins to write. After
-each kill `rpg verify` must accept the workspace, and every version that was there, or that the command had told of,
-must be there with the very same bytes.
+Every command runs as a process of its own and is killed by a signal that it cannot catch; with `--forked` these are
+copies of a process that has loaded everything, so that more of the moments fall into the work itself. Half of the
+moments are spread evenly over all the time that the command takes; the others follow the moment at which it begins to
+write. After each kill `rpg verify` must accept the workspace, and every version that was there, or that the command had
+told of, must be there with the very same bytes.
 """
 
 from __future__ import annotations
@@ -82,7 +83,46 @@ def told(arguments: list[str]) -> tuple[int, str]:
     return status, said.getvalue()
 
 
-def started(arguments: list[str]) -> subprocess.Popen[str]:
+class Fork:
+    """A command in a copy of this process, with as much of the ways of Popen as is needed here."""
+
+    def __init__(self, arguments: list[str]) -> None:
+        reading, writing = os.pipe()
+        self.status: int | None = None
+        self.number = os.fork()
+        if self.number == 0:
+            os.dup2(writing, 1)
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+            status = 1
+            with suppress(BaseException):
+                status = run(arguments)
+                sys.stdout.flush()
+            os._exit(status)
+        os.close(writing)
+        self.reading = reading
+
+    def poll(self) -> int | None:
+        if self.status is None and os.waitpid(self.number, os.WNOHANG)[0]:
+            self.status = 0
+        return self.status
+
+    def send_signal(self, sent: int) -> None:
+        if self.poll() is None:
+            os.kill(self.number, sent)
+            os.waitpid(self.number, 0)
+            self.status = -sent
+
+    def communicate(self, timeout: float = 0.0) -> tuple[str, None]:
+        with os.fdopen(self.reading) as file:
+            said = file.read()
+        while self.poll() is None:
+            time.sleep(0.001)
+        return said, None
+
+
+def started(arguments: list[str], forked: bool = False) -> subprocess.Popen[str] | Fork:
+    if forked:
+        return Fork(arguments)
     command = [sys.executable, "-m", "rpg", *arguments]
     quiet = {**os.environ, "MUJOCO_GL": "disable"}
     return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, env=quiet)
@@ -116,21 +156,21 @@ def _names(directory: Path) -> list[str]:
     return []
 
 
-def duration(kind: str, place: Path) -> float:
+def duration(kind: str, place: Path, forked: bool) -> float:
     """Seconds that the whole command takes: the median of three."""
     times = []
     for number in range(-3, 0):
         begun = time.perf_counter()
-        started([*KINDS[kind](place, number), *common(place)]).communicate(timeout=120)
+        started([*KINDS[kind](place, number), *common(place)], forked).communicate(timeout=120)
         times.append(time.perf_counter() - begun)
     return statistics.median(times)
 
 
-def killed(arguments: list[str], tasks: Path, after: float, signs: int) -> tuple[str, bool, bool]:
+def killed(arguments: list[str], tasks: Path, after: float, signs: int, forked: bool = False) -> tuple[str, bool, bool]:
     """Run a command and kill it so many seconds after its start, or after that many signs of writing: what it said,
     whether writing had begun, and whether it had ended by itself."""
     before, seen = written(tasks), set[str]()
-    process = started(arguments)
+    process = started(arguments, forked)
     while len(seen) < signs and process.poll() is None:
         seen |= written(tasks) - before
         time.sleep(0.0005)
@@ -143,16 +183,16 @@ def killed(arguments: list[str], tasks: Path, after: float, signs: int) -> tuple
     return said, not written(tasks) <= before, outlived
 
 
-def kills(kind: str, times: int, place: Path, seed: int = 0) -> Report:
+def kills(kind: str, times: int, place: Path, seed: int = 0, forked: bool = False) -> Report:
     """Kill a command so many times in one workspace."""
     rng, report, tasks = random.Random(f"{kind} {seed}"), Report(), place / "tasks"
-    whole = duration(kind, place)
+    whole = duration(kind, place, forked)
     for number in range(times):
         arguments = [*KINDS[kind](place, number), *common(place)]
         before = contents(tasks)
         signs = rng.randint(1, SIGNS[kind]) if number % 2 else 0
         after = rng.uniform(0.0, WRITING if signs else whole)
-        said, begun, outlived = killed(arguments, tasks, after, signs)
+        said, begun, outlived = killed(arguments, tasks, after, signs, forked)
         report.kills += not outlived
         report.outlived += outlived
         report.begun += begun and not outlived
@@ -185,12 +225,13 @@ def main() -> int:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--times", type=int, default=200)
     options.add_argument("--seed", type=int, default=0)
+    options.add_argument("--forked", action="store_true")
     options.add_argument("kinds", nargs="*", default=sorted(KINDS))
     chosen = options.parse_args()
     failed = 0
     for kind in chosen.kinds:
         with tempfile.TemporaryDirectory() as directory:
-            found = kills(kind, chosen.times, Path(directory), chosen.seed)
+            found = kills(kind, chosen.times, Path(directory), chosen.seed, chosen.forked)
         failed += len(found.problems)
         print(
             f"rpg {kind:8} {found.kills} killed ({found.begun} of them while or after writing), {found.outlived} ended "

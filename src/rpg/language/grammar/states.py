@@ -82,6 +82,9 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             lasting = bool(words & {"never", "always"})
             if isinstance(found, Clause) and found.verb == "be" and not words & _MODALS:
                 found = replace(found, lemma="fact")
+            if isinstance(found, Clause) and words & {"may", "might"} and not asked:
+                allowed = Manner(kind="allowed", span=p.span(j, k))
+                found = replace(found, adjuncts=(*found.adjuncts, allowed))
             yield (ever(found, lasting) if isinstance(found, Clause) else found), end
 
 

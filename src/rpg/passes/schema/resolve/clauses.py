@@ -59,6 +59,8 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     later = _thats(spec, scene, start)
     if spec.manner("xor") is not None:
         goals = not_both(goals, clause.span)
+    if spec.manner("allowed") is not None and not clause.negated and not all(_forbids(x) for x in goals):
+        raise refuse("no-goal", "this is allowed, but not asked for", clause.span, "say 'must' or 'should'")
     always = spec.manner("always") is not None
     if spec.manner("only") is not None:
         moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
@@ -69,6 +71,13 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if always and not start:
         goals = held_throughout(goals, scene, clause.span)
     return [*goals, *later]
+
+
+def _forbids(goal: g.Goal) -> bool:
+    """ "no two may touch", "at most one may be on the patch": what limits the end, so that "may" is no mere leave."""
+    if isinstance(goal, g.All):
+        return all(_forbids(x) for x in goal.goals)
+    return isinstance(goal, g.Not | r.Clear | r.Empty) or (isinstance(goal, g.Count) and goal.at_least == 0)
 
 
 def _deny(loose: int, goals: Goals, scene: Scene, span: Span) -> None:

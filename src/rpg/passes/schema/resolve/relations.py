@@ -25,7 +25,7 @@ from rpg.passes.schema.resolve.patches import (
 )
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.stacking import vertical
-from rpg.passes.schema.resolve.things import matching
+from rpg.passes.schema.resolve.things import compared, create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 HALFWAY_GAP = 10.0
@@ -111,6 +111,9 @@ def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
     ):
         return None
     there = [t.name for t in matching(mark.traits, scene, False) if t.declared]
+    if not there and theme.each and not compared(mark) and not mark.conditions and mark.traits.rank is None:
+        scene.new_batch()
+        there = [create(mark.traits, scene, False).name for _ in theme.names]
     return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, "on") else None
 
 

@@ -109,6 +109,10 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     _known_sizes(shape)
     if shape.kind == "again":
         shape = replace(shape, kind=scene.built[-1].kind if scene.built else "pile")
+    if shape.kind not in ("stack", "pile", "again") and any(p.unit == "stack" and p.different for p in spec.patterns):
+        raise refuse(
+            "misplaced", f"a {shape.kind} for each colour is not understood", shape.span, f"name each {shape.kind}"
+        )
     maker = MAKERS.get(shape.kind)
     if maker is None:
         raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)

@@ -63,6 +63,8 @@ def _physics(spec: mujoco.MjSpec) -> None:
     spec.option.impratio = 5.0
     spec.stat.center = [0.55, 0.0, TABLE_Z]
     spec.stat.extent = 0.8
+    spec.visual.global_.azimuth, spec.visual.global_.elevation = 0.0, camera.ELEVATION
+    spec.visual.global_.fovy = camera.FOVY * 1.2
     spec.visual.global_.offwidth = 1280
     spec.visual.global_.offheight = 960
     spec.visual.quality.shadowsize = 2048

@@ -19,7 +19,8 @@ def run(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> None:
-    """Open TASK in MuJoCo's interactive viewer, at the reset of --seed or in its goal state."""
+    """Open TASK in MuJoCo's interactive viewer, at the reset of --seed or in its goal state. Double-click a block, then
+    drag it with Ctrl and the right mouse button. Close the window, or press Ctrl-C, to end."""
     load_mujoco()
     from rpg.cli.health import has_display
     from rpg.cli.output import Output
@@ -32,10 +33,10 @@ def run(
             "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set); "
             f"rpg render {task} writes pictures instead"
         )
-    import mujoco.viewer
+    from rpg.viewing import show
 
     loaded = load_version(version)
     shown = (loaded.goal_class if goal else loaded.task_class)(textures=True)
     shown.reset(seed)
     Output(as_json, quiet).document({"task": str(version), "seed": seed, "goal": goal})
-    mujoco.viewer.launch(shown.model, shown.data)
+    show(shown)

@@ -12,6 +12,8 @@ import sys
 import time
 from pathlib import Path
 
+import pytest
+
 from rpg.cli.main import run
 
 RPG = [sys.executable, "-m", "rpg"]
@@ -58,6 +60,33 @@ def test_two_compile_into_one_workspace(compiled: Path, tmp_path: Path) -> None:
     assert places[0] == places[2] != places[1]
     assert {Path(place).parent.name for place in places} == {"red-on-blue", "red-on-blue-2"}
     assert run(["verify", "--tasks", str(tmp_path / "tasks"), "-q"]) == 0
+
+
+@pytest.mark.parametrize(
+    "instruction",
+    [
+        "Stack two green blocks on the blue patch and spell the word CAT in front of it",
+        "Sort two red, two blue and two green blocks by color, then stack the red ones",
+    ],
+)
+def test_an_instruction_gives_the_same_bytes_in_other_surroundings(instruction: str, tmp_path: Path) -> None:
+    written = []
+    for seed in ("0", "4711"):
+        directory = tmp_path / f"directory-{seed}"
+        directory.mkdir()
+        done = subprocess.run(
+            [*RPG, "compile", instruction, "-q"],
+            cwd=directory,
+            env={**os.environ, "PYTHONHASHSEED": seed, "LANG": "C", "TZ": "Asia/Tokyo", "MUJOCO_GL": "disable"},
+            capture_output=True,
+            text=True,
+        )
+        assert done.returncode == 0, done.stderr
+        place = directory / done.stdout.strip()
+        written.append({file.name: file.read_bytes() for file in place.iterdir()} | {"": place.name.encode()})
+    assert b"paraphrases:" in written[0]["task.yaml"]
+    assert {"initial.png", "goal.png", "snapshot.json"} < set(written[0])
+    assert written[0] == written[1]
 
 
 def test_surroundings_change_no_byte(compiled: Path, tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
+from rpg.language.grammar.asides import SOFT
 from rpg.language.grammar.chains import chain
 from rpg.language.grammar.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
@@ -125,6 +126,8 @@ def read_sentence(tokens: list[Token]) -> Sentence:
         found = [(cost_of(c), n, c) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]
     except TooMuchWork:
         raise Refusal([_tangled(p)]) from None
+    if not found and any(t.value == SOFT for t in tokens):
+        return read_sentence([t for t in tokens if t.value != SOFT])
     if not found and _adds(tokens):
         return read_sentence(_unbracketed(tokens))
     if not found:

@@ -20,6 +20,8 @@ _ANYWHERE = (
     "kinda", "mate", "buddy", "dude", "my friend", "good luck",
 )  # fmt: skip
 """Phrases that carry nothing in any place."""
+SOFT = 1.0
+"""The value of a comma that may have set off nothing but an aside."""
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
              "nice and neat", "nice and tidy", "good", "proper")  # fmt: skip
@@ -38,7 +40,7 @@ _FREE = (
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
 _BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
-_DEGREES = frozenset({"and", "but", "to", "near", "close", "far", "long", "small", "big", "large", "tiny"})
+_DEGREES = frozenset({"if", "as", "that", "when", "of", "for", "enough", "and", "but", "to", "near", "close", "far", "long", "small", "big", "large", "tiny"})
 """What an emphasis in front of them would change."""
 _BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
 """Words that are said again when what they begin is begun again."""
@@ -101,6 +103,8 @@ def _closed(tokens: list[Token], out: list[Token], end: int, whole: bool) -> int
         out.pop()
     if end < len(tokens) and tokens[end].word == "," and opened:
         end += 1
+        if out and out[-1].word == ",":
+            out[-1] = replace(out[-1], value=SOFT)
     for size in (3, 2, 1):
         said = [t.word for t in out[-size:]]
         if len(said) == size and said[0] in _BEGUN and said == [t.word for t in tokens[end : end + size]]:

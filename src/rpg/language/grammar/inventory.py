@@ -49,8 +49,9 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     """The things there are; `lemma` "tally" where nothing says so but the list itself."""
     lead = p.any_of(i, _LEADS)
     if lead:
-        for theme, told, j in _contents(p, p.opt(lead, "exactly", "just", "only", ":")):
-            yield _given(p, i, j, theme, told, 1), j
+        taken = p.words[i] in ("take", "use", "using")
+        for theme, told, j in _contents(p, p.opt(lead, "exactly", "just", "only", ":"), taken):
+            yield _given(p, i, j, theme, told, 0 if taken and (told or _several(theme)) else 1), j
     if i == 0 or p.words[i - 1] in _OPENERS:
         for theme, told, j in _contents(p, i):
             yield _given(p, i, j, theme, told, 2), j
@@ -63,7 +64,12 @@ def _given(p: Parser, i: int, j: int, theme: Meaning | None, told: tuple[Size, .
     )  # fmt: skip
 
 
-def _contents(p: Parser, i: int) -> list[tuple[Meaning | None, tuple[Size, ...], int]]:
+def _several(theme: Meaning | None) -> bool:
+    many = isinstance(theme, Noun) and (len(theme.traits.labels) > 1 or (theme.amount is not None and theme.amount.low > 1))
+    return many or isinstance(theme, Coord)
+
+
+def _contents(p: Parser, i: int, definite: bool = False) -> list[tuple[Meaning | None, tuple[Size, ...], int]]:
     """Things with their numbers, or a number that holds of each kind."""
     found: list[tuple[Meaning | None, tuple[Size, ...], int]] = []
     for many, j in amounts.amount(p, i):
@@ -73,7 +79,7 @@ def _contents(p: Parser, i: int) -> list[tuple[Meaning | None, tuple[Size, ...],
         if end := p.any_of(k, IN_TOTAL):
             block = Noun(head="block", amount=many, plural=many.high != 1, span=p.span(i, end))
             found.append((block, (), end))
-    found += [(_whole(p, i, j, items), (), j) for items, j in _run(p, i, p.words[i - 1 : i] == [":"])]
+    found += [(_whole(p, i, j, items), (), j) for items, j in _run(p, i, definite or p.words[i - 1 : i] == [":"])]
     return found
 
 

@@ -14,13 +14,13 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.equations import equation, unequal
 from rpg.language.grammar.labels import digits_of, literal
 from rpg.language.grammar.lists import listed
+from rpg.language.grammar.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.shapes import noun
-from rpg.language.grammar.sizes import IN_TOTAL, dimensions, size_phrase
+from rpg.language.grammar.sizes import IN_TOTAL, dimensions, ends_in_lines, lines_of, size_phrase
 from rpg.language.meaning import (
     Absolute,
     Amount,
     Coord,
-    Manner,
     Meaning,
     Noun,
     OrderBy,
@@ -28,51 +28,9 @@ from rpg.language.meaning import (
     Places,
     Pronoun,
     Size,
-    Spacing,
     Structure,
     Traits,
 )
-
-_MODIFIERS = {
-    "straight": {}, "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
-    "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
-    "simple": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {}, "upright": {"upright": True},
-    "single file": {}, "standing": {"upright": True}, "closed": {}, "proper": {},
-    "full": {"filled": True},
-    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
-    "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
-    "addition": {},
-    "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
-}  # fmt: skip
-
-
-_EDGES = {"edges": True, "edge": True, "sides": True, "side": True, "size": True}
-
-
-_OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
-
-
-_NOWHERE = (0, 0)
-
-
-_DETAILS: dict[str, OrderBy | Spacing | Manner] = {
-    "equally tall": Manner(kind="equal", span=_NOWHERE), "equal": Manner(kind="equal", span=_NOWHERE),
-    "equally high": Manner(kind="equal", span=_NOWHERE),
-    "alternating": OrderBy(by="alternating", span=_NOWHERE), "symmetric": OrderBy(by="mirrored", span=_NOWHERE),
-    "symmetrical": OrderBy(by="mirrored", span=_NOWHERE), "mirrored": OrderBy(by="mirrored", span=_NOWHERE),
-    "alphabetical": OrderBy(by="label", span=_NOWHERE), "alphabetically sorted": OrderBy(by="label", span=_NOWHERE),
-    "palindromic": OrderBy(by="mirrored", span=_NOWHERE),
-    "rainbow": OrderBy(by="rainbow", span=_NOWHERE), "touching": Spacing(kind="touching", span=_NOWHERE),
-    "tight": Spacing(kind="touching", span=_NOWHERE),
-    "evenly spaced": Spacing(kind="even", span=_NOWHERE), "equally spaced": Spacing(kind="even", span=_NOWHERE),
-    "gapless": Spacing(kind="touching", span=_NOWHERE),
-    "sorted": OrderBy(by="in_order", span=_NOWHERE), "ordered": OrderBy(by="in_order", span=_NOWHERE),
-    "numerical": OrderBy(by="number", span=_NOWHERE),
-    **{
-        word: Manner(kind="idle", value=f"size {word}", span=_NOWHERE)
-        for word in ("tall", "long", "short", *lexicon.SIZE)
-    },
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -136,11 +94,11 @@ _BEFORE_UNITS = {
 
 
 def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
-    for phrase, j in p.standing(i, _MODIFIERS):
-        update = _MODIFIERS[phrase]
-        yield _Before(upright=update.get("upright"), filled=update.get("filled"), operator=_OPERATORS.get(phrase)), j
-    for word, j in p.standing(i, _DETAILS):
-        yield _Before(details=(replace(_DETAILS[word], span=p.span(i, j)),)), j
+    for phrase, j in p.standing(i, MODIFIERS):
+        update = MODIFIERS[phrase]
+        yield _Before(upright=update.get("upright"), filled=update.get("filled"), operator=OPERATORS.get(phrase)), j
+    for word, j in p.standing(i, DETAILS):
+        yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
     for found, j in dimensions(p, i):
         for end in dict.fromkeys((j, p.opt(j, "block", "cube", "based"))):
             yield _Before(dims=found), end
@@ -170,7 +128,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             kind == "cube"
             and len(before.dims) != 3
             and not p.any_of(k, ("of", "out of", "made of", "made from", "from"))
-            and not ((m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, _EDGES)))
+            and not ((m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, EDGES)))
         ):
             continue
         rank = before.marks.get("rank")
@@ -186,7 +144,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
         if p.words[k - 1] in ("stairs", "steps") and quantity.amount is not None:
             steps = Size(what="steps", amount=quantity.amount, span=p.span(i, k))
             plural, quantity, before = False, Quantity("a"), replace(before, sizes=(*before.sizes, steps))
-        operator = before.operator or (_OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
+        operator = before.operator or (OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
         filled = False if "outline" in p.words[j:k] else before.filled
         base = Structure(
             kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
@@ -316,11 +274,15 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
             if not either and (len(named) == 1 or base.kind == "checkerboard") and (k >= p.end or p.words[k] == ","):
                 painted = replace(base.traits, colors=named)
                 yield replace(base, traits=painted, span=p.span(i, k), cost=base.cost + 1), k
-    for size, k in size_phrase(p, j):
+    for size, k in [*lines_of(p, j, base.kind), *size_phrase(p, j)]:
+        if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
+            continue
         changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
         yield from _sized(p, i, k, changed)
 
 
+_LINES = ("row", "line", "column", "stack", "circle", "pile", "word")
+"""Structures of which "two each" says nothing by itself: it is said of the kinds of blocks."""
 _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
     "built of", "formed by", "formed of", "comprising",
        "containing", "using", "constructed from", "out of", "built with", "which consists of", "that consists of", "which is made of",
@@ -339,6 +301,8 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
             continue
         for members, end in noun_phrase(p, start):
             if isinstance(members, Coord) and p.one(end, frozenset({"each", "apiece"})):
+                continue
+            if ends_in_lines(p, j) and base.sizes and members_amount(members) is not None:
                 continue
             if isinstance(members, Structure) or (
                 isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)

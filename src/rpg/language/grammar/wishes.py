@@ -26,7 +26,7 @@ _SEE = (
     "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|:"
 )
 _DO = (
-    "to|you_to|the_robot_to|us_to|to_ask_you_to|it_if_you_would|it_if_you_could|if_you_could|if_you_would|it_if_you|"
+    "to|you_to|you_could|you_would|you_can|you_might|the_robot_to|us_to|to_ask_you_to|it_if_you_would|it_if_you_could|if_you_could|if_you_would|it_if_you|"
     "the_arm_to|that_you"
 )
 _PICTURE = "picture|image|photo|photograph|drawing|sketch|figure|scene|view|arrangement|result|layout|setup|state"
@@ -112,7 +112,7 @@ STATE_WISHES = Patterns(
     f"in|on the|this|my|our final|resulting|finished|target|goal|end? {_PICTURE} ,? we|one|you|i? can? see? ,?",
     "we|you|one|i should|must|can|could|will|would|shall? see|observe|notice that?",
     "it can|should|must|could|shall be seen|shown that?",
-    "is it possible|okay|true|allowed|fine that",
+    "let me|us see|have|get|admire|find", "is it possible|okay|true|allowed|fine that",
     "could|can|would|may|might it be that",
     "is there a way that",
     "how|what about having|that|if?",

@@ -157,6 +157,8 @@ def _known_sizes(shape: Structure) -> None:
             limit=MAX_BLOCKS,
         )
     allowed = _SIZES.get(shape.kind, {"size"})
+    if shape.kind in ("row", "line", "column") and not shape.plural and not (shape.amount and shape.amount.low > 1):
+        allowed = allowed - {"columns"}
     for size in shape.sizes:
         if size.what not in allowed:
             raise refuse("misplaced", f"a {shape.kind} has no such size", size.span, "say how many blocks it has")

@@ -21,6 +21,7 @@ from rpg.language.meaning import (
     In,
     Into,
     Loc,
+    Manner,
     Meaning,
     Noun,
     Pronoun,
@@ -49,6 +50,10 @@ _USING = ("using", "with", "from", "out of", "by using", "made of", "made from",
           "made up of", "use", "made with")  # fmt: skip
 
 
+LATER = 50.0
+"""Times from here on come after all that is not said to be later."""
+
+
 @rule
 def adjunct(p: Parser, i: int) -> Results[Meaning]:
     """One adjunct."""
@@ -70,6 +75,8 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     """Any number of adjuncts, the longest run first; commas and "and" may stand between them."""
     for first, j in adjunct(p, i):
         for rest, k in adjuncts(p, j):
+            if _later(first) and any(isinstance(a, Loc | In) for a in rest):
+                continue
             yield (
                 (
                     (replace(first, cost=first.cost + 1), *rest)
@@ -83,6 +90,11 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
                 if rest and (p.words[joined - 1] != "but" or _opposed(first, rest[0])):
                     yield (first, *rest), k
     yield (), i
+
+
+def _later(first: Meaning) -> bool:
+    """ "..., afterwards onto the green patch": a place of its own time, in a clause of its own."""
+    return isinstance(first, Manner) and first.kind == "time" and float(first.value or 0) >= LATER
 
 
 def _opposed(first: Meaning, second: Meaning) -> bool:

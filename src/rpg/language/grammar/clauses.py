@@ -180,7 +180,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
     if k := p.any_of(i, ("do not", "never", "avoid", "do n't", "not")):
         j, negated = k, True
         j = p.opt(j, "ever")
-    never = p.words[i : i + 1] == ["never"]
+    never = p.words[i : i + 1] == ["never"] or p.words[j - 1 : j] == ["ever"]
     for lead in ("let", "allow", "have", "make"):
         if negated and (k := p.one(j, lead)):
             for found, end in state(p, k, "goal"):

@@ -158,6 +158,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "all the time": ("always", None), "from start to finish": ("always", None),
     "during the whole task": ("always", None), "during the task": ("always", None), "at any time": ("always", None),
     "at any point": ("always", None), "ever": ("always", None),
+    "the other way round": ("backwards", None), "the other way around": ("backwards", None),
+    "later": ("time", 50.0), "later on": ("time", 50.0),
     "respectively": ("respectively", None), "backwards": ("backwards", None), "in reverse": ("backwards", None),
     "backward": ("backwards", None),
     "at the end": ("finally", None), "in the end": ("finally", None), "at once": ("idle", "pace at once"),

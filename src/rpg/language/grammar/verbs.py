@@ -221,7 +221,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                           span=p.span(i, k), cost=1), k  # fmt: skip
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):
-            if found and (isinstance(found[0], Loc) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
+            if found and (isinstance(found[0], Loc | In) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
                 it = Pronoun(word="same", span=before.theme.span)
                 verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
                 yield replace(before, verb=verb, theme=it, adjuncts=found, span=p.span(i, k), cost=1), k

@@ -18,7 +18,7 @@ from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, places
 from rpg.passes.schema.resolve.positions import alternatives
 from rpg.passes.schema.resolve.refer import refer
-from rpg.passes.schema.resolve.reordered import moved_within
+from rpg.passes.schema.resolve.reordered import moved_within, topped
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.structures import either, make, stack_built
 from rpg.passes.schema.resolve.things import plain_colors
@@ -62,7 +62,10 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if temporal is not None or (theme.op == "then" and spec.places):
         spec.orders = [o for o in spec.orders if o is not temporal]
         return _one_by_one(theme, temporal, spec, scene, scope, span)
-    if len(spec.ats) == 1 and not scope.start and (again := moved_within(theme, spec.ats[0], scene, span)) is not None:
+    again = None if len(spec.ats) != 1 or scope.start else moved_within(theme, spec.ats[0], scene, span)
+    if again is None and len(spec.ats) == 1 and verb in ("place", "be") and not scope.start and not spec.intos:
+        again = topped(theme, spec.ats[0], scene, span)
+    if again is not None:
         spec.ats = []
         return [*again, *places(theme, spec, scene, scope, span)]
     ref = theme

@@ -8,6 +8,7 @@ from typing import TypeGuard
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import (
     Clause,
     In,
@@ -61,6 +62,8 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         goals = not_both(goals, clause.span)
     if spec.manner("allowed") is not None and not clause.negated and not all(_forbids(x) for x in goals):
         raise refuse("no-goal", "this is allowed, but not asked for", clause.span, "say 'must' or 'should'")
+    for name in [n for goal in goals for n in names_in(goal)]:
+        scene.held.pop(name, None)
     always = spec.manner("always") is not None
     if spec.manner("only") is not None:
         moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]

@@ -16,6 +16,8 @@ from rpg.passes.schema.resolve.world import Scene, refuse
 
 def check(goal: g.Goal, scene: Scene) -> None:
     """Refuse a goal that cannot hold."""
+    for stage in _stages(goal):
+        check(stage, scene)
     parts = list(required(goal))
     _to_themselves(goal)
     _cycles(parts)
@@ -25,6 +27,13 @@ def check(goal: g.Goal, scene: Scene) -> None:
                 raise _clash(a, b)
     _direction_cycles(parts)
     _turned_in_words(parts)
+
+
+def _stages(goal: g.Goal) -> list[g.Goal]:
+    """The stages of every sequence in a conjunction: each must hold at some time."""
+    if isinstance(goal, g.Sequence):
+        return [stage.goal for stage in goal.stages]
+    return [x for part in goal.goals for x in _stages(part)] if isinstance(goal, g.All) else []
 
 
 def _to_themselves(goal: g.Goal) -> None:

@@ -9,7 +9,7 @@ from rpg.passes.schema.resolve.conflicts import clash, required
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.things import Premise
-from rpg.passes.schema.resolve.world import Ref, Scene, Scope
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
 def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
@@ -26,6 +26,8 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
             kept += facts
         else:
             scene.start_goals += [f for f in facts if f not in scene.start_goals]
+    for span in scene.held.values():
+        raise refuse("no-goal", "a block that is held has no place at the end", span, "say where to put it down")
     for names, patches, span in scene.exclusive:
         others = [t.name for t in scene.blocks() if t.name not in names]
         kept += [g.Not(goal=r.OnPatch(a=(n,), patch=p, span=span), span=span) for n in others for p in patches]

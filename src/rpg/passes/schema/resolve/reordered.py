@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.language.meaning import At
 from rpg.passes.schema.resolve.logic import Atoms
+from rpg.passes.schema.resolve.operands import UPRIGHT, crown
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
 
 FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front"}
@@ -34,6 +36,26 @@ def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
     if at_.side not in (first, LAST[first]):
         return None
     return [_again(built, (*theme.names, *rest) if at_.side == first else (*rest, *theme.names), scene, span)]
+
+
+def topped(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
+    """ "put D on top": of the tower or the block spoken of last, where it is no part of that."""
+    if at_.side != "top" or at_.index is not None or at_.whole or len(theme.names) != 1 or theme.quant is not None:
+        return None
+    latest = [b for b in scene.built if b.kind in UPRIGHT]
+    if latest and not set(theme.names) & set(latest[-1].members):
+        together = [b for b in latest if b.span == latest[-1].span]
+        if len(together) > 1:
+            raise refuse("ambiguous", "it is not clear on which of these", at_.span, "name the one you mean")
+        base = crown(Ref(names=latest[-1].members, built=(latest[-1],)))
+    else:
+        said = [m for m in scene.mentions if m.role == "theme" and m.clause < scene.clause and len(m.ref.names) == 1]
+        if latest or scene.built or not said or said[-1].ref.patch or said[-1].ref.names == theme.names:
+            return None
+        base = said[-1].ref.names
+    if isinstance(base, tuple) and len(base) == 1:
+        scene.stacked(theme.names[0], base[0], span)
+    return [r.On(a=theme.names, b=base, span=span)]
 
 
 def _again(built: Built, names: tuple[str, ...], scene: Scene, span: Span) -> g.Goal:

@@ -124,6 +124,7 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.places = []
         return goals
     scene.picked = clause.span
+    scene.held.update(dict.fromkeys(theme.names, clause.span))
     if spec.usings and len(spec.usings) == 1:
         _picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
     return []

@@ -150,6 +150,7 @@ class Scene:
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     denied: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     only: list[str] = field(default_factory=list)
+    held: dict[str, Span] = field(default_factory=dict)
     exclusive: list[tuple[tuple[str, ...], tuple[str, ...], Span]] = field(default_factory=list)
     returned: set[str] = field(default_factory=set)
     unstacked: set[str] = field(default_factory=set)

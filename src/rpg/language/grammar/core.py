@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, wraps
+from itertools import chain, islice
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from rpg.core.diagnostics import Span
@@ -40,6 +41,18 @@ def by_first(phrases: tuple[str, ...]) -> dict[str, list[tuple[str, ...]]]:
         words = tuple(phrase.split())
         table.setdefault(words[0], []).append(words)
     return table
+
+
+@lru_cache(maxsize=1024)
+def tree_of(phrases: tuple[str, ...]) -> dict[str | None, Any]:
+    """Phrases word by word: what may follow each word, and under None the rank and the phrase that ends there."""
+    tree: dict[str | None, Any] = {}
+    for rank, phrase in enumerate(phrases):
+        branch = tree
+        for word in phrase.split():
+            branch = branch.setdefault(word, {})
+        branch.setdefault(None, (rank, phrase))
+    return tree
 
 
 class Parser:
@@ -99,29 +112,34 @@ class Parser:
             self.reach(i)
         return i
 
-    def standing(self, i: int, phrases: Collection[str]) -> Iterator[tuple[str, int]]:
+    def standing(self, i: int, phrases: Collection[str]) -> list[tuple[str, int]]:
         """Those of `phrases` that stand here, in their order, each with the position after it."""
-        if i < self.end:
-            for words in by_first(tuple(phrases)).get(self.words[i], ()):
-                phrase = " ".join(words)
-                if j := self.seq(i, phrase):
-                    yield phrase, j
+        branch = tree_of(tuple(phrases)).get(self.words[i]) if i < self.end else None
+        if branch is None:
+            return []
+        return [(phrase, j) for (_, phrase), j in sorted(self._met(i, branch))]
 
     def any_of(self, i: int, phrases: tuple[str, ...]) -> int:
         """The position after the longest of `phrases` that stands here, or 0."""
-        if i >= self.end:
+        branch = tree_of(phrases).get(self.words[i]) if i < self.end else None
+        if branch is None:
             return 0
-        best = 0
-        for words in by_first(phrases).get(self.words[i], ()):
-            j = i
-            for word in words:
-                if self.words[j] != word or j >= self.end:
+        found = self._met(i, branch)
+        return found[-1][1] if found else 0
+
+    def _met(self, i: int, branch: dict[str | None, Any] | None) -> list[tuple[tuple[int, str], int]]:
+        """The phrases below a branch that stand here, with their ranks and the positions after them, shortest first."""
+        found: list[tuple[tuple[int, str], int]] = []
+        j = i
+        while branch is not None:
+            j += 1
+            if None in branch:
+                found.append((branch[None], j))
+                if len(branch) == 1:
                     break
-                j += 1
-                self.reach(j)
-            else:
-                best = max(best, j)
-        return best
+            branch = branch.get(self.words[j])
+        self.reach(j)
+        return found
 
     def lex(self, i: int, category: Mapping[str, M]) -> M | None:
         """What the word at i means in a table of the lexicon."""
@@ -231,8 +249,11 @@ def rule(
 
 def _distinct(readings: Results[M]) -> list[tuple[M, int]]:
     """The first of the readings that differ."""
+    first = list(islice(readings, 2))
+    if len(first) < 2:
+        return first
     seen: dict[tuple[Any, int], None] = {}
-    for reading in readings:
+    for reading in chain(first, readings):
         seen.setdefault(reading)
         if len(seen) >= MAX_READINGS:
             break

@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable
 
 from rpg.language.grammar.core import Parser
 
 
 class Phrases:
-    """A set of phrases, found by their first words."""
+    """A set of phrases."""
 
     def __init__(self, *phrases: str) -> None:
-        self.by_first: dict[str, list[str]] = {}
-        for phrase in phrases:
-            self.by_first.setdefault(phrase.split()[0], []).append(phrase)
+        self.phrases = phrases
         self.words = frozenset(word for phrase in phrases for word in phrase.split())
 
-    def matches(self, p: Parser, i: int) -> Iterator[int]:
+    def matches(self, p: Parser, i: int) -> Iterable[int]:
         """Positions after the phrases that stand at i."""
-        for phrase in self.by_first.get(p.words[i] if i < p.end else "", ()):
-            if j := p.seq(i, phrase):
-                yield j
+        return [j for _, j in p.standing(i, self.phrases)]
 
 
 COMMAND_FRAMES = Phrases(

@@ -1,0 +1,46 @@
+"""What may stand before the noun of a structure: words that shape it, and words that say how its blocks lie."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Manner, OrderBy, Spacing
+
+MODIFIERS = {
+    "straight": {}, "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
+    "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
+    "simple": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {}, "upright": {"upright": True},
+    "single file": {}, "standing": {"upright": True}, "closed": {}, "proper": {},
+    "full": {"filled": True},
+    "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
+    "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
+    "addition": {},
+    "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},
+}  # fmt: skip
+
+
+_EDGES = {"edges": True, "edge": True, "sides": True, "side": True, "size": True}
+
+
+OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
+
+
+NOWHERE = (0, 0)
+
+
+DETAILS: dict[str, OrderBy | Spacing | Manner] = {
+    "equally tall": Manner(kind="equal", span=NOWHERE), "equal": Manner(kind="equal", span=NOWHERE),
+    "equally high": Manner(kind="equal", span=NOWHERE),
+    "alternating": OrderBy(by="alternating", span=NOWHERE), "symmetric": OrderBy(by="mirrored", span=NOWHERE),
+    "symmetrical": OrderBy(by="mirrored", span=NOWHERE), "mirrored": OrderBy(by="mirrored", span=NOWHERE),
+    "alphabetical": OrderBy(by="label", span=NOWHERE), "alphabetically sorted": OrderBy(by="label", span=NOWHERE),
+    "palindromic": OrderBy(by="mirrored", span=NOWHERE),
+    "rainbow": OrderBy(by="rainbow", span=NOWHERE), "touching": Spacing(kind="touching", span=NOWHERE),
+    "tight": Spacing(kind="touching", span=NOWHERE),
+    "evenly spaced": Spacing(kind="even", span=NOWHERE), "equally spaced": Spacing(kind="even", span=NOWHERE),
+    "gapless": Spacing(kind="touching", span=NOWHERE),
+    "sorted": OrderBy(by="in_order", span=NOWHERE), "ordered": OrderBy(by="in_order", span=NOWHERE),
+    "numerical": OrderBy(by="number", span=NOWHERE),
+    **{
+        word: Manner(kind="idle", value=f"size {word}", span=NOWHERE)
+        for word in ("tall", "long", "short", *lexicon.SIZE)
+    },
+}  # fmt: skip

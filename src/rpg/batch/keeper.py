@@ -15,8 +15,8 @@ from rpg.core.diagnostics import UsageError
 from rpg.store import Workspace, write_rejected
 from rpg.store.adopt import Draft
 
-SAVE_EVERY = 25
-"""Entries between two writings of the ledger."""
+SAVE_EVERY, SAVE_SHARE = 25, 20
+"""Entries between two writings of the ledger, which is written as a whole: so many, or a 20th of it if that is more."""
 WRITERS = 4
 """Drafts written at once: each waits for the disk most of the time."""
 WAITING = 16
@@ -70,7 +70,7 @@ class Keeper:
         if made is not None:
             self.made[entry.digest] = made
             self.verdicts |= result.verdicts
-        if len(self.made) >= SAVE_EVERY:
+        if len(self.made) >= max(SAVE_EVERY, len(self.ledger.entries) // SAVE_SHARE):
             self._save()
         return line
 

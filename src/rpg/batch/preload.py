@@ -1,5 +1,10 @@
-"""Imported once by the process that workers are forked from: what every entry needs, without OpenGL."""
+"""Imported once by the process that workers are forked from: what every entry needs, without OpenGL.
 
+What is imported is there for good: the garbage collector need never look at it again, nor copy, by touching them, the
+pages that workers share.
+"""
+
+import gc
 from importlib import import_module
 
 from rpg.batch.memory import give_back
@@ -19,3 +24,5 @@ give_back()
 load_mujoco()
 for module in MODULES:
     import_module(module)
+gc.collect()
+gc.freeze()

@@ -6,6 +6,7 @@ once; it then forks a child for every request, on another core, at no cost to th
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import select
@@ -89,6 +90,7 @@ def _serve(work: Work, requests: int, answers: int) -> None:
         null = os.open(os.devnull, os.O_RDWR)
         for standard in (0, 1, 2):
             os.dup2(null, standard)
+        gc.freeze()
         with os.fdopen(requests, "rb") as lines:
             for line in lines:
                 number, request = json.loads(line)
@@ -105,6 +107,7 @@ def _serve(work: Work, requests: int, answers: int) -> None:
 def _answer(work: Work, number: int, request: Any, answers: int) -> None:
     """A child's whole life."""
     try:
+        gc.disable()  # it would touch, and so copy, the pages that are shared with the nursery
         line = json.dumps([number, work(request)], allow_nan=False).encode() + b"\n"
         while line:
             line = line[os.write(answers, line) :]

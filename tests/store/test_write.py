@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import re
 
@@ -137,3 +138,14 @@ def test_a_version_needs_all_its_files(workspace: Workspace) -> None:
 def test_workspace_that_cannot_be_written(tmp_path: object) -> None:
     with pytest.raises(UsageError, match="--tasks"):
         write_base(Workspace(__import__("pathlib").Path("/proc/nowhere")), "x", make_content())
+
+
+def test_a_full_disk_is_named_and_leaves_nothing_behind(workspace: Workspace, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(path: object, data: bytes) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("rpg.store.write.write_file", full)
+    with pytest.raises(OSError, match="No space left") as error:
+        write_base(workspace, "red-on-blue", make_content())
+    assert error.value.filename == str(workspace.root)
+    assert not [path for path in workspace.root.iterdir() if path.name != ".lock"]

@@ -27,6 +27,8 @@ def print_task(console: Console, task: Task, data: dict[str, Any], goal: Outline
     console.print(goal_tree(goal))
     console.print()
     console.print(_assets(data["assets"]))
+    if schema.assumptions:
+        console.print()
     for assumption in schema.assumptions:
         console.print(Text.assemble(("assumed: ", "dim"), assumption))
 

@@ -70,6 +70,10 @@ def aside(parent: Path, workspace: Workspace) -> Iterator[Path]:
     try:
         draft.chmod(0o755)
         yield draft
+    except OSError as error:
+        # A write that finds no room does not say where it was.
+        error.filename = error.filename or str(workspace.root)
+        raise
     finally:
         os.close(descriptor)
         shutil.rmtree(draft, ignore_errors=True)

@@ -9,12 +9,12 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from rpg.core.diagnostics import Refusal
+from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, Pronoun, Structure, cost_of, parts_of
+from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, cost_of, parts_of
 from rpg.language.read import Sentence
 from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
@@ -25,8 +25,8 @@ from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.hoist import hoisted
-from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.inventory import each_agrees
+from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.tidy import once, tidy
@@ -131,7 +131,19 @@ def resolve(
         if bold != facts and refusal.diagnostics[0].code in UNMEANT:
             with suppress(Refusal):
                 return _resolved(links, bold, text, notes, name, seed, author, lenient)
+        if isinstance(refusal, Repairable):
+            raise refusal.blaming("order-misfit", _ordering(chains)) from None
         raise
+
+
+def _ordering(chains: tuple[Chain, ...]) -> Span | None:
+    """The words that ask for an order by letters or numbers."""
+    parts = (part for chain in chains for part in parts_of(chain))
+    return next((p.span for p in parts if isinstance(p, OrderBy) and p.by in SYMBOLIC), None)
+
+
+SYMBOLIC = frozenset({"label", "number", "ascending", "number_up", "number_down"})
+"""Orders that ask for letters or numbers."""
 
 
 def _resolved(

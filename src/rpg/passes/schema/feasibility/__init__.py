@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from rpg.blocks.equivalence import equivalent
-from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.core.diagnostics import Diagnostic, Refusal, Span
 from rpg.ir.schema import TaskSchema
 from rpg.passes.schema.feasibility.conflicts import Conflict, conflicts
 from rpg.passes.schema.feasibility.inventory import Inventory, take_stock
@@ -72,6 +72,11 @@ class Repairable(Refusal):
     def __init__(self, diagnostics: Iterable[Diagnostic], remedies: Iterable[Iterable[Repair]]) -> None:
         super().__init__(diagnostics)
         self.remedies = tuple(remedies)
+
+    def blaming(self, code: str, span: Span | None) -> Repairable:
+        """The same refusal, where diagnostics of this code are about these words."""
+        told = (d.model_copy(update={"span": span or d.span}) if d.code == code else d for d in self.diagnostics)
+        return Repairable(told, self.remedies)
 
 
 def examine(task: TaskSchema, open_: Mapping[str, str] = NOTHING_OPEN) -> Feasibility:

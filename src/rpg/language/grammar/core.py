@@ -14,6 +14,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
+from rpg.language.meaning import cost_of
 from rpg.language.outlook import END, Hidden, Leaf, Outlook, View, free_of_places, key_of, leaf_of
 from rpg.language.tokens import Token
 
@@ -23,6 +24,8 @@ Results = Iterator[tuple[M, int]]
 
 MAX_READINGS = 48
 """Readings kept per rule and place; more than this only arises from endless coordination."""
+MAX_WEIGHED = 240
+"""Readings among which the cheapest are kept."""
 MAX_WORK = 60_000
 """Rule applications per sentence."""
 MAX_STEPS = 100_000
@@ -248,13 +251,17 @@ def rule(
 
 
 def _distinct(readings: Results[M]) -> list[tuple[M, int]]:
-    """The first of the readings that differ."""
+    """The readings that differ: the first ones, or of many the cheapest."""
     first = list(islice(readings, 2))
     if len(first) < 2:
         return first
     seen: dict[tuple[Any, int], None] = {}
     for reading in chain(first, readings):
         seen.setdefault(reading)
-        if len(seen) >= MAX_READINGS:
+        if len(seen) >= MAX_WEIGHED:
             break
-    return list(seen)
+    if len(seen) <= MAX_READINGS:
+        return list(seen)
+    costs = {reading: cost_of(reading[0]) for reading in seen}
+    dear = sorted(costs.values())[MAX_READINGS - 1]
+    return [reading for reading in seen if costs[reading] <= dear][:MAX_READINGS]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.meaning import Manner, OrderBy, Spacing
 
 MODIFIERS = {
@@ -17,7 +18,7 @@ MODIFIERS = {
 }  # fmt: skip
 
 
-_EDGES = {"edges": True, "edge": True, "sides": True, "side": True, "size": True}
+EDGES = {"edges": True, "edge": True, "sides": True, "side": True, "size": True}
 
 
 OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}

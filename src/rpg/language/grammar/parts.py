@@ -41,6 +41,7 @@ _NOUNS = {
 _FROM = tuple(f"from {the}{side}" for side in ("left", "right", "top", "bottom") for the in ("the ", ""))
 _OWN = frozenset({"the", "its", "their", "all", "both", "each", "every", "either"})
 _LEADS = ("in", "at", "on", "for", "along", "as", "forming", "in all", "on all", "at all")
+_REST = ("everything else", "all else", "all the rest", "all the others", "all others", "every other block")
 _BETWEEN = ("in between", "between them", "elsewhere", "everywhere else", "in between them", "between the ends")
 _IS = (
     "is", "are", "being", "should be", "must be", "shall be", "has to be", "have to be", "will be", "in",
@@ -55,7 +56,9 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
 
     A single block at a side is an `At`, everything else `Places`.
     """
-    j, each, owned = i, False, False
+    if k := p.any_of(i, _REST):
+        yield Places(side="rest", unit="block", span=p.span(i, k)), k
+    j, each, owned = p.opt(i, "only", "just"), False, False
     while k := p.one(j, _OWN):
         each = each or p.words[j] in ("each", "every", "either", "both")
         owned, j = True, k
@@ -157,8 +160,10 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
             yield Absolute(theme=theme, adjuncts=(rest,), span=p.span(i, end)), end
         if lead := p.any_of(k, _LEADS):
             for place, end in part(p, lead, unit):
-                on_block = p.words[k] == "on" and p.words[end - 1] in _UNITS and _UNITS[p.words[end - 1]] == "block"
-                if isinstance(place, Places) and not on_block:
+                block = p.words[end - 1] in _UNITS and _UNITS[p.words[end - 1]] == "block"
+                on_block = p.words[k] == "on" and (block or isinstance(place, At))
+                own = p.words[lead] in ("its", "each", "every", "either") or getattr(place, "index", None) is not None
+                if (isinstance(place, Places) or own) and not on_block:
                     yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
 
 

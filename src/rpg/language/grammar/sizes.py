@@ -139,3 +139,26 @@ def _based(p: Parser, i: int, k: int) -> Results[Size]:
     for found, m in amounts.amount(p, e):
         m = p.opt(p.opt(m, "horizontal"), *_BLOCKS)
         yield Size(what="base", amount=found, span=p.span(i, m)), p.opt(m, "wide")
+
+
+_ROWS = {"rows": ("grid", "square", "rectangle"), "columns": ("grid", "square", "rectangle"), "layers": ("wall",)}
+"""Lines of which it can be said how many blocks each has, by the kinds of structures."""
+
+
+def ends_in_lines(p: Parser, j: int) -> bool:
+    """Whether "three rows" stands just before: "of four" then says how long each is."""
+    return j > 1 and p.words[j - 1] in _ROWS and p.number(j - 2) is not None
+
+
+@rule
+def lines_of(p: Parser, i: int, kind: str) -> Results[Size]:
+    """ "with three rows of four": the extents of a grid, or of a wall."""
+    j = p.any_of(i, ("with", "of", "having", "in", "made of"))
+    lines = p.number(j) if j else None
+    what = p.words[j + 1] if lines is not None and j + 3 < p.end else ""
+    each = p.number(j + 3) if what in _ROWS and p.words[j + 2] == "of" else None
+    if lines is None or each is None or not (kind in _ROWS[what] or (kind == "wall" and what == "rows")):
+        return
+    dims = (lines, each) if what == "rows" and kind != "wall" else (each, lines)
+    end = p.any_of(j + 4, tuple(f"{noun}{tail}" for noun in ("blocks", "cubes") for tail in (" each", "")))
+    yield Size(what="dims", dims=dims, span=p.span(i, end or j + 4)), end or j + 4

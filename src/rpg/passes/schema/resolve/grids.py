@@ -61,6 +61,10 @@ def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
     if total is not None and (rows or columns) and total % (rows or columns or 1) == 0:
         other = total // (rows or columns or 1)
         return (rows, other, layers) if rows else (other, columns or 1, layers)
+    if total is not None and (rows or columns):
+        lines = f"{rows} rows" if rows else f"{columns} columns"
+        raise refuse("count-mismatch", f"{total} blocks do not fill {lines}", shape.span,
+                     "say how many blocks each of them has", blocks=total)  # fmt: skip
     if total is None:
         if shape.kind == "cube":
             raise refuse(

@@ -60,11 +60,11 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
     if isinstance(node, s.Grid) and upright(node):
         cells = [cell._replace(row=height - 1 - cell.level, level=0) for cell in cells]
         height = 1
+    if unit == "half" and isinstance(node, s.Grid):
+        return _half(side, cells)
     if height > 1 or not _square(node):
         return []
     rows, columns = 1 + max(c.row for c in cells), 1 + max(c.column for c in cells)
-    if unit == "half":
-        return _half(side, cells, rows, columns)
     match side:
         case "corners":
             found = [k for k, c in enumerate(cells) if c.row in (0, rows - 1) and c.column in (0, columns - 1)]
@@ -79,10 +79,10 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
     return [[k] for k in found] if len(found) < len(cells) else []
 
 
-def _half(side: str, cells: Sequence[Cell], rows: int, columns: int) -> Groups:
+def _half(side: str, cells: Sequence[Cell]) -> Groups:
     """The left, right, far or near half of a figure that can be halved so."""
     across = side in ("left", "right")
-    total = columns if across else rows
+    total = 1 + max(cell.column if across else cell.row for cell in cells)
     side = {"top": "left", "back": "left", "bottom": "right", "front": "right"}.get(side, side)
     if total % 2 or side not in ("left", "right"):
         return []

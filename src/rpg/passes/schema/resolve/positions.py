@@ -71,7 +71,8 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     parts: list[At | Places] = []
     bunches: list[tuple[str, ...]] = []
     last: int | None = None
-    ends = any(getattr(place_of(item), "side", "") in ("ends", "outer") for item in spec.absolutes)
+    sides = [place.side for item in spec.absolutes if (place := place_of(item)) is not None]
+    ends = "rest" not in sides and ("ends" in sides or "outer" in sides)
     for item in list(spec.absolutes):
         place = place_of(item)
         if place is None or not _belongs(item.theme, names, scene):
@@ -81,7 +82,8 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
             continue
         groups = _following(item, last) if place.side == "next" and last is not None else None
         found, last = _put(item, place, groups, held, names, kind, scene)
-        bunches += [found] if isinstance(item.theme, Noun) and not item.theme.traits.labels else []
+        alike_ = len({looks(scene.things[n]) for n in found}) == 1
+        bunches += [found] if alike_ or (isinstance(item.theme, Noun) and not item.theme.traits.labels) else []
         parts.append(place)
         spec.absolutes.remove(item)
     for item in rest:

@@ -147,6 +147,10 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
 
 def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:
     """ "a group of reds and one of blues": a structure like the one before it in the list."""
+    if isinstance(before, Noun) and before.traits.rank and before.head == "any" and before.det == "the":
+        for marks, j in adjectives(p, i):
+            if set(marks) == {"rank"}:
+                yield replace(before, traits=Traits(**marks), span=p.span(i, j)), j
     of = p.any_of(i, ("one of", "another of", "another one of", "a second of", "a third of", "the other of"))
     if not (of and isinstance(before, Structure) and before.members is not None and not before.plural):
         return

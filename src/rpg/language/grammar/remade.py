@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.nouns import noun_phrase, simple
@@ -45,7 +47,7 @@ def _turned_into(p: Parser, i: int, j: int) -> Results[Clause]:
     for theme, k in noun_phrase(p, j):
         for found, end in adjuncts(p, k):
             if any(isinstance(a, Into) for a in found):
-                yield _clause(p, i, end, "arrange", theme, found), end
+                yield replace(_clause(p, i, end, "arrange", theme, found), lemma="turn into"), end
 
 
 def _clause(p: Parser, i: int, j: int, verb: str, theme: Meaning, found: tuple[Meaning, ...]) -> Clause:

@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
     """Premises hold at the start; what is asserted at the end too; blocks other than those alone moved stay put."""
     kept: list[g.Goal] = []
+    scene.clause += 1
     premises, scene.premises = scene.premises, []
     for premise in premises:
         if not isinstance(premise, Premise) or not isinstance(premise.condition, Loc | In):

@@ -80,7 +80,10 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         own = {n for m in current for n in m.ref.names}
         single = [m for m in single if not own & set(m.ref.names)]
     if not single:
-        return _them(word, scene, scope)
+        several = _them(word, scene, scope)
+        if word.word == "it" and len(several.names) > 1 and not several.built and scope.role == "theme":
+            raise refuse("ambiguous", "'it' could be any of several blocks", word.span, "name the one you mean")
+        return several
     if scope.role == "theme":
         themes = [m for m in single if m.role in ("theme", "given")]
         return (themes or single)[-1].ref

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.meaning import At, Noun
 from rpg.passes.schema.resolve.positions import SIDES
+from rpg.passes.schema.resolve.reordered import begun_in_order
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 _FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "word": "left"}
@@ -21,10 +22,11 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if len(sized) > 1 and sized[0][0] != sized[1][0]:
             return Ref(names=(sized[0][1],))
         raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
-    for built in reversed(scene.built):
-        if not built.ordered:
+    for built in list(reversed(scene.built)):
+        known = built if built.ordered else begun_in_order(built, scene)
+        if known is None or (rank.isdigit() and known.kind == "stack" and len(known.members) == 2):
             continue
-        found = _in(built, rank)
+        found = _in(known, rank)
         if found is not None and (noun.head != "patch"):
             return Ref(names=(found,))
     if (found_ := _among_alike(noun, rank, scene)) is not None:
@@ -78,7 +80,8 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
 
 def _of_structures(noun: Noun, index: int, scene: Scene) -> Ref:
     """ "the first" where two towers were built: the first of them."""
-    if noun.traits.colors or len({b.kind for b in scene.built}) > 1 or index > len(scene.built):
+    unsaid = any(n in scene.on_clause for b in scene.built for n in b.members)
+    if noun.traits.colors or unsaid or len({b.kind for b in scene.built}) > 1 or index > len(scene.built):
         raise refuse("ambiguous", "it is not clear which block or structure this is", noun.span, "name it")
     built = scene.built[index - 1]
     return Ref(names=built.members, built=(built,), span=noun.span)

@@ -71,6 +71,17 @@ def _again(built: Built, names: tuple[str, ...], scene: Scene, span: Span) -> g.
     return s.Row(blocks=names, axis="y" if first in ("left", "right") else "x", order=order, span=span)
 
 
+def begun_in_order(built: Built, scene: Scene) -> Built | None:
+    """A structure of the start whose blocks differ, in the order in which they were named; None for others."""
+    looks = {(t.color, t.label) for t in (scene.things[n] for n in built.members)}
+    node = _begun(built, scene)
+    if node is None or node.order.by != "any" or built.kind not in FIRST:
+        return None
+    if len(looks) < len(built.members) and looks != {(None, None)}:
+        return None
+    return _ordered(Ref(names=built.members, built=(built,), span=built.span), scene, built.span)
+
+
 def _begun(built: Built, scene: Scene) -> s.Stack | s.Row | None:
     """The structure as the start has it."""
     for goal in scene.start_goals:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks
 from rpg.passes.schema.resolve.fitting import uses_orders
@@ -22,8 +24,10 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             theme = refer(clause.theme.items[0], scene, scope)
             spec.intos.append(Into(structure=last, span=last.span))
             return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
-    if isinstance(clause.theme, Structure) and spec.intos and _spoken_of(clause.theme, clause, scene):
-        there = refer(clause.theme, scene, scope)
+    made_of = isinstance(clause.theme, Structure) and bool(spec.intos)
+    if made_of and clause.theme is not None and (clause.lemma == "turn into" or _known_already(clause, scene)):
+        begun = replace(scope, start=True, given=True) if not _known_already(clause, scene) else scope
+        there = refer(clause.theme, scene, begun)
         return arrange_blocks(Ref(names=there.names, plural=True), "arrange", spec, scene, scope, clause.span)
     if clause.theme is None:
         shapes = [spec.intos.pop(0).structure]
@@ -85,6 +89,10 @@ def _beside_the_other(parts: list[Ref], spec: Spec, scene: Scene, clause: Clause
         raise refuse("ambiguous", "it is not clear what 'it' is", own[0].span, "name what you mean")
     spec.places = [p for p in spec.places if p not in own]
     return [x for place in own for x in related(parts[-1], parts[-2], place, scene, clause.span)]
+
+
+def _known_already(clause: Clause, scene: Scene) -> bool:
+    return isinstance(clause.theme, Structure) and _spoken_of(clause.theme, clause, scene)
 
 
 def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:

@@ -87,7 +87,8 @@ def throughput(workers: int, count: int) -> Throughput:
     with tempfile.TemporaryDirectory() as root:
         pool = Watched(workers)
         begun, parent = time.perf_counter(), time.process_time()
-        run_batch(entries(count), Workspace(Path(root)), pool, pictures=False)
+        report = run_batch(entries(count), Workspace(Path(root)), pool, pictures=False)
+        assert not report.count("failed")
         parent = time.process_time() - parent
         return Throughput(workers, count, time.perf_counter() - begun, pool.cpu + parent, parent, pool.peak)
 

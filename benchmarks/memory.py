@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import sys
 import time
+from collections import Counter
 from itertools import islice
 from pathlib import Path
 
@@ -29,12 +30,13 @@ def held() -> float:
 
 def main(count: int) -> None:
     """Compile, as a worker of a batch does, and print memory and the time of the last ones."""
-    begun = time.process_time()
+    begun, became = time.process_time(), Counter[str]()
     for number, text in enumerate(islice(instructions(), count), 1):
-        build(Entry(f"list:{number}", text), pictures=False)
+        became[build(Entry(f"list:{number}", text), pictures=False).status] += 1
         if number % EVERY == 0:
             each = 1000 * (time.process_time() - begun) / EVERY
-            print(f"{number:6} compiles: {held():6.1f} MB, {each:5.1f} ms of processor time each", flush=True)
+            counts = ", ".join(f"{many} {what}" for what, many in sorted(became.items()))
+            print(f"{number:6} compiles: {held():6.1f} MB; {each:5.1f} ms of processor time each; {counts}", flush=True)
             begun = time.process_time()
 
 

@@ -73,8 +73,9 @@ upgrade: setup ## verify a workspace that another MuJoCo built; OTHER names a Py
 	  '  make upgrade OTHER=.venv-other/bin/python'; exit 2; }
 	OTHER_PYTHON=$(abspath $(OTHER)) $(BIN)/pytest tests/batch/test_two_versions.py
 
-corpus: setup ## report how the corpus of instructions fares: right, refused, wrong
+corpus: setup ## report how the corpus of instructions and the sessions of edits fare: right, refused, wrong
 	$(BIN)/python -m tests.corpus.run
+	$(BIN)/python -m tests.steer.run
 
 kills: setup ## kill compile, steer and session 200 times each; no finished version may be lost
 	$(BIN)/python -m tests.steer.kills --times 200

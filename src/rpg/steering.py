@@ -276,6 +276,7 @@ def witness_data(witness: Witness, picture: Path | None = None) -> dict[str, Any
     return {
         "accepted_by": witness.accepted_by,
         "source": witness.source,
+        "fails": list(witness.fails),
         "objects": objects,
         "picture": str(picture) if picture else None,
     }

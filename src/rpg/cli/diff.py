@@ -40,4 +40,6 @@ def run(
     out.document(found.document(pictures))
     out.result.print(f"{first} → {second}")
     print_proof(out.result, found.proof)
-    print_witnesses(out.result, pictures)
+    print_witnesses(out.result, found.witnesses, pictures)
+    if found.witnesses and target is None:
+        out.asides.print("--out DIR draws these states")

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from rpg.cli.output import Output
+    from rpg.steer.compare import Witness
     from rpg.steer.proof import Proof
     from rpg.steering import Steered
 
@@ -115,7 +116,11 @@ def _plain(value: object) -> str:
     return "none" if value is None else str(value)
 
 
-def print_witnesses(console: Console, pictures: dict[str, Path]) -> None:
-    """Where the pictures of the witness states are."""
-    for side, path in pictures.items():
-        console.print(Text(f"  only the {side} goal accepts: {path}", "dim"), soft_wrap=True)
+def print_witnesses(console: Console, witnesses: Iterable[Witness], pictures: dict[str, Path]) -> None:
+    """For each goal a state that it alone accepts: what the other one misses in it, and where its picture is."""
+    for witness in sorted(witnesses, key=lambda each: each.accepted_by, reverse=True):
+        other = "new" if witness.accepted_by == "old" else "old"
+        fails = f"; there the {other} one misses: {', '.join(witness.fails)}" if witness.fails else ""
+        console.print(Text(f"  a state that only the {witness.accepted_by} goal accepts{fails}"))
+        if witness.accepted_by in pictures:
+            console.print(Text(f"    {pictures[witness.accepted_by]}", "dim"), soft_wrap=True)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, label_list, longest, m, noun_phrase, phrases, simple
-from rpg.steer.phrases import fresh, labelled, things
+from rpg.steer.phrases import fresh, labelled, plural_kind, things
 from rpg.steer.places import place, places
 
 ADD = frozenset(
@@ -62,6 +62,11 @@ REMOVE = phrases(
 )
 
 
+def _only_a_kind(phrase: m.Meaning) -> bool:
+    """Phrases such as "letters", "blues": without a verb of adding, they say what blocks are, not that more come."""
+    return any(plural_kind(each) for each in (phrase.items if isinstance(phrase, m.Coord) else (phrase,)))
+
+
 _IDLE = phrases(
     "as a distractor | as distractors | as a distraction | as an extra | as extras | as clutter | to distract | "
     "that plays no role | that play no role | that does nothing | that is not part of the goal | that has no role | "
@@ -73,11 +78,31 @@ _IDLE = phrases(
 
 def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "add a green block on top of the blue one", "with another red block"."""
-    leads = ("there should also be", "there should be", "there must be", "with", "give it", "have")
+    leads = (
+        "i would like",
+        "i would love",
+        "we need",
+        "i need",
+        "we also need",
+        "i also need",
+        "we want",
+        "let there be",
+        "there has to be",
+        "how about",
+        "what about",
+        "there should also be",
+        "there should be",
+        "there must be",
+        "with",
+        "give it",
+        "have",
+    )
     j = p.one(i, ADD) or longest(p, i, leads) or i
     j = longest(p, j, ("in", "back")) or j
     verb = p.words[i] in ADD
     for theme, k in things(p, j):
+        if (j == i or p.words[i] == "with") and _only_a_kind(theme):
+            continue
         if fresh(theme) or (verb and labelled(theme)):
             if isinstance(theme, m.Noun) and (end := longest(p, k, _IDLE)):
                 idle = replace(theme, traits=replace(theme.traits, extra=True))

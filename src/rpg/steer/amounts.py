@@ -52,7 +52,9 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 _BRINGS = phrases(
-    "reduce | cut | cut down | cut back | trim | shorten | bring | bring down | limit | lower | increase | raise | "
+    "enlarge | make it grow | reduce | cut | cut down | cut back | trim | shorten | bring | bring down | limit | lower | "
+    "increase | "
+    "raise | "
     "extend | grow | stretch | expand | shrink | lengthen | go | go down | go up | scale | scale down | "
     "scale up | build"
 )
@@ -75,6 +77,8 @@ def _brought_to(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             for amount, end in count(p, n):
                 stop = longest(p, end, (*_BLOCKS, *_TALL, *_LONG, "only")) or end
                 yield r.Recount(theme=theme, amount=amount, span=p.span(i, stop)), stop
+            for dims, end in dimensions(p, n):
+                yield r.Recount(theme=theme, dims=dims, span=p.span(i, end)), end
 
 
 def _multiplied(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:

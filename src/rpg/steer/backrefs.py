@@ -41,7 +41,8 @@ class Reference:
 
 _UNDO = phrases(
     "undo | revert | never mind | nevermind | take that back | take it back | roll back | rollback | step "
-    "back | scratch that | forget that | cancel that | go back | go one back | back up | undo that | undo "
+    "back | scratch that | forget that | cancel that | go back | go one back | back up | undo that | "
+    "undo that last thing | undo the last thing | undo what you just did | undo "
     "it | undo this | revert that | undo the last change | undo the last edit | undo the last step | undo "
     "my last change | revert the last change | undo the change | undo the previous change | go back a "
     "step | undo the latest change | revert the last edit"

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 from rpg.blocks import alike
-from rpg.blocks.evaluate import evaluate, rests
+from rpg.blocks.english import clause
+from rpg.blocks.evaluate import evaluate, rests, satisfied
 from rpg.blocks.state import BlockState
 from rpg.ir import goal as g
 from rpg.ir.walk import transform
 from rpg.steer.bank import Bank, Sample, Side
 from rpg.steer.identity import Identity
+from rpg.steer.shape import conjuncts
 
 Relation = Literal["equal", "implies", "implied by", "overlaps", "disjoint"]
 """How the new goal relates to the old one: "implies" is that every state that satisfies the new one satisfies both."""
@@ -23,11 +25,15 @@ LITTLE = 0.5
 
 @dataclass(frozen=True)
 class Witness:
-    """A state that satisfies one of the two goals only, as the version that accepts it sees it."""
+    """A state that satisfies one of the two goals only, as the version that accepts it sees it.
+
+    `fails`: the conditions of the other version that do not hold in it, as clauses.
+    """
 
     accepted_by: Literal["old", "new"]
     source: str
     state: BlockState
+    fails: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -83,7 +89,10 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
             (both if before and after else only_old if before else only_new).append(sample)
     relation, edge = _up_to_tolerance(_relation(len(both), len(only_old), len(only_new)), old, new, only_old, only_new)
     relation = _temporal(identity, relation)
-    witnesses = (*_witness("new", bank.new, only_new), *_witness("old", bank.old, only_old))
+    witnesses = (
+        *_witness("new", bank.new, bank.old, only_new),
+        *_witness("old", bank.old, bank.new, only_old),
+    )
     return Comparison(relation, len(bank.samples), len(both), len(only_old), len(only_new), edge, witnesses)
 
 
@@ -138,9 +147,11 @@ def _stages(goal: g.Goal) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _witness(accepted_by: Literal["old", "new"], side: Side, samples: list[Sample]) -> tuple[Witness, ...]:
+def _witness(accepted_by: Literal["old", "new"], side: Side, other: Side, samples: list[Sample]) -> tuple[Witness, ...]:
     """The plainest witness: a goal of that version rather than a random state."""
     if not samples:
         return ()
     best = min(samples, key=lambda sample: sample.source != f"{accepted_by} goal")
-    return (Witness(accepted_by, best.source, side.named(best)),)
+    seen = other.named(best)
+    fails = [clause(part, seen.world) for part in conjuncts(other.schema.goal) if not satisfied(part, seen)]
+    return (Witness(accepted_by, best.source, side.named(best), tuple(fails)),)

@@ -19,7 +19,9 @@ RANK: tuple[Category, ...] = ("TWEAK", "EXTEND", "MODIFY", "PIVOT", "FRESH")
 
 @dataclass
 class Draft:
-    """`focus`: objects mentioned or added last. `kept`: objects that the request wants left where they are."""
+    """`focus`: objects mentioned or added last. `kept`: objects that the request wants left where they are.
+    `beside`: the relation and the objects that something new was last put in, in this request.
+    """
 
     schema: TaskSchema
     focus: tuple[str, ...] = ()
@@ -28,6 +30,7 @@ class Draft:
     parameters: dict[str, Any] = field(default_factory=dict)
     assumptions: list[str] = field(default_factory=list)
     kept: tuple[str, ...] = ()
+    beside: tuple[str, Any] | None = None
 
     def do(self, edit: Edit, span: Span | None = None) -> None:
         """Apply one edit; what it breaks is refused, at the words that asked for it."""

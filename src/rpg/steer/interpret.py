@@ -21,6 +21,7 @@ from rpg.steer.draft import Draft
 from rpg.steer.history import History, Past
 from rpg.steer.identity import look
 from rpg.steer.language import tokenize
+from rpg.steer.naming import tidied
 from rpg.steer.operations.add import add
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
@@ -131,7 +132,7 @@ def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
     for request in requests:
         if not isinstance(request, r.Keep):
             OPERATIONS[type(request)](draft, request)
-    if all(isinstance(request, r.Keep) for request in requests):
+    if requests and all(isinstance(request, r.Keep) for request in requests):
         draft.aim("EXTEND")
         draft.do(AddCondition(goal=Stayed(a=draft.kept)))
 
@@ -157,6 +158,7 @@ def finish(request: str, draft: Draft, past: Past) -> Interpretation:
     if draft.schema == past.schema:
         message = "this changes nothing"
         raise Refusal([Diagnostic(code="nothing-to-do", message=message, span=(0, len(request)), origin="steer")])
+    tidied(draft)
     kept = tuple(text for text in past.schema.assumptions if text not in draft.assumptions)
     draft.do(SetText(instruction=worded(draft.schema), assumptions=(*kept, *draft.assumptions)))
     try:
@@ -200,7 +202,8 @@ def _otherwise(
             return _with_clause(request, longest, history, read)
         except Refusal as refusal:
             reasons += refusal.diagnostics
-    steps = (_clause,) if edits or Fresh.adds(request) else (_standalone, _clause)
+    more = mentions_known(Draft(history.current.schema, history.current.focus), request)
+    steps = (_clause,) if edits or Fresh.adds(request) else (_clause, _standalone) if more else (_standalone, _clause)
     for step in steps:
         try:
             return step(request, history, read)
@@ -243,7 +246,21 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     draft = Draft(history.current.schema, history.current.focus)
     if mentions_known(draft, request):
         only_known(draft, request, 0)
-    return _whole(request, by_itself(request), 0, history, read, "PIVOT")
+    found = _whole(request, by_itself(request), 0, history, read, "PIVOT")
+    _not_of_those_there(found, history.current.schema)
+    return found
+
+
+def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
+    """Refuse "blues on the left" where there are blue blocks, but not as many as would be made up for the sentence."""
+    counted = any(text.startswith("the number of ") for text in found.task.assumptions)
+    looks = [look(block) for block in found.task.blocks]
+    there = [look(block) for block in old.blocks]
+    if counted and all(each in there for each in looks) and len(looks) != len(there):
+        message = "this may be about the blocks that are there, or about others"
+        hint = "say 'the red blocks', or how many there should be"
+        span = (0, len(found.request))
+        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
 
 
 def _whole(request: str, text: str, offset: int, history: History, read: Reader, intent: Category) -> Interpretation:

@@ -57,11 +57,15 @@ def _plainly(tokens: list[Token]) -> list[Token]:
 _EVERYTHING = ("the whole thing", "the entire thing", "the whole lot", "the whole structure", "the entire structure")
 
 
+_BELOW = frozenset({"of", "under", "beneath", "below", "underneath"})
+
+
 def _as_one(tokens: list[Token]) -> list[Token]:
     """Words for all that is built, as the one word that stands for it."""
     found: list[Token] = []
     for token in tokens:
-        found.append(token)
+        below = token.word == "everything" and bool(found) and found[-1].word in _BELOW
+        found.append(replace(token, word="them") if below else token)
         words = " ".join(each.word for each in found[-3:])
         if len(found) > 2 and words in _EVERYTHING:
             first, last = found[-3], found[-1]

@@ -38,6 +38,13 @@ class Found:
 
 def resolve(view: View, phrase: m.Meaning) -> Found:
     """The objects that `phrase` speaks of; raises Refusal where there are none, or where it could be several."""
+    found = _resolved(view, phrase)
+    if not found.names:
+        raise _missing(view, phrase.span, "")
+    return found
+
+
+def _resolved(view: View, phrase: m.Meaning) -> Found:
     match phrase:
         case m.Pronoun():
             return _pronoun(view, phrase)

@@ -67,7 +67,7 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Replace(old=None, new=new, span=p.span(i, end), cost=1), end
         if (
             j > i
-            and longest(p, i, "use | do it with | make it with | try it with | do the same with")
+            and longest(p, i, "use | with | do it with | make it with | try it with | do the same with")
             and plural_kind(new)
         ):
             yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k

@@ -52,6 +52,8 @@ def add(draft: Draft, request: r.Add) -> None:
         return
     draft.aim("EXTEND")
     if not request.places:
+        if line is not None and line.node is None and line.kind != "tower":
+            line = None
         _join(draft, names, line, figure is not None, request.span)
     for place in request.places:
         put(draft, names, place, anchors[id(place)], request.span, line)
@@ -67,7 +69,21 @@ def _anchor(draft: Draft, place: r.Place) -> Found | None:
     landmark = place.whole if isinstance(place, r.Spot) else getattr(place, "landmark", None)
     if landmark is None or isinstance(landmark, m.TableTop):
         return None
-    return resolve(draft.view, landmark)
+    rel = place.rel if isinstance(place, m.Loc) else {"top": "on"}.get(getattr(place, "side", ""), "")
+    if isinstance(landmark, m.Pronoun):
+        return _mentioned_before(draft, rel) or resolve(draft.view, landmark)
+    found = resolve(draft.view, landmark)
+    draft.beside = rel, found
+    return found
+
+
+def _mentioned_before(draft: Draft, rel: str) -> Found | None:
+    """What "it" means after "a green block to the left of the tower": the tower. What goes on what was put on
+    something goes on top of that."""
+    if draft.beside is None or draft.beside[0] == rel == "on":
+        return None
+    found: Found = draft.beside[1]
+    return found
 
 
 def _join(draft: Draft, names: Sequence[str], line: Line | None, figure: bool, span: Span) -> None:

@@ -43,6 +43,9 @@ def move(draft: Draft, request: r.Move) -> None:
         draft.aim("MODIFY")
         _give_way(draft, names, request, Found((patch,)))
         return
+    if set(names) <= set(draft.view.world.patches):
+        told, hint = "where a patch lies is not part of the goal", "say where it must be: in the left half of the table"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     if found.whole and not isinstance(request.place, r.Spot):
         _whole_elsewhere(draft, found, request)
         return

@@ -212,6 +212,9 @@ def _sort_line(draft: Draft, line: Line, request: r.Reorder) -> None:
     if isinstance(node, Stack | Row):
         first = request.first or (None if line.kind == "tower" else BEGINS[line.kind])
         order = Order.model_validate({"by": by, "descending": descending, "first": first})
+        if by == "size" and len({draft.view.world.edge[name] for name in node.blocks}) == 1:
+            told, hint = "these blocks are all of one size", "sort by something that they differ in"
+            raise draft.refusal("nothing-to-do", told, request.span, hint)
         if by in SORTED and draft.view.sequence(node.blocks, order, line.kind) is None:
             raise draft.refusal(
                 "edit-unclear",

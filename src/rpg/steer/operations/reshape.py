@@ -195,10 +195,11 @@ def _respell(draft: Draft, line: Line | None, names: Sequence[str], word: str, s
             spare.remove(name)
         places.append(name)
     changed = {k: spare.pop(0) for k, name in enumerate(places) if name is None and spare}
+    left = tuple(name for name in line.members if name not in spare)
     draft.do(
         ChangeCondition(
             at=line.path,
-            to=line.node.model_copy(update={"word": word, "blocks": tuple(n for n in line.members if n not in spare)}),
+            to=line.node.model_copy(update={"word": word, "reverse": False, "blocks": left}),
         ),
         span,
     )
@@ -226,7 +227,12 @@ def _respell(draft: Draft, line: Line | None, names: Sequence[str], word: str, s
     for k, name in zip(new, added, strict=True):
         places[k] = name
     final = tuple(name for name in places if name is not None)
-    draft.do(ChangeCondition(at=line.path, to=line.node.model_copy(update={"word": word, "blocks": final})), span)
+    draft.do(
+        ChangeCondition(
+            at=line.path, to=line.node.model_copy(update={"word": word, "reverse": False, "blocks": final})
+        ),
+        span,
+    )
     draft.look_at(final)
 
 

@@ -214,7 +214,8 @@ def _old(draft: Draft, request: r.Replace) -> tuple[str, ...]:
     if isinstance(request.new, m.Noun) and request.new.head == "patch":
         return tuple(draft.view.world.patches)
     line, figure = draft.view.main_line(), draft.view.main_figure()
-    return line.members if line else figure.members if figure else draft.view.busy
+    first = line.members if line else figure.members if figure else ()
+    return (*first, *(name for name in draft.view.busy if name not in first))
 
 
 def _kinds(new: m.Meaning) -> list[str | None]:

@@ -79,8 +79,10 @@ def _touching(draft: Draft, request: r.Loosen) -> bool:
     done = False
     for path, atom in draft.view.atoms:
         if isinstance(atom, Row) and not atom.touching:
+            draft.aim("EXTEND" if atom.gap is None and atom.spacing is None else "TWEAK")
+            for field in ("gap", "spacing"):
+                _set(draft, path, field, None)
             done |= _set(draft, path, "touching", True)
-            draft.aim("EXTEND")
     return done
 
 
@@ -127,6 +129,8 @@ def _row(draft: Draft, path: Path, atom: Row, request: r.Loosen) -> bool:
             draft.assume(f"further apart: gaps of {middle * 100:.0f} cm, the widest that a row allows by itself")
     if getattr(atom, other) is not None:
         _set(draft, path, other, None)
+    if atom.touching:
+        _set(draft, path, "touching", False)
     return _set(draft, path, field, round(middle, 6))
 
 

@@ -43,3 +43,9 @@ def test_people_see_the_words_that_matter_underlined(rpg: Rpg, tmp_path: Path) -
     quoted, marks = (line for line in result.err.splitlines() if line.startswith("  │"))
     assert quoted[marks.index("^") : marks.rindex("^") + 1] == "florb"
     assert "hint" in result.err
+
+
+def test_words_without_quotes_are_told_to_have_some(rpg: Rpg, tmp_path: Path) -> None:
+    result = rpg("compile", "put", "the", "red", "block", "down", "--tasks", tmp_path / "tasks")
+    assert result.status == 2
+    assert 'rpg compile "put the red block down"' in result.err

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from rpg.pipeline import CompileOptions, Outcome
 
 EXAMPLE = 'rpg compile "Stack the red block on the blue block" --seed 3'
+SETTINGS = {"allow_extra_args": True}
+"""Words without quotes are told from a mistake of another kind."""
 
 Instruction = Annotated[str | None, typer.Argument(metavar="[INSTRUCTION]", help="What is to be done, in English.")]
 Name = Annotated[str | None, typer.Option("--name", metavar="NAME", help="The family's name; made up without it.")]
@@ -28,6 +30,7 @@ Source = Annotated[
 
 
 def run(
+    context: typer.Context,
     instruction: Instruction = None,
     name: Name = None,
     seed: SeedOption = None,
@@ -45,8 +48,12 @@ def run(
     from rpg.cli.output import Output
     from rpg.cli.progress import progress
     from rpg.cli.summary import print_outcome
+    from rpg.core.diagnostics import UsageError
     from rpg.publishing import publish, summary
 
+    if context.args:
+        words = clean(" ".join([instruction or "", *context.args]))
+        raise UsageError(f'put the instruction in quotes: rpg compile "{words}"')
     out = Output(as_json, quiet)
     with progress(out) as listen:
         options = _options(name, seed, author, not no_pictures, listen)

@@ -29,6 +29,8 @@ from rpg.core.digest import sha256
 
 WRITING = 0.03
 """Seconds after a sign of writing within which half of the kills fall."""
+EACH = 25
+"""Kills in one workspace."""
 SIGNS = {"compile": 2, "steer": 2, "session": 8}
 """Signs of writing that a command gives: every draft and every version is one."""
 SESSION = """\
@@ -184,10 +186,13 @@ def killed(arguments: list[str], tasks: Path, after: float, signs: int, forked: 
 
 
 def kills(kind: str, times: int, place: Path, seed: int = 0, forked: bool = False) -> Report:
-    """Kill a command so many times in one workspace."""
-    rng, report, tasks = random.Random(f"{kind} {seed}"), Report(), place / "tasks"
-    whole = duration(kind, place, forked)
+    """Kill a command so many times, `EACH` times in one workspace and then in the next."""
+    rng, report, root = random.Random(f"{kind} {seed}"), Report(), place
+    whole = duration(kind, root, forked)
     for number in range(times):
+        place = root / str(number // EACH)
+        place.mkdir(exist_ok=True)
+        tasks = place / "tasks"
         arguments = [*KINDS[kind](place, number), *common(place)]
         before = contents(tasks)
         signs = rng.randint(1, SIGNS[kind]) if number % 2 else 0

@@ -52,9 +52,8 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 
 _BRINGS = phrases(
-    "enlarge | make it grow | reduce | cut | cut down | cut back | trim | shorten | bring | bring down | limit | lower | "
-    "increase | "
-    "raise | "
+    "enlarge | make it grow | reduce | cut | cut down | cut back | trim | shorten | bring | bring down | limit | "
+    "lower | increase | raise | "
     "extend | grow | stretch | expand | shrink | lengthen | go | go down | go up | scale | scale down | "
     "scale up | build"
 )

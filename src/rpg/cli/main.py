@@ -55,8 +55,9 @@ class Commands(TyperGroup):
         module = import_module(f"rpg.cli.{cmd_name}")
         command = typer.Typer(add_completion=False, rich_markup_mode=None, context_settings=CONTEXT)
         settings = CONTEXT | getattr(module, "SETTINGS", {})
-        said = {"short_help": COMMANDS[cmd_name], "epilog": f"Example: {module.EXAMPLE}"}
-        command.command(cmd_name, context_settings=settings, **said)(module.run)
+        example = f"Example: {module.EXAMPLE}"
+        registered = command.command(cmd_name, context_settings=settings, short_help=COMMANDS[cmd_name], epilog=example)
+        registered(module.run)
         return typer.main.get_command(command)
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:

@@ -18,8 +18,7 @@ from rpg.blocks.near_miss import near_misses
 from rpg.blocks.physics import Physics
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.symmetry import interchangeable, namings, rename_state
-from rpg.core.diagnostics import Refusal
+from rpg.blocks.symmetry import assignments, interchangeable, namings, rename_state
 from rpg.ir import goal as g
 from rpg.ir.walk import atoms
 from tests.blocks.random_goals import random_change_task, random_composition, random_task
@@ -27,11 +26,11 @@ from tests.blocks.random_goals import random_change_task, random_composition, ra
 GOALS = 2000
 BATCH = 100
 NAMINGS = 60
-"""Of the ways to name look-alikes, so many are tried on each near-miss."""
+"""Goals that give look-alikes duties of their own in more ways than this take too long to judge so often."""
 OVERLAP = 1e-4
 DRIFT = 0.001
 CONTROL_STEPS = 50
-FEWEST_MISSES = 5
+FEWEST_MISSES = 3
 """Near-misses of a structure; a single relation has at least one."""
 MISSED = 1
 """Of a batch, so many goals that can be reached may be held for impossible (a row with one wide gap, for instance)."""
@@ -40,7 +39,11 @@ MISSED = 1
 def drawn(seed: int) -> tuple[g.Goal, World, BlockState] | None:
     """Relations, relations to a start, and compositions of structures with both, in turn."""
     make = (random_task, random_composition, random_change_task, random_composition)[seed % 4]
-    return make(seed)
+    task = make(seed)
+    if task is None or not list(atoms(task[0])):
+        return None
+    cells = interchangeable(*task[:2])
+    return task if math.prod(assignments(group) for group in cells) <= NAMINGS else None
 
 
 def sound(state: BlockState) -> bool:
@@ -64,7 +67,7 @@ def after(state: BlockState) -> BlockState:
 
 def faults(seed: int, goal: g.Goal, world: World, witness: BlockState) -> str | None:
     """What is wrong with the goal state that is found, with what physics makes of it, or with its near-misses."""
-    names = namings(interchangeable(goal, world))[:NAMINGS]
+    names = namings(interchangeable(goal, world))
     (state,) = arrange(goal, world, rng=Random(seed), start=witness.start)
     if not evaluate(goal, state) or not sound(state):
         return "the arranged state is no goal state"
@@ -92,15 +95,12 @@ def test_goals_can_be_reached_last_and_are_told_from_near_misses(batch: int) -> 
     right = missed = 0
     for seed in count(batch * 10 * BATCH):
         task = drawn(seed)
-        if task is None or not list(atoms(task[0])):
+        if task is None:
             continue
         try:
             fault = faults(seed, *task)
         except Impossible:  # each of these goals can be reached, as its witness shows: the search gave up
             missed += 1
-            continue
-        except Refusal as refused:  # so many look-alikes with duties of their own that the naming is refused
-            assert [d.code for d in refused.diagnostics] == ["too-many-namings"], (seed, refused)
             continue
         assert fault is None, (seed, fault, task[0])
         right += 1

@@ -51,7 +51,7 @@ def interchangeable(goal: g.Goal, world: World) -> Cells:
 
 def namings(cells: Cells) -> tuple[dict[str, str], ...]:
     """Every distinct assignment of look-alikes to cells, as a map from name in the goal to block; identity first."""
-    total = math.prod(_assignments(group) for group in cells)
+    total = math.prod(assignments(group) for group in cells)
     if total > MAX_NAMINGS:
         raise Refusal([_too_many(cells, total)])
     maps: list[dict[str, str]] = [{}]
@@ -108,7 +108,8 @@ def _classes(world: World) -> list[list[str]]:
     return [members for members in classes.values() if len(members) > 1]
 
 
-def _assignments(group: tuple[tuple[str, ...], ...]) -> int:
+def assignments(group: tuple[tuple[str, ...], ...]) -> int:
+    """In how many ways the members of a class of look-alikes can be dealt to its cells."""
     sizes = [len(cell) for cell in group]
     return math.factorial(sum(sizes)) // math.prod(math.factorial(size) for size in sizes)
 

@@ -16,6 +16,7 @@ os.environ.setdefault("MUJOCO_GL", "disable")
 
 from instructions import instructions
 
+import rpg.batch.preload  # noqa: F401
 from rpg.batch.entries import Entry
 from rpg.batch.work import build
 

@@ -62,7 +62,11 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     count = shape.amount.low if shape.amount else 2
     if shape.amount is None:
         scene.assume(f"the number of {shape.kind}s is not said: {count}")
-    if count > MOST or (shape.amount is not None and shape.amount.low != shape.amount.high):
+    if (
+        count > MOST
+        or (shape.kind == "cube" and not shape.dims)
+        or (shape.amount is not None and shape.amount.low != shape.amount.high)
+    ):
         raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
                      f"name each {shape.kind} by itself")  # fmt: skip
     looks, axis = _looks(spec, count)

@@ -240,7 +240,8 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         )
     ):
         yield Marks({"target": True}), j
-    for phrase in ("with the same color", "of its color", "of its own color", "of the same color", "of matching color", "of that color",
+    for phrase in ("with the same color", "of its color", "of its own color", "of the same color",
+                   "of matching color", "of that color",
                    "of its colour", "of its own colour", "of the corresponding color", "of their color",
                    "in its color", "of their own color",
                    "of the matching color", "with matching color", "that matches its color",

@@ -35,12 +35,34 @@ _FREE = (
     "regardless of the order", "regardless of order", "the exact order does not matter", "in random order",
     "in a random order", "hello", "hi", "hello there", "hi there", "hello robot", "hi robot", "hey", "hey robot",
     "hello everyone", "good morning", "good day", "dear robot", "ok", "okay", "alright", "great", "your choice",
-    "up to you", "as you like", "you choose", "either is fine", "any order will do", "any order is fine", "any order works", "any direction will do",
+    "up to you", "as you like", "you choose", "either is fine", "any order will do", "any order is fine",
+    "any order works", "any direction will do",
     "any direction is fine", "that is all", "that is it", "i think", "all good",
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
 _BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
-_DEGREES = frozenset({"if", "as", "that", "when", "of", "for", "enough", "and", "but", "to", "near", "close", "far", "long", "small", "big", "large", "tiny"})
+_DEGREES = frozenset(
+    {
+        "if",
+        "as",
+        "that",
+        "when",
+        "of",
+        "for",
+        "enough",
+        "and",
+        "but",
+        "to",
+        "near",
+        "close",
+        "far",
+        "long",
+        "small",
+        "big",
+        "large",
+        "tiny",
+    }
+)
 """What an emphasis in front of them would change."""
 _BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
 """Words that are said again when what they begin is begun again."""

@@ -1,4 +1,4 @@
-"""What a subject is, becomes or is made of: "a row is seen", "the blocks become a circle", "the wall consists of ..."."""
+"""What a subject is, becomes or is made of: "a row is seen", "the blocks become a circle"."""
 
 from __future__ import annotations
 
@@ -71,7 +71,11 @@ def _becomes(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
         return
     for target, end in simple(p, j):
         plain = isinstance(target, Structure) and target.members is None and target.kind not in ("word", "equation")
-        if not plain or not isinstance(target, Structure) or not (target.det == "a" or (turned and target.det == "bare")):
+        if (
+            not plain
+            or not isinstance(target, Structure)
+            or not (target.det == "a" or (turned and target.det == "bare"))
+        ):
             continue
         into = Into(structure=target, span=p.span(j, end))
         for found, last in adjuncts(p, end):

@@ -87,7 +87,7 @@ def _told_again(before: Clause, item: Meaning) -> Clause | None:
 
 
 def _apposed(before: Clause, item: Meaning) -> bool:
-    """ "make a square of red blocks, three rows of three": a comma alone brings no structure without blocks of its own."""
+    """ "a square of red blocks, three rows of three": a comma alone brings no structure without blocks of its own."""
     theme = item.theme if isinstance(item, Clause) and not item.adjuncts else None
     return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)
 

@@ -17,12 +17,15 @@ from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, 
 
 _LEADS = (
     "there are", "there is", "there have", "we have", "you have", "i have", "we have got", "you get", "you have got",
-    "we take", "you take", "we use", "take", "use", "using", "given are", "given", "consider", "they are", "these are",
+    "we take", "you take", "we use", "take", "use", "using", "given are", "given", "consider", "they are",
+    "these are",
     "those are", "it is", "namely", "that is", "we are given", "you are given", "with", "here are", "get", "we got",
-    "i have got", "i got", "and there are", "use only", "take only", "available are", "available :", "letters :", "digits :", "numbers :", "the letters are",
+    "i have got", "i got", "and there are", "use only", "take only", "available are", "available :", "letters :",
+    "digits :", "numbers :", "the letters are",
     "the digits are", "the numbers are", "letters are", "digits are", "blocks :",
     "cubes :", "inventory :", "material :", "materials :", "have", "we work with", "from", "out of", "made of",
-    "we start with", "you start with", "start with", "starting with", "it starts with", "the blocks are", "the cubes are", "all blocks are",
+    "we start with", "you start with", "start with", "starting with", "it starts with", "the blocks are",
+    "the cubes are", "all blocks are",
 )  # fmt: skip
 _EACH = (
     "of each color", "of each kind", "of each type", "of each sort", "of each", "of every color", "of every kind",
@@ -65,7 +68,9 @@ def _given(p: Parser, i: int, j: int, theme: Meaning | None, told: tuple[Size, .
 
 
 def _several(theme: Meaning | None) -> bool:
-    many = isinstance(theme, Noun) and (len(theme.traits.labels) > 1 or (theme.amount is not None and theme.amount.low > 1))
+    many = isinstance(theme, Noun) and (
+        len(theme.traits.labels) > 1 or (theme.amount is not None and theme.amount.low > 1)
+    )
     return many or isinstance(theme, Coord)
 
 

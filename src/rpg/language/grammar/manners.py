@@ -60,7 +60,8 @@ def _strangers(p: Parser, i: int, comma: int) -> Results[Meaning]:
 
 _STRANGERS = (
     "outlier", "outliers", "stranger", "strangers", "wrong block", "wrong blocks", "wrong one", "wrong ones",
-    "wrong cube", "wrong cubes", "odd one out", "misfit", "misfits", "intruder", "intruders", "block that does not belong",
+    "wrong cube", "wrong cubes", "odd one out", "misfit", "misfits", "intruder", "intruders",
+    "block that does not belong",
 )  # fmt: skip
 _DOWN = (
     "upside down", "flipped upside down", "inverted", "in an inverted orientation", "turned upside down",
@@ -74,7 +75,8 @@ _FACING = (
     "visible from",
 )  # fmt: skip
 _POINTERS = (
-    "corner", "foot", "opening", "open side", "open end", "tip", "apex", "point", "top", "stem", "base", "tail", "ends",
+    "corner", "foot", "opening", "open side", "open end", "tip", "apex", "point", "top", "stem", "base", "tail",
+    "ends",
 )  # fmt: skip
 _POINTING = (
     "pointing", "facing", "points", "faces", "to", "towards", "toward", "on", "at", "directed", "going", "is",

@@ -67,7 +67,8 @@ def _apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, frozenset({",", ":"})):
         return
     for found, k in amounts.quantity(p, j + 1):
-        if found.partitive and (end := p.any_of(k, ("them", "these", "those", "which"))):
+        counts = whole.amount is None and whole.det in ("bare", "some") and found.det == "some"
+        if found.partitive and not counts and (end := p.any_of(k, ("them", "these", "those", "which"))):
             yield (
                 Noun(
                     head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)

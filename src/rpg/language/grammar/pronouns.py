@@ -13,7 +13,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
     for _, j in p.standing(
-        i, ("them all", "them both", "these all", "their up faces", "their top faces", "their upper faces", "their faces", "their letters", "the up faces",
+        i, ("them all", "them both", "these all", "their up faces", "their top faces", "their upper faces",
+        "their faces", "their letters", "the up faces",
             "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces")
     ):  # fmt: skip
         yield Pronoun(word="them", span=p.span(i, j)), j

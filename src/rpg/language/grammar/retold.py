@@ -43,12 +43,19 @@ def retelling(items: tuple[Meaning, ...], item: Meaning) -> tuple[Noun, ...] | N
     """ "some distractors, exactly three purple ones": the first thing with what a comma adds to it; with nothing where
     "digits, A, B, C" would list things beside a word for all of them. None: the list goes on."""
     first = items[-1]
+    if isinstance(first, Noun) and isinstance(item, Noun) and first.amount is not None and _some_of_it(item):
+        return ()
     if not (isinstance(first, Noun) and isinstance(item, Noun)) or first.amount is not None or first.traits.labels:
         return None
     if len(items) == 1 and first.det == "some" and item.amount is not None and item.head == "any":
         return (replace(first, amount=item.amount, traits=replace(first.traits, colors=item.traits.colors)),)
     general = first.det in ("bare", "the", "all") and first.plural and first.traits.kind is not None
     return () if general and not first.traits.colors and item.traits.labels and item.det == "bare" else None
+
+
+def _some_of_it(item: Noun) -> bool:
+    """ "two" after "five orange blocks,": some of them, no others."""
+    return item.head == "any" and item.det == "bare" and item.amount is not None and item.traits == Traits()
 
 
 def part_after(before: Meaning, item: Meaning) -> bool:

@@ -285,8 +285,10 @@ _LINES = ("row", "line", "column", "stack", "circle", "pile", "word")
 """Structures of which "two each" says nothing by itself: it is said of the kinds of blocks."""
 _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
     "built of", "formed by", "formed of", "comprising",
-       "containing", "using", "constructed from", "out of", "built with", "which consists of", "that consists of", "which is made of",
-       "that is made of", "that consist of", "which consist of", "that are made of", "that contains", "which contains", "made with", "with only", "from",
+       "containing", "using", "constructed from", "out of", "built with", "which consists of", "that consists of",
+       "which is made of",
+       "that is made of", "that consist of", "which consist of", "that are made of", "that contains",
+       "which contains", "made with", "with only", "from",
        "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
 
 

@@ -33,7 +33,8 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
 def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "red pile right", "purple block: far left corner": a part of the table ends the note."""
     for theme, j in noun_phrase(p, i):
-        if not isinstance(theme, Noun | Structure | Coord):
+        bare = isinstance(theme, Noun) and theme.head == "any" and not (theme.traits.colors or theme.traits.labels)
+        if bare or not isinstance(theme, Noun | Structure | Coord):
             continue
         for region, k in named(p, p.opt(j, ":", ",")):
             if k >= p.end or p.words[k] in (",", ";", "and"):

@@ -26,7 +26,8 @@ _SEE = (
     "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|:"
 )
 _DO = (
-    "to|you_to|you_could|you_would|you_can|you_might|the_robot_to|us_to|to_ask_you_to|it_if_you_would|it_if_you_could|if_you_could|if_you_would|it_if_you|"
+    "to|you_to|you_could|you_would|you_can|you_might|the_robot_to|us_to|to_ask_you_to|it_if_you_would|"
+    "it_if_you_could|if_you_could|if_you_would|it_if_you|"
     "the_arm_to|that_you"
 )
 _PICTURE = "picture|image|photo|photograph|drawing|sketch|figure|scene|view|arrangement|result|layout|setup|state"
@@ -95,30 +96,38 @@ COMMAND_WISHES = Patterns(
     "i was? wonder|wondering if|whether you could|can|might",
     "would|do you mind|care",
     "any chance you could|can",
-    "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|if_we_could",
+    "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|"
+    "if_we_could",
     "ask|tell|have|let|make|get|instruct|command|program the|your robot|arm|machine|gripper|manipulator to?",
-    "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes ,|so|then so? ,?",
+    "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
     "hello|hi|hey|hiya|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
-    "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again ,?",
-    "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls , let_us|please?",
-    "the|your|our|my next|main|first|whole|only|actual|new? task|job|goal|mission|exercise|challenge|puzzle|plan|idea|aim|"
-    "assignment|request|instruction|wish|setup|objective for_you|today|here|now|this_time? is|:|would_be|will_be to|:? :?",
+    "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again ,|:?",
+    "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls ,|: let_us|please?",
+    "to",
+    "the|your|our|my next|main|first|whole|only|actual|new? task|job|goal|mission|exercise|challenge|puzzle|"
+    "plan|idea|aim|"
+    "assignment|request|instruction|wish|setup|objective for_you|today|here|now|this_time? is|:|would_be|"
+    "will_be to|:? :?",
 )
 STATE_WISHES = Patterns(
     f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? for|forward_to? {_SEE}?",
     f"{_WHO} {_WOULD} {_ALSO}? after",
-    f"what|all {_WHO} {_WOULD}? {_ALSO}? {_WANT}|after|asking|going|looking|aiming after|for|of? to_see|to_have|to_get? "
+    f"what|all {_WHO} {_WOULD}? {_ALSO}? {_WANT}|after|asking|going|looking|aiming after|for|of? to_see|to_have|"
+    f"to_get? "
     "here|now|today? is that?",
     f"in|on the|this|my|our final|resulting|finished|target|goal|end? {_PICTURE} ,? we|one|you|i? can? see? ,?",
     "we|you|one|i should|must|can|could|will|would|shall? see|observe|notice that?",
     "it can|should|must|could|shall be seen|shown that?",
-    "let me|us see|have|get|admire|find", "is it possible|okay|true|allowed|fine that",
+    "let me|us see|have|get|admire|find",
+    "is it possible|okay|true|allowed|fine that",
     "could|can|would|may|might it be that",
     "is there a way that",
     "how|what about having|that|if?",
     "why not have?",
-    "arrange|set_up|set|organize|change|make|build|lay_out|prepare|configure|design|rearrange|modify|adjust|create|fix "
-    "the|a|this|our scene|table|workspace|setup|picture|world|things|desk up? such_that|so|so_that|until|in_such_a_way_that",
+    "arrange|set_up|set|organize|change|make|build|lay_out|prepare|configure|design|rearrange|modify|adjust|"
+    "create|fix "
+    "the|a|this|our scene|table|workspace|setup|picture|world|things|desk up? such_that|so|so_that|until|"
+    "in_such_a_way_that",
     "it would be nice|great|good|lovely|wonderful|perfect|best|ideal if|that|to_see|to_have",
     "the|our|my end|final|desired|target|goal|finished|expected|wanted "
     "result|picture|image|state|scene|outcome|arrangement|layout|configuration|setup|situation "

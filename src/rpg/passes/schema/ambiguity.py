@@ -8,6 +8,7 @@ from rpg.blocks.english import describe, describe_goal
 from rpg.blocks.equivalence import equivalent
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import rename
 
 _UNORDERED = frozenset({"blocks", "assets"})
 """Lists of which it does not matter in what order they are given."""
@@ -41,7 +42,26 @@ _HINT = "say it in several short sentences"
 
 def same(a: TaskSchema, b: TaskSchema) -> bool:
     """Whether two readings come to the same task."""
-    return _bare(a) == _bare(b) or equivalent(a, b)
+    return _bare(a) == _bare(b) or equivalent(a, b) or _alike_but_for_paint(a, b)
+
+
+def _alike_but_for_paint(a: TaskSchema, b: TaskSchema) -> bool:
+    """Whether they differ in colours alone that neither was told: the first choice of them is as good as the other."""
+    if not all(any(note.startswith(_PAINTED) for note in task.assumptions) for task in (a, b)):
+        return False
+    return _unpainted(a) == _unpainted(b)
+
+
+_PAINTED = "the colours of the blocks are not said"
+
+
+def _unpainted(schema: TaskSchema) -> str:
+    """The task with its blocks called by their place in the list, whatever their colours."""
+    names = {asset.name: f"#{index}" for index, asset in enumerate(schema.assets)}
+    goal = rename(schema.goal, names).model_dump(mode="json")
+    start = [rename(x, names).model_dump(mode="json") for x in schema.init.arranged]
+    looks = [asset.model_dump(mode="json", exclude={"name", "color"}) for asset in schema.assets]
+    return repr((_unspanned(goal, len(schema.blocks)), _unspanned(start, len(schema.blocks)), looks))
 
 
 def _bare(schema: TaskSchema) -> str:

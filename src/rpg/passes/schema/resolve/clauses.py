@@ -11,6 +11,7 @@ from rpg.ir import relations as r
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import (
     Clause,
+    Coord,
     In,
     Into,
     Loc,
@@ -123,7 +124,7 @@ def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
 
 
 LEAVING = frozenset(
-    {"get", "move", "bring", "transfer", "relocate", "pull", "drag", "carry", "shift", "slide", "shove"}
+    {"get", "take", "move", "bring", "transfer", "relocate", "pull", "drag", "carry", "shift", "slide", "shove"}
 )
 """Verbs of moving: what they move off something is on it at the start."""
 
@@ -134,7 +135,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     clause = by_likeness(clause, spec, scene) or clause
-    if clause.lemma in LEAVING and clause.verb == "place" and not clause.negated:
+    if clause.lemma in LEAVING and clause.verb in ("place", "use") and not clause.negated:
         spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
     if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
         return pairs
@@ -265,12 +266,19 @@ def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 
+def _only(theme: Meaning | None) -> Meaning | None:
+    """ "there is only one red block": just as many."""
+    if isinstance(theme, Coord) and theme.op == "only" and isinstance(item := theme.items[0], Noun) and item.amount:
+        return replace(item, amount=item.amount._replace(strict=True))
+    return theme
+
+
 def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "there are three red blocks": objects; with a place in a goal: a condition."""
     if clause.lemma == "tally":
         return tally(clause, spec, scene, scope)
     if clause.mode == "given":
-        clause = replace(clause, theme=told_apart(clause.theme))
+        clause = replace(clause, theme=told_apart(_only(clause.theme)))
         if is_shape(clause.theme) and (spec.toward or spec.orders or spec.ats or spec.absolutes or spec.sizes):
             return _there_already(clause, spec, scene, scope)
         theme = refer(clause.theme, scene, replace(scope, given=True, start=True)) if clause.theme else Ref()

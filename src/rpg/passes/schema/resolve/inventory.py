@@ -43,15 +43,17 @@ def _counts(item: Meaning, scene: Scene) -> None:
 
 def told_apart(theme: Meaning | None) -> Meaning | None:
     """ "four blocks, two red and two blue": the four, told apart."""
-    if not isinstance(theme, Coord) or theme.op != "and" or len(theme.items) < 3:
+    if not isinstance(theme, Coord) or theme.op != "and":
         return theme
     first, *rest = theme.items
+    if len(rest) < 2 and len(getattr(getattr(rest[0], "traits", None), "labels", ())) < 2:
+        return theme
     if not isinstance(first, Noun) or first.head != "block" or first.amount is None or first.traits != Traits():
         return theme
-    amounts = [item.amount for item in rest if isinstance(item, Noun) and item.traits.colors]
-    if len(amounts) != len(rest):
+    things = [item for item in rest if isinstance(item, Noun) and (item.traits.colors or item.traits.labels)]
+    if len(things) != len(rest):
         return theme
-    if sum(a.low if a else 1 for a in amounts) != first.amount.low:
+    if sum(x.amount.low if x.amount else len(x.traits.labels) or 1 for x in things) != first.amount.low:
         raise refuse("ambiguous", "it is not clear how many blocks there are", theme.span, "say how many of each")
     return replace(theme, items=tuple(rest))
 

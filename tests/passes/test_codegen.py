@@ -17,8 +17,10 @@ from rpg.blocks.near_miss import near_misses
 from rpg.blocks.state import World
 from rpg.blocks.symmetry import interchangeable, namings, rename_state
 from rpg.blocks.waypoints import looks_back
+from rpg.ir.order import Order
+from rpg.ir.relations import Facing
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Stack
+from rpg.ir.structures import Row, Stack
 from rpg.passes.codegen import class_name, lower, lower_goal, read_goal
 from rpg.passes.codegen.layout import quoted
 from rpg.passes.codegen.naming import boolean_name
@@ -115,10 +117,15 @@ def test_names_say_what_is_asked() -> None:
     assert boolean_name(tasks.RED_ON_YELLOW.goal) == "red_on_yellow"
     assert boolean_name(tasks.WORD.goal) == "noon_spelled"
     assert boolean_name(tasks.PATCH.goal) == "exactly_two_on_blue_patch"
-    assert boolean_name(tasks.TOWER.goal) == "blocks_stacked"
+    assert boolean_name(tasks.TOWER.goal) == "blocks_stacked_in_order"
     alike = Stack(blocks=("red_block_1", "red_block_2"))
     assert boolean_name(alike) == "two_red_blocks_stacked"
     assert boolean_name(Stack(blocks=("A_block", "B_block"))) == "a_and_b_stacked"
+    assert boolean_name(Stack(blocks=("A_block", "B_block"), patch="blue_patch")) == "a_and_b_stacked_on_blue_patch"
+    numbers = Row(blocks=("1_block", "2_block"), order=Order(by="number"))
+    assert boolean_name(numbers) == "one_and_two_in_row_numerically"
+    assert boolean_name(Facing(block="A_block", label="A", turn=180.0)) == "a_upside_down"
+    assert boolean_name(Facing(block="A_block", label="A", toward="left")) == "a_facing_left"
     assert [boolean_name(part) for part in tasks.MIXED.goal.goals] == [  # type: ignore[union-attr]
         "red_on_green_or_red_on_blue",
         "not_yellow_in_left_half",

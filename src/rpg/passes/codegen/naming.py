@@ -8,7 +8,9 @@ from collections.abc import Iterable
 
 from rpg.ir import goal as g
 from rpg.ir.node import members
+from rpg.ir.relations import Facing
 from rpg.ir.schema import shortened
+from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import rename
 
 LONGEST = 44
@@ -39,6 +41,19 @@ TEMPLATES = {
     "equation": "equation_true",
 }
 """How the boolean of an atom is called; every other kind is "a kind b"."""
+ORDERS = {
+    "given": "_in_order",
+    "label": "_alphabetically",
+    "number": "_numerically",
+    "rainbow": "_like_a_rainbow",
+    "size": "_by_size",
+    "alternating": "_alternating",
+    "mirrored": "_mirrored",
+    "together": "_equals_together",
+}
+"""What the boolean of a line or a stack says of its order."""
+TURNS = {0.0: "upright", 180.0: "upside_down"}
+"""What the boolean says of a symbol that is turned so many degrees."""
 
 
 def class_name(task: str) -> str:
@@ -89,6 +104,12 @@ def _atom_name(atom: g.Atom) -> str:
     template = TEMPLATES.get(atom.kind)
     if template is None:
         template = "{a}_" + atom.kind + ("_{b}" if "b" in words else "") if "a" in words else atom.kind
+    if isinstance(atom, Facing) and atom.turn in TURNS and atom.toward in ("up", "viewer"):
+        template = "{block}_" + TURNS[atom.turn]
+    if isinstance(atom, Row | Stack):
+        template += ORDERS.get(atom.order.by, "")
+    if isinstance(atom, Stack) and atom.patch is not None:
+        template += "_on_{patch}"
     return template.format(**words)
 
 

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Iterable
 
 from rpg.blocks.english import describe_goal
-from rpg.ir.assets import Asset, GoalPatch, SemanticCube
+from rpg.ir.assets import EDGE, Asset, GoalPatch, SemanticCube
 from rpg.ir.schema import TaskSchema
 from rpg.passes.codegen.layout import WIDTH
 
@@ -50,9 +50,12 @@ def objects(assets: Iterable[Asset]) -> str:
 def _kind(asset: Asset) -> str:
     if isinstance(asset, GoalPatch):
         return f"{asset.color} {asset.shape} patch" if asset.shape != "square" else f"{asset.color} patch"
+    size = "" if asset.size == EDGE else f"{asset.size * 100:g} cm "
     if isinstance(asset, SemanticCube):
-        return "symbol block" if asset.color == "ivory" else f"{asset.color} symbol block"
-    return f"{asset.color} block"
+        shown = _symbol(asset)
+        sort = "letter" if shown.isalpha() else "number" if shown.isdecimal() else "symbol"
+        return f"{size}{sort} block" if asset.color == "ivory" else f"{size}{asset.color} {sort} block"
+    return f"{size}{asset.color} block"
 
 
 def _symbol(asset: Asset) -> str:
@@ -67,7 +70,7 @@ def _symbol(asset: Asset) -> str:
 def _phrase(kind: str, symbols: list[str]) -> str:
     number = len(symbols)
     count = DOUBLE[number] if number < len(DOUBLE) else str(number)
-    if number == 1 and kind[0] in "aeiou":
+    if number == 1 and kind.startswith(("a", "e", "i", "o", "u", "8", "11")):
         count = "an"
     plural = kind if number == 1 else kind + ("es" if kind.endswith("ch") else "s")
     shown = ", ".join(symbol for symbol in symbols if symbol)

@@ -91,7 +91,7 @@ VERBS = {
     "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch merge "
     "combine unite segregate",
     "spell": "spell write",
-    "turn": "rotate turn flip spin face orient point tip transform convert",
+    "turn": "rotate turn flip spin face orient point tip transform convert change",
     "reverse": "reverse",
     "swap": "swap exchange switch interchange trade",
     "keep": "keep leave",

@@ -45,6 +45,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
         if p.words[j - 1] == "by" and p.figure(j) is not None:
             continue
         for landmark, k in noun_phrase(p, j):
+            if isinstance(landmark, TableTop) and p.words[i:j] == ["to"]:
+                yield Loc(rel="on", landmark=landmark, mods=mods, span=p.span(i, k), cost=1), k
             if isinstance(landmark, TableTop) and name not in ("on", "off", "above", "behind", "front"):
                 continue
             if isinstance(landmark, TableTop) and (name == "in" or p.words[i] in ("at", "to")):

@@ -26,7 +26,7 @@ def reverse(p: Parser, i: int, j: int) -> Results[Clause]:
 
 def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
     """ "turn it into a row", "make it a tower", "take the tower apart"."""
-    if sense == "turn" and lemma in ("turn", "transform", "convert"):
+    if sense == "turn" and lemma in ("turn", "transform", "convert", "change"):
         yield from _turned_into(p, i, j)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):

@@ -15,14 +15,25 @@ def begun(chains: tuple[Chain, ...], bold: bool = False) -> tuple[Chain, ...]:
 
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half").
     """
-    told = [all(isinstance(c, Clause) and _fact(c, bold) for c in chain.clauses) for chain in chains]
+    told = [_facts(chain, bold) for chain in chains]
     commands = [n for n, chain in enumerate(chains) if _commands(chain)]
+    undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
+    told = [x or (n < max(undone, default=0) and _facts(chains[n])) for n, x in enumerate(told)]
     found = []
     for n, chain in enumerate(chains):
-        if told[n] and any(m > n for m in commands):
+        if told[n] and any(m > n for m in (*commands, *undone)):
             chain = replace(chain, clauses=tuple(replace(c, mode="start") for c in chain.clauses))  # type: ignore[type-var]
         found.append(chain)
     return tuple(found)
+
+
+def _undoes(chain: Chain) -> bool:
+    """Whether a sentence changes what is there, whatever it is: swaps it, takes it apart, turns it round."""
+    return any(isinstance(c, Clause) and c.verb in ("swap", "unstack", "reverse") for c in chain.clauses)
+
+
+def _facts(chain: Chain, bold: bool = True) -> bool:
+    return all(isinstance(c, Clause) and _fact(c, bold) for c in chain.clauses)
 
 
 def _fact(clause: Clause, bold: bool) -> bool:

@@ -130,11 +130,16 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
                 continue
-            return replace(ref, quant=None, each=False, built=ref.built if len(ref.built) > 1 else ())
+            return replace(
+                ref, quant=None, each=False, built=ref.built if len(ref.built) > 1 or _told_together(ref) else ()
+            )
     last: list[str] = []
     for mention in reversed(scene.mentions):
         if mention.clause >= scene.clause - 1:
             last = [n for n in mention.ref.names if n not in last and not scene.things[n].patch] + last
+    if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
+        said = [n for m in scene.mentions for n in m.ref.names if not scene.things[n].patch]
+        last = list(dict.fromkeys(said))
     if last:
         return Ref(names=tuple(dict.fromkeys(last)), plural=len(last) > 1)
     raise refuse(
@@ -143,6 +148,11 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         word.span,
         "name the blocks",
     )
+
+
+def _told_together(ref: Ref) -> bool:
+    """Several towers of which it is not said which block is in which."""
+    return len(ref.built) == 1 and ref.built[0].kind == "towers"
 
 
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:

@@ -46,7 +46,7 @@ def print_steered(out: Output, done: Steered) -> None:
         goal = version.snapshot.snapshot.goal_summary
         out.result.print(Text.assemble(("✓ ", "bold green"), f"back at {version}: ", (goal, "")))
         return
-    if done.status == "failed":
+    if done.status == "failed" and done.outcome is not None:
         print_outcome(out, done.outcome, done.place)
         return
     _print_version(out.result, done)

@@ -66,9 +66,9 @@ def _brought_to(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "reduce it to two blocks", "cut the tower down to three"."""
     j = longest(p, i, _BRINGS)
     starts: list[tuple[m.Meaning | None, int]] = [(None, j)] if j else []
-    for theme, k in simple(p, j) if j else ():
-        if isinstance(theme, m.Structure | m.Pronoun):
-            starts += [(theme, k), *((theme, p.opt(end, "down", "up", "back")) for end in (k,))]
+    for whole, k in simple(p, j) if j else ():
+        if isinstance(whole, m.Structure | m.Pronoun):
+            starts += [(whole, k), (whole, p.opt(k, "down", "up", "back"))]
     if j and (k := longest(p, j, _HEIGHTS)):
         starts.append((None, k))
     for theme, k in dict.fromkeys(starts):

@@ -5,7 +5,9 @@ from __future__ import annotations
 from rpg.blocks.english.speaker import Speaker
 from rpg.ir.order import Attribute, Order, Pattern, Side
 
-TO = {"left": "right", "right": "left", "front": "back", "back": "front", "top": "bottom", "bottom": "top"}
+TO: dict[Side, Side] = {
+    "left": "right", "right": "left", "front": "back", "back": "front", "top": "bottom", "bottom": "top",
+}  # fmt: skip
 ATTRIBUTES: dict[Attribute, str] = {
     "color": "color",
     "kind": "kind",
@@ -28,7 +30,7 @@ def ordered(order: Order, say: Speaker) -> str:
         case "any":
             return way
         case "given":
-            return f"{way} in the order {_ranks(order, say)}"
+            return _at_the_ends(order, say) or f"{way} in the order {_ranks(order, say)}"
         case "label":
             return f"{way} in {'reverse ' if order.descending else ''}alphabetical order"
         case "number":
@@ -49,6 +51,24 @@ def _values(attribute: Attribute) -> str:
     return {"color": "colors", "kind": "kinds", "label": "labels", "size": "sizes"}.get(
         attribute, ATTRIBUTES[attribute]
     )
+
+
+PLACES: dict[Side, str] = {
+    "left": "at the left end", "right": "at the right end", "front": "at the front end", "back": "at the back end",
+    "bottom": "at the bottom", "top": "on top",
+}  # fmt: skip
+
+
+def _at_the_ends(order: Order, say: Speaker) -> str:
+    """An order that only says which block is at an end, or which are at both: "with the red block at the left end"."""
+    free = [k for k, rank in enumerate(order.ranks) if len(rank) > 1]
+    if order.first is None or order.match == "name" or len(free) != 1 or len(order.ranks) not in (2, 3):
+        return ""
+    if len(order.ranks) == 3 and free != [1]:
+        return ""
+    ends = [(order.ranks[0], order.first), (order.ranks[-1], TO[order.first])]
+    told = [f"{say.the(rank)} {PLACES[side]}" for rank, side in ends if len(rank) == 1]
+    return f" with {' and '.join(told)}"
 
 
 def _ranks(order: Order, say: Speaker) -> str:

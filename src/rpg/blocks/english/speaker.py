@@ -25,6 +25,7 @@ class Speaker:
 
     `aliases` are phrases for names that stand for something else (the counted block of a `Count`), some of them
     `plural`. `known` are the sets of look-alikes spoken of already, which "the other one" and "another" lean on.
+    `figures`: what structures are called, by their blocks, where the text has spoken of them.
     """
 
     world: World
@@ -33,6 +34,7 @@ class Speaker:
     aliases: dict[str, str] = field(default_factory=dict)
     plural: set[str] = field(default_factory=set)
     known: list[frozenset[str]] = field(default_factory=list)
+    figures: dict[frozenset[str], str] = field(default_factory=dict)
 
     def be(self, operand: Operand | str) -> str:
         """The form of "to be" that agrees with `operand`."""
@@ -65,7 +67,8 @@ class Speaker:
     def the(self, operand: Operand | str) -> str:
         """A noun phrase for one or several objects, for a tower or for what tops it."""
         if isinstance(operand, Lowest | Highest):
-            return f"the tower of {self._listed(members(operand))}"
+            known = self.figures.get(frozenset(members(operand)))
+            return known or f"the tower of {self._listed(members(operand))}"
         return self._listed(members(operand))
 
     def one(self, name: str) -> str:

@@ -69,6 +69,8 @@ def grid(node: s.Grid, say: Speaker) -> str:
 def pyramid(node: s.Pyramid, say: Speaker) -> str:
     long, deep = node.base
     base = f"{long}x{deep} base" if deep > 1 else f"base of {number(long)} blocks"
+    other = any(blocks != frozenset(node.blocks) for blocks in say.figures)
+    say.figures[frozenset(node.blocks)] = "" if other else "the pyramid"
     return _form(node, say, f"a pyramid with a {base}{patterned(node.pattern, say)}")
 
 

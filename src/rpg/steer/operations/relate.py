@@ -61,7 +61,7 @@ def relation(
     return g.Not(goal=atom) if place is not None and place.negated else atom
 
 
-def _distance(a: tuple[str, ...], b: Operand, place: m.Loc) -> rel.Distance:
+def _distance(a: Operand, b: Operand, place: m.Loc) -> rel.Distance:
     measure = "faces" if place.measure == "faces" else "centres"
     return rel.Distance.model_validate(
         {"a": a, "b": b, "minimum": place.low, "maximum": place.high, "measure": measure}

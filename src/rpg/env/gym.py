@@ -18,6 +18,8 @@ from rpg.env.gripper import STEP_LIMIT, TURN_LIMIT, FloatingGripper
 from rpg.env.task import BlockTask
 
 CAMERAS = (camera.NAME, "wrist")
+ONES = np.ones(7)
+"""A sum by dot product takes a fifth of the time, which shows in steps of a tenth of a millisecond."""
 
 Observation = dict[str, NDArray[Any]]
 TaskFactory = Callable[..., BlockTask]
@@ -93,7 +95,7 @@ class BlockEnv(gymnasium.Env[Observation, NDArray[np.float32]]):  # type: ignore
     def step(self, action: NDArray[np.float32]) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """One control step."""
         command = np.asarray(action, dtype=np.float64)
-        if command.shape != (7,) or not math.isfinite(command.sum()):
+        if command.shape != (7,) or not math.isfinite(command.dot(ONES)):
             raise ValueError(f"an action has 7 finite numbers, not {action!r}")
         self.task.step(1, command)
         judgement = self.task.judge()

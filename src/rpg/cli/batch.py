@@ -109,7 +109,7 @@ def _write(path: Path, data: bytes) -> None:
 
 @contextmanager
 def _progress(out: Output, total: int) -> Iterator[Callable[[Line], None]]:
-    """Counts on a terminal while the batch runs; elsewhere a line for every entry that is not in order."""
+    """Counts on a terminal while the batch runs; elsewhere the report at the end has to do."""
     console = out.asides
     if console.quiet or not console.is_terminal:
         yield lambda line: None
@@ -117,12 +117,13 @@ def _progress(out: Output, total: int) -> Iterator[Callable[[Line], None]]:
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     columns = (BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"), TimeRemainingColumn())
-    counts: dict[str, int] = {}
+    counts = dict.fromkeys(("admitted", "refused", "failed"), 0)
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("starting", total=total)
 
         def listen(line: Line) -> None:
-            counts[line.outcome] = counts.get(line.outcome, 0) + 1
+            what = "admitted" if line.good else line.outcome
+            counts[what] = counts.get(what, 0) + 1
             bar.update(task, advance=1, description=", ".join(f"{n} {what}" for what, n in counts.items()))
 
         yield listen

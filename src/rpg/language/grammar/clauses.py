@@ -226,8 +226,10 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
     j = p.opt(j, "also", "exactly", "now", "currently", "initially")
     for theme, k in noun_phrase(p, j):
         apart = adjuncts(p, k + 1) if p.words[k : k + 1] == [","] and isinstance(theme, Structure) else []
+        nothing = isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det == "no")
         for found, end in [*adjuncts(p, k), *(x for x in apart if x[0])]:
-            yield Clause(verb="exist", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)), end
+            said = "goal" if nothing else mode
+            yield Clause(verb="exist", theme=theme, adjuncts=found, mode=said, span=p.span(i, end)), end
 
 
 _VAGUE = frozenset({"it", "them", "they", "that", "this", "one", "each", "all", "both"})

@@ -53,7 +53,8 @@ COMMAND_FRAMES = Phrases(
     "use your gripper to", "use the gripper to", "using the gripper ,",
 )  # fmt: skip
 STATE_FRAMES = Phrases(
-    "end :", "at the end :", "in the end :", "finally :", "final :", "after :", "end state :", "finish :", "final state :",
+    "end :", "at the end :", "in the end :", "finally :", "final :", "after :", "end state :", "finish :",
+    "final state :",
     "i 'd love", "i would love", "i 'd love to see", "i 'd like", "i 'd like to see", "i would prefer", "i prefer",
     "i imagine", "also", "also ,", "additionally", "requirement", "requirement :", "requirement -",
     "the task :", "the goal :", "goal :", "goal -", "my wish is", "my wish is that", "could you make it so that",
@@ -88,8 +89,9 @@ START_FRAMES = Phrases(
     "assuming", "assuming that", "suppose", "suppose that", "at the start", "at the beginning", "in the beginning",
     "to begin with", "beginning with", "the initial state is", "in the initial state", "originally", "currently",
     "right now", "starting state", "start state", "start from", "the task starts with", "the scene starts with",
-    "at first", "the episode starts with", "the initial state has", "as a start", "we start with", "start :", "start state :", "at the start :",
-    "in the beginning :", "initially :", "beginning :", "initial situation :", "starting position :", "before :", "you start with",
+    "at first", "the episode starts with", "the initial state has", "as a start", "we start with",
+    "start :", "start state :", "at the start :", "in the beginning :", "initially :", "beginning :",
+    "initial situation :", "starting position :", "before :", "you start with",
     "the scene begins with", "the start is", "starts with", "start out with", "begin with", "initial state :",
     "initially ,", "at the start ,",
     "at the beginning ,", "assume initially", "the starting state is", "the starting state has",

@@ -9,7 +9,7 @@ from rpg.language.grammar.measures import measured, measured_bare
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.prepositions import relation, side_relation
 from rpg.language.grammar.regions import region
-from rpg.language.meaning import Coord, Loc, Meaning, Noun, Pronoun, TableTop
+from rpg.language.meaning import Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
 
 
 @rule
@@ -44,7 +44,10 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     for (name, mods), j in relation(p, i):
         if p.words[j - 1] == "by" and p.figure(j) is not None:
             continue
+        ends = p.words[i + 1 : j] == ["the", "top", "of"] and p.words[i] == "at"
         for landmark, k in noun_phrase(p, j):
+            if ends and isinstance(landmark, Structure) and landmark.det == "a":
+                continue
             if isinstance(landmark, TableTop) and p.words[i:j] == ["to"]:
                 yield Loc(rel="on", landmark=landmark, mods=mods, span=p.span(i, k), cost=1), k
             if isinstance(landmark, TableTop) and name not in ("on", "off", "above", "behind", "front"):

@@ -85,7 +85,12 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
             "ambiguous", f"this could be a side of the table or an end of the {line.kind}", at_.span,
             f"say 'of the table', or name the block among those of the {line.kind}",
         )  # fmt: skip
-    if at_.side != "middle" and any(isinstance(a, r.LeftOf | r.RightOf | r.InFrontOf | r.Behind) for a in atoms(goal)):
+    beside = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind
+    related = any(
+        isinstance(a, beside) or (isinstance(a, r.Between | r.Beside | r.Adjacent | r.Touching) and _about(a, ref))
+        for a in atoms(goal)
+    )
+    if at_.side != "middle" and related:
         raise refuse(
             "ambiguous",
             "this could be a side of the table or of a block",
@@ -98,6 +103,11 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
                      "say 'of the table', or of what")  # fmt: skip
     if any(isinstance(a, r.InRegion) and ("edge" in a.region or "corner" in a.region) for a in atoms(goal)):
         raise refuse("ambiguous", "this could be a half or an edge of the table", at_.span, "say which")
+
+
+def _about(atom: g.Goal, ref: Ref) -> bool:
+    """Whether a relation is one of the blocks spoken of."""
+    return bool(set(ref.names) & {n for part in ("a", "b", "c") for n in members(getattr(atom, part, ()))})
 
 
 def _and(goal: g.Goal, more: g.Goal) -> g.Goal:

@@ -43,12 +43,22 @@ def test_json_lines(tmp_path: Path) -> None:
     assert entries[1].edits == ("y",)
 
 
-def test_stdin_is_told_by_its_first_character(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    "text",
+    [
+        '{"instruction": "Stack two blocks"}\n',
+        "Stack two blocks\n",
+        "- Stack two blocks\n",
+        "- {instruction: Stack two blocks}\n",
+        "[Stack two blocks]\n",
+    ],
+)
+def test_stdin_is_told_by_its_first_line(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
     class Stdin:
-        buffer = io.BytesIO(b'{"instruction": "Stack two blocks"}\n')
+        buffer = io.BytesIO(text.encode())
 
     monkeypatch.setattr("sys.stdin", Stdin())
-    assert read_entries(["-"])[0] == Entry("stdin:1", "Stack two blocks")
+    assert read_entries(["-"]) == (Entry("stdin:1", "Stack two blocks"),)
 
 
 def test_globs_are_expanded_in_order(tmp_path: Path) -> None:

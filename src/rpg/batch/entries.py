@@ -27,6 +27,7 @@ from rpg.ir.schema import slug
 
 LISTS = ("tasks", "sessions")
 """The keys of a YAML mapping that hold entries."""
+_YAML = re.compile(rf"---|- |\[|(?:{'|'.join(LISTS)}):")
 
 
 class Item(Record):
@@ -130,8 +131,11 @@ def _read(source: str) -> Iterator[Entry]:
 
 
 def _stream_items(origin: str, text: str) -> Iterator[tuple[int, Any]]:
-    """Stdin has no name to tell its format by: objects on lines are JSON, everything else is plain text."""
-    return _json_items(origin, text) if text.lstrip().startswith("{") else _text_items(text)
+    """Stdin has no name to tell its format by: its first line does. What is neither JSON nor YAML is plain text."""
+    first = next((line for _, line in _text_items(text)), "")
+    if first.startswith("{"):
+        return _json_items(origin, text)
+    return _yaml_items(origin, text) if _YAML.match(first) else _text_items(text)
 
 
 def _text_items(text: str) -> Iterator[tuple[int, Any]]:

@@ -9,6 +9,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.frames import THEN
 from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.nouns import noun_phrase, restates
+from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.meaning import Chain, Clause, Meaning, Structure
 
@@ -43,13 +44,17 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
     if len(had) > 16:
         return
     if colon := p.one(at, ":"):
+        for item, k in clause(p, colon):
+            if isinstance(item, Clause) and isinstance(had[-1], Clause) and had[-1].adjuncts and item.verb != "exist":
+                whole = (*had, replace(item, cost=item.cost + 3))
+                yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
         for item, k in inventory(p, colon):
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, "and"), k)
     for link, j in _link(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
-        items = [*clause(p, j), *(gerund_single(p, j) if link in ("before", "after") else ())]
+        items = [*clause(p, j), *(carried_on(p, j, previous) if previous is not None else ()), *(gerund_single(p, j) if link in ("before", "after") else ())]
         bare = previous is not None and not previous.adjuncts and link == "and" and p.words[j - 1] in (",", ";")
         for item, k in items:
             if previous is not None and p.words[j - 1] == "," and _apposed(previous, item):
@@ -98,7 +103,9 @@ _EARLIER = (
 )  # fmt: skip
 
 
+@rule
 def _link(p: Parser, i: int) -> Results[str]:
+    """How a clause goes on: the word for it in a chain's links."""
     j = p.opt(i, ",", ";")
     if k := p.any_of(j, _EARLIER):
         yield "after", p.opt(k, ",")

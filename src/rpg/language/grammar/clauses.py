@@ -194,7 +194,9 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
                 alone = Manner(kind="only", span=p.span(i, k))
                 yield replace(found, adjuncts=(*found.adjuncts, alone), span=p.span(i, end)), end
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
-        yield ever(replace(found, negated=negated, span=p.span(i, k)), never), k
+        if negated or found.negated or j > i:
+            found = replace(found, negated=negated, span=p.span(i, k))
+        yield ever(found, never), k
 
 
 @rule

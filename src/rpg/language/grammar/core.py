@@ -262,6 +262,7 @@ def _distinct(readings: Results[M]) -> list[tuple[M, int]]:
             break
     if len(seen) <= MAX_READINGS:
         return list(seen)
-    costs = {reading: cost_of(reading[0]) for reading in seen}
-    dear = sorted(costs.values())[MAX_READINGS - 1]
-    return [reading for reading in seen if costs[reading] <= dear][:MAX_READINGS]
+    found = list(seen)
+    costs = [cost_of(meaning) for meaning, _ in found]
+    dear = sorted(costs)[MAX_READINGS - 1]
+    return [reading for reading, cost in zip(found, costs, strict=True) if cost <= dear][:MAX_READINGS]

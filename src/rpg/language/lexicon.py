@@ -64,7 +64,7 @@ STRUCTURES = {
     "circle": "circle ring loop",
     "plus": "plus cross",
     "pile": "pile heap bunch cluster group bundle clump",
-    "word": "word",
+    "word": "word name",
     "equation": "equation sum formula multiplication addition subtraction division calculation",
     "set": "set collection bunch_of",
 }

@@ -10,7 +10,7 @@ from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 
 _IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")
 _THERE = frozenset({"seen", "shown", "visible", "present", "needed", "required", "wanted", "desired", "expected",
@@ -30,6 +30,7 @@ def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
     yield from _there(p, i, k, theme, mode)
     if isinstance(theme, Structure):
         yield from _consists(p, i, k, theme, mode)
+        yield from _goes(p, i, k, theme, mode)
     elif isinstance(theme, Noun | Coord | Pronoun):
         yield from _becomes(p, i, k, theme, mode)
         yield from _gathers(p, i, k, theme, mode)
@@ -48,8 +49,31 @@ def _there(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tup
             yield Clause(verb=verb, theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)), end
     colon = p.opt(j, ":", ",")
     for items, end in listed(p, colon) if shaped and colon > j else ():
-        given = OrderBy(by="given", items=items, span=p.span(colon, end))
-        yield Clause(verb="build", theme=theme, adjuncts=(given,), mode=mode, span=p.span(i, end)), end
+        yield _listing(p, i, end, theme, items, mode), end
+
+
+def _listing(
+    p: Parser, i: int, end: int, theme: Meaning, items: tuple[Meaning, ...], mode: str
+) -> Clause:
+    """A structure with its members in their order."""
+    order = OrderBy(by="named", items=items, span=p.span(i, end))
+    assert isinstance(theme, Structure)
+    said = theme.members
+    open_ = isinstance(said, Noun) and said.amount is None and said.traits == Traits()
+    whole = replace(theme, members=None if open_ else said, details=(*theme.details, order), span=p.span(i, end))
+    return Clause(verb="build", theme=whole, mode=mode, span=p.span(i, end))
+
+
+def _goes(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterator[tuple[Meaning, int]]:
+    """ "the tower goes brown, white, pink"."""
+    j = p.any_of(k, ("goes", "go", "runs", "run", "reads", "be", "is", "has")) if theme.kind in _ORDERED else 0
+    lists = p.words[j - 1 : j] in (["goes"], ["go"], ["runs"], ["run"], ["reads"]) or p.words[j : j + 1] == [":"]
+    for items, end in listed(p, p.opt(j, ":")) if j else ():
+        if lists or len(items) > 2:
+            yield _listing(p, i, end, theme, items, mode), end
+
+
+_ORDERED = ("stack", "row", "line", "column")
 
 
 def _consists(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterator[tuple[Meaning, int]]:

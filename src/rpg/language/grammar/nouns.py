@@ -14,12 +14,14 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
 from rpg.language.grammar.pronouns import pronoun
 from rpg.language.grammar.retold import (
+    bare_color,
     named_together,
     part_after,
     restates,
     retelling,
     retold,
     shares_head,
+    sized_alike,
     tally,
     universal,
 )
@@ -48,9 +50,21 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         )
     for item, j in simple(p, i):
         yield item, j
+        yield from _all_but(p, i, item, j)
         yield from _apposed(p, i, item, j)
         if not (isinstance(item, Noun) and item.det == "both" and item.head == "any"):
             yield from _list(p, i, (item,), j, None)
+
+
+def _all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
+    """ "all the blocks that are not red"."""
+    k = p.any_of(j, ("that are not", "which are not", "that is not", "which is not")) if isinstance(whole, Noun) else 0
+    if not k or not isinstance(whole, Noun) or whole.det not in ("all", "each", "the") or whole.head == "patch":
+        return
+    for named, end in color(p, k):
+        out = Noun(head="block", det="the", plural=True, traits=Traits(colors=(named,)), span=p.span(k, end))
+        whole = replace(whole, det="all", plural=True)
+        yield Coord(op="besides", items=(whole, out), span=p.span(i, end)), end
 
 
 def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
@@ -127,7 +141,9 @@ def _list(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None
             item = replace(item, cost=2)
         if part_after(items[-1], item):
             item = replace(item, cost=item.cost + 3)
-        whole = (*items, item)
+        if not joined and isinstance(items[-1], Structure) and isinstance(item, Noun) and bare_color(item):
+            continue
+        whole = sized_alike((*items, item))
         if joined and now == "and" and (named := named_together(whole)) is not None:
             yield replace(named, span=p.span(i, j)), j
             continue
@@ -356,6 +372,15 @@ def _finish(
     yield from _after(p, i, j, noun)
 
 
+def _numbered(p: Parser, i: int, j: int, noun: Noun) -> Noun | None:
+    """ "red block 2": a number behind a block that has a look already counts those of that look."""
+    token = p.tokens[j]
+    told = bool(noun.traits.colors or noun.traits.labels) and noun.head == "block" and not noun.plural
+    if not told or token.kind != "number" or p.words[j - 1] not in lexicon.BLOCK or noun.amount is not None:
+        return None
+    return replace(noun, traits=replace(noun.traits, rank=f"#{p.words[j]}"), span=p.span(i, j + 1))
+
+
 @rule
 def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
     from rpg.language.grammar.relatives import relative
@@ -363,7 +388,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
     yield noun, j
     tried = [(noun, j)]
     for update, k in of_quality(p, j, noun.head):
-        changed = _with(noun, update, p.span(i, k))
+        changed = _numbered(p, i, j, noun) if k == j + 1 else None
+        changed = changed or _with(noun, update, p.span(i, k))
         if changed is not None:
             yield changed, k
             tried.append((changed, k))

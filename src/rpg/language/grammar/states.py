@@ -335,3 +335,17 @@ def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Mean
         if isinstance(other, Structure) and other.kind in ("word", "equation"):
             for found, end in adjuncts(p, k):
                 yield Clause(verb="spell", theme=other, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+
+
+@rule
+def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
+    """ "the red block must not be on the mat but must be next to it": a further predicate of the same subject."""
+    if before.theme is None or before.verb != "be" or not before.adjuncts:
+        return
+    k, words = _auxiliaries(p, i)
+    if k == i and p.words[i : i + 1] not in (["is"], ["are"]):
+        return
+    same = Pronoun(word="same", span=before.theme.span)
+    for found, j in _predicate_after_be(p, i, k, same, before.mode, bool(words & _NOT)):
+        if isinstance(found, Clause):
+            yield replace(found, cost=found.cost + 1), j

@@ -9,7 +9,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.regions import named
-from rpg.language.meaning import Clause, Coord, In, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, OrderBy, PartOf, Pronoun, Structure
 
 _SPELT = ("spelled out", "spelt out", "written out", "spelled", "spelt", "written")
 _KINDRED = ("same colors", "the same colors", "same color", "the same color", "blocks of the same color",
@@ -23,6 +23,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """Clauses without a verb."""
     yield from _placed(p, i, mode)
     yield from _spelt(p, i)
+    yield from kept_clear(p, i)
     start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
     if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER)):
         everything = Pronoun(word="everything", span=p.span(i, j))
@@ -67,3 +68,22 @@ def said_of(theme: Noun, found: Meaning) -> Clause | None:
     if isinstance(found, Clause) and isinstance(found.theme, Pronoun) and found.theme.word in ("it", "that", "this"):
         return replace(found, theme=theme, cost=found.cost + 1)
     return None
+
+
+_CLEAR = ("clear", "free", "empty", "bare", "vacant", "uncovered", "unoccupied")
+
+
+@rule
+def kept_clear(p: Parser, i: int) -> Results[Meaning]:
+    """ "keep the zone clear of the red box", "leave the top of the red block free": that nothing lies there."""
+    j = p.any_of(i, ("keep", "leave", "make sure to keep", "make sure to leave"))
+    for theme, k in noun_phrase(p, j) if j else ():
+        place = theme.whole if isinstance(theme, PartOf) and theme.part == "top" else theme
+        end = p.one(k, frozenset(_CLEAR))
+        if not end or not isinstance(place, Noun | Pronoun):
+            continue
+        on = Loc(rel="on", landmark=place, span=theme.span)
+        nothing = Noun(head="block", det="no", plural=True, span=p.span(k, end))
+        yield Clause(verb="be", theme=nothing, adjuncts=(on,), mode="goal", span=p.span(i, end), cost=1), end
+        for other, last in noun_phrase(p, p.any_of(end, ("of", "from"))) if p.any_of(end, ("of", "from")) else ():
+            yield Clause(verb="be", theme=other, adjuncts=(on,), negated=True, mode="goal", span=p.span(i, last)), last

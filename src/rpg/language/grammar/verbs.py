@@ -216,6 +216,8 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     for theme, j in noun_phrase(p, i) if before.verb == "be" and before.adjuncts else ():
         k = p.any_of(p.opt(j, "all"), _SO_ARE)
+        if k and isinstance(theme, Structure) and p.words[k - 1] == "not":
+            continue
         if k and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
             yield replace(before, theme=theme, negated=p.words[k - 1] == "not" or p.words[k - 2] == "not",
                           span=p.span(i, k), cost=1), k  # fmt: skip

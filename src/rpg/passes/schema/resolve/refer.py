@@ -48,6 +48,8 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
 def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "except":
         return _except(meaning, scene, scope)
+    if meaning.op == "besides":
+        return replace(_except(meaning, scene, scope), op="and", parts=())
     if meaning.op == "only":
         alone = refer(meaning.items[-1], scene, scope)
         scene.mentions.pop()

@@ -130,7 +130,8 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
     if not found and noun.head == "any" and noun.traits == Traits() and not scope.pool:
         raise refuse("no-referent", "it is not clear what this refers to", noun.span, "name the block")
     amount = noun.amount.low if noun.amount and noun.det != "a" else (2 if noun.det == "both" else None)
-    single = not noun.plural and amount in (None, 1) and noun.det not in ("all", "each")
+    some = noun.det in ("all", "each") or (noun.det == "any" and len(found) > 1)
+    single = not noun.plural and amount in (None, 1) and not some
     if single:
         if len(found) == 1:
             return (found[0].name,)

@@ -62,12 +62,16 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if apart is not None and _of_each_other(apart) and len(lots) > 1 and attribute is None and not spec.intos:
         spec.places.remove(apart)
         return [s.GroupBy(groups=lots, span=clause.span), *places(theme, spec, scene, scope, clause.span)]
-    if clause.lemma in GATHERS and attribute is None and _one_pile(spec):
+    if clause.lemma in GATHERS and not (apart and _of_each_other(apart)) and attribute is None and _one_pile(spec):
         spec.intos = []
         spec.places = [p for p in spec.places if not _together(p)]
         node = s.GroupBy(groups=(theme.names,), span=clause.span)
         ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
         return [node, *places(ref, spec, scene, scope, clause.span)]
+    pair = len(theme.names) == 2 and not theme.parts and not spec.intos and not spec.usings and apart is None
+    if clause.lemma in DIVIDES and attribute is None and pair:
+        one, other = theme.names
+        return [r.Apart(a=(one,), b=(other,), span=clause.span), *places(theme, spec, scene, scope, clause.span)]
     if clause.lemma in DIVIDES and attribute is None and (apart is not None or len(theme.parts) == 2 or spec.usings):
         return _separate(theme, apart, spec, scene, scope, clause)
     shape = _pile_target(spec)

@@ -50,6 +50,15 @@ class Conversation:
             self._change(line)
         return True
 
+    def interrupted(self) -> None:
+        """A line that was given up on while it was worked on: the family is as that left it."""
+        from rpg.store import Family
+
+        if self.version is not None:
+            self.version = Family(self.version.directory.parent).head()
+        where = f"; {self.version} is current" if self.version else ""
+        self.out.errors.print(f"interrupted{where}", markup=False)
+
     def _begin(self, instruction: str) -> None:
         from rpg.cli.summary import print_outcome
         from rpg.pipeline import compile_instruction
@@ -110,6 +119,8 @@ class Conversation:
 
 def converse(out: Output, workspace: Workspace, task: str | None, options: CompileOptions, interactive: bool) -> int:
     """Read lines until the end or `quit`. A terminal gets a prompt and a history; piped input gives an exit status."""
+    from rpg.core.diagnostics import UsageError
+
     talk = Conversation(out, workspace, options)
     if task is not None:
         talk.version = find(task, workspace.root)
@@ -118,8 +129,17 @@ def converse(out: Output, workspace: Workspace, task: str | None, options: Compi
         out.asides.print(HELP)
     try:
         while (line := _line(talk, interactive)) is not None:
-            if line and not talk.take(line):
-                break
+            try:
+                if line and not talk.take(line):
+                    break
+            except KeyboardInterrupt:
+                if not interactive:
+                    raise
+                talk.interrupted()
+            except UsageError as error:
+                if not interactive:
+                    raise
+                out.errors.print(str(error), markup=False)
     finally:
         if history is not None:
             _save(history)

@@ -167,7 +167,8 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
         "which spell", "which spells", "that say", "that says", "to say", "spelling", "so it reads",
                              "so they read", "so they spell", "so they say", "so that it reads", "so that it spells",
                              "so you read", "so that you read", "so that you can read", "so you can read", "so that i can read",
-        "so i can read", "so one can read", "so that one can read", "so we can read", "to write", "reading", "saying", "which read", "which reads")):  # fmt: skip
+        "so i can read", "so one can read", "so that one can read", "so we can read", "to write", "reading",
+        "saying", "which read", "which reads")):  # fmt: skip
         text = literal(p, j)
         if text is not None and len(text) > 1:
             word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))

@@ -52,9 +52,7 @@ def _there(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tup
         yield _listing(p, i, end, theme, items, mode), end
 
 
-def _listing(
-    p: Parser, i: int, end: int, theme: Meaning, items: tuple[Meaning, ...], mode: str
-) -> Clause:
+def _listing(p: Parser, i: int, end: int, theme: Meaning, items: tuple[Meaning, ...], mode: str) -> Clause:
     """A structure with its members in their order."""
     order = OrderBy(by="named", items=items, span=p.span(i, end))
     assert isinstance(theme, Structure)

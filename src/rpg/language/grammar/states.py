@@ -82,10 +82,21 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             lasting = bool(words & {"never", "always"})
             if isinstance(found, Clause) and found.verb == "be" and not words & _MODALS:
                 found = replace(found, lemma="fact")
-            if isinstance(found, Clause) and words & {"may", "might"} and not asked:
+            idle = isinstance(found, Clause) and _needless(
+                words | {"not"} if getattr(theme, "det", "") == "no" else words
+            )
+            if idle and isinstance(found, Clause):
+                found = replace(found, negated=False)
+            if isinstance(found, Clause) and (idle or (words & {"may", "might"} and not asked)):
                 allowed = Manner(kind="allowed", span=p.span(j, k))
                 found = replace(found, adjuncts=(*found.adjuncts, allowed))
             yield (ever(found, lasting) if isinstance(found, Clause) else found), end
+
+
+def _needless(words: set[str]) -> bool:
+    """ "need not", "does not have to": neither asked for nor forbidden."""
+    denied = bool(words & _NOT)
+    return denied and (bool(words & {"need", "needs"}) or ({"have", "to"} <= words and bool(words & {"do", "does"})))
 
 
 _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
@@ -311,11 +322,13 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
                 end,
             )
     if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says", "spell", "spells"})):
-        yield from _reads(p, i, j, theme, mode)
+        for found, end in _reads(p, i, j, theme, mode):
+            yield (replace(found, negated=negated) if isinstance(found, Clause) else found), end
     if j := p.one(k, frozenset({"have", "has"})):
         for traits, end in ((m, e) for m, e in of_quality(p, j - 1, "block")):
             quality = Quality(traits=Traits(**traits), span=p.span(k, end))
-            yield Clause(verb="be", theme=theme, adjuncts=(quality,), mode=mode, span=p.span(i, end)), end
+            said = Clause(verb="be", theme=theme, adjuncts=(quality,), mode=mode, span=p.span(i, end))
+            yield replace(said, negated=negated), end
 
 
 def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:

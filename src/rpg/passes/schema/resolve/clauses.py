@@ -57,7 +57,9 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     goals = _dispatch(clause, spec, scene, scope)
     if clause.negated and len(scene.loose) > loose:
         _deny(loose, goals, scene, clause.span)
-    goals = [*scene.goals.pop(number, []), *goals]
+    built = scene.goals.pop(number, [])
+    if not clause.negated:
+        built, goals = [], [*built, *goals]
     later = _thats(spec, scene, start)
     if spec.manner("xor") is not None:
         goals = not_both(goals, clause.span)
@@ -74,7 +76,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         goals = negation(goals, clause.span)
     if always and not start:
         goals = held_throughout(goals, scene, clause.span)
-    return [*goals, *later]
+    return [*built, *goals, *later]
 
 
 def _forbids(goal: g.Goal) -> bool:
@@ -143,6 +145,10 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return turned
     if clause.verb == "stack":
         scene.last_landmark_patch = False
+    if clause.negated and is_shape(clause.theme) and clause.theme is not None and spec.places:
+        if clause.verb not in ("be", "place"):
+            raise refuse("ambiguous", "it is not clear what of this is denied", clause.span, "use two sentences")
+        return places(refer(clause.theme, scene, scope), spec, scene, scope, clause.span)
     match clause.verb:
         case "exist":
             return _exist(clause, spec, scene, scope)

@@ -10,7 +10,7 @@ from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.parts import part_statement, unit_of
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import SIDES, at
-from rpg.language.meaning import Absolute, At, Coord, Loc, Manner, Meaning, Noun, Places, TableTop
+from rpg.language.meaning import Absolute, At, Coord, Loc, Manner, Meaning, Noun, Places, Pronoun, TableTop
 
 _LEADS = (
     "with", "having", "where", "keeping", "whose", "and with", "but with", "crowned by", "crowned with", "topped by",
@@ -115,7 +115,7 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
         more += [
             (Absolute(theme=t, adjuncts=(At(side="next", span=t.span),), span=t.span), k)
             for t, k in simple(p, j)
-            if isinstance(t, Noun)
+            if isinstance(t, Noun) or (isinstance(t, Pronoun) and t.word == "one")
         ]
     for one, end in more:
         if then and len(getattr(one.theme, "items", ())) > 1:

@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, At, Coord, Meaning, Noun, Places, Traits
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Traits
 
 _SIDES = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
@@ -41,6 +41,13 @@ _NOUNS = {
 _FROM = tuple(f"from {the}{side}" for side in ("left", "right", "top", "bottom") for the in ("the ", ""))
 _OWN = frozenset({"the", "its", "their", "all", "both", "each", "every", "either"})
 _LEADS = ("in", "at", "on", "for", "along", "as", "forming", "in all", "on all", "at all")
+_PAIRS = tuple(
+    f"{one} and {the}{other}"
+    for pair in (("top", "bottom"), ("left", "right"), ("front", "back"), ("first", "last"), ("leftmost", "rightmost"))
+    for one, other in (pair, pair[::-1])
+    for the in ("", "the ")
+)
+"""Both ends of a line, named one by one."""
 _REST = ("everything else", "all else", "all the rest", "all the others", "all others", "every other block")
 _BETWEEN = ("in between", "between them", "elsewhere", "everywhere else", "in between them", "between the ends")
 _IS = (
@@ -66,9 +73,16 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         j = k
     if (k := p.one(j, frozenset({"a", "an"}))) and p.words[k] in _NOUNS and p.words[k + 1] == "of":
         owned, j = True, k
+    if both := p.any_of(j, _PAIRS):
+        found = _UNITS.get(p.words[both]) if both < p.end else None
+        end = p.reach(both + 1) if found else p.opt(both, "end", "ends", "side", "sides")
+        yield Places(side="ends", unit=found or "block", span=p.span(i, end)), end
+        return
     several = p.number(j)
     after = j + 1 if several is not None else j
     after = p.opt(after, "very")
+    if p.words[after : after + 1] == ["outer"] and _NOUNS.get(p.words[after + 1]) == "edge":
+        after += 1
     word = p.words[after] if after < p.end else ""
     if word in _SIDES:
         p.reach(after + 1)
@@ -193,6 +207,11 @@ def _whole(place: Meaning) -> Places | None:
 
 def _kind_of(p: Parser, j: int) -> Results[Noun]:
     """What one of several structures is made of: a colour, or a number of blocks."""
+    number = p.number(j)
+    high = p.any_of(p.opt(j + 1, "blocks", "cubes", "block"), ("high", "tall")) if number else 0
+    if number and high:
+        amount = Amount(number, number)
+        yield Noun(head="block", amount=amount, plural=number > 1, span=p.span(j, high)), high
     for theme, k in simple(p, j):
         if not isinstance(theme, Noun) or theme.part_of is not None or theme.head == "patch" or theme.conditions:
             continue

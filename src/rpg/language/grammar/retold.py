@@ -58,6 +58,11 @@ def _some_of_it(item: Noun) -> bool:
     return item.head == "any" and item.det == "bare" and item.amount is not None and item.traits == Traits()
 
 
+def bare_color(item: Noun) -> bool:
+    """ "red" after a structure and a comma says something of the structure."""
+    return item.head == "any" and item.det == "bare" and item.amount is None and bool(item.traits.colors)
+
+
 def part_after(before: Meaning, item: Meaning) -> bool:
     """ "a tower with black ends and white ..." goes on with the tower's parts."""
     parts = isinstance(before, Structure) and any(isinstance(d, Absolute | Coord) for d in before.details)
@@ -78,6 +83,20 @@ def named_together(items: tuple[Meaning, ...]) -> Noun | None:
             return None
         colors += item.traits.colors
     return replace(last, traits=replace(last.traits, colors=colors)) if last.head != "any" else None
+
+
+def sized_alike(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "two big and two small red blocks": what the noun says besides the size is said of all of them."""
+    last = items[-1]
+    if not (isinstance(last, Noun) and last.traits.size and last.head == "block" and (last.plural or last.amount)):
+        return items
+    found: list[Meaning] = []
+    for item in items[:-1]:
+        sized = isinstance(item, Noun) and item.head == "any" and item.traits == Traits(size=item.traits.size)
+        if not (sized and isinstance(item, Noun) and item.traits.size):
+            return items
+        found.append(replace(item, head="block", traits=replace(last.traits, size=item.traits.size)))
+    return (*found, last)
 
 
 def shares_head(before: Meaning, item: Meaning) -> bool:

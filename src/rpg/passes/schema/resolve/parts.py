@@ -9,6 +9,7 @@ from rpg.blocks.figures import Cell, ideals, upright
 from rpg.blocks.predicates.pattern import reading_order
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
+from rpg.language.meaning import Pattern as Said
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -76,7 +77,9 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
             found = [k for k, c in enumerate(cells) if (2 * c.row, 2 * c.column) == (rows - 1, columns - 1)]
         case _:
             return []
-    return [[k] for k in found] if len(found) < len(cells) else []
+    if len(found) == len(cells) or part.several not in (None, len(found)):
+        return []
+    return [[k] for k in found]
 
 
 def _half(side: str, cells: Sequence[Cell]) -> Groups:
@@ -267,12 +270,22 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
     if isinstance(node, s.Pyramid) and len(found) == 1 and len(held) > 1 and _counted(found[0][0]):
         raise refuse("ambiguous", "the base alone or the whole pyramid could look like this", found[0][0].span,
                      "say how the other blocks look")  # fmt: skip
+    if len(held) == len(names):
+        spec.patterns = [p for p in spec.patterns if not _said_twice(p, found, held, scene)]
     if spec.orders or spec.patterns:
         raise refuse("order-conflict", "the blocks are laid out in two ways", found[0][0].span, "keep one of them")
     ranks = _ranks(held, names, scene, found[0][0])
     if len(ranks) == 1:
         return None
     return Pattern(kind="reading", order=Order(by="given", ranks=ranks))
+
+
+def _said_twice(pattern: Said, found: list[Claim], held: dict[int, str], scene: Scene) -> bool:
+    """ "each row of one colour: the first red, the second blue": the parts say what the pattern says, and more."""
+    units = {getattr(place, "unit", "layer") for _, place, _ in found}
+    colors = [scene.things[held[groups[0][0]]].color for _, _, groups in found]
+    apart = not pattern.different or len(set(colors)) == len(colors)
+    return units <= {pattern.unit, "layer" if pattern.unit == "row" else pattern.unit} and apart
 
 
 def standing(

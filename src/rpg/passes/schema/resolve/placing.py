@@ -80,6 +80,10 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     respectively = spec.manner("respectively") is not None
     for item in [*vertical, *level]:
         if isinstance(item, Loc) and item.rel == "heaped":
+            if len(ref.built) > 1 or any(b.kind not in ("stack", "word") for b in ref.built):
+                raise refuse(
+                    "ambiguous", "it is not clear which block goes on which", item.span, "say what goes on what"
+                )
             continue
         goals += _place_one(ref, item, scene, scope, span, respectively)
     spec.places = []
@@ -230,9 +234,18 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
                 goals += related(theme, ref, adjunct, scene, item.span)
             else:
+                before = len(scene.things)
                 goals += place(theme, adjunct, scene, scope, item.span)
+                _among_members(ref, theme, before, scene, item.span)
     spec.absolutes = []
     return goals
+
+
+def _among_members(ref: Ref, theme: Ref, before: int, scene: Scene, span: Span) -> None:
+    """ "a column of three with the red one between two blue ones": the blue ones could be among the three."""
+    inside = ref.built and set(theme.names) < set(ref.names)
+    if inside and len(scene.things) > before and any(scene.things[n].color is None for n in ref.names):
+        raise refuse("ambiguous", "these could be blocks of the structure or further ones", span, "name its blocks")
 
 
 def _turned(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:

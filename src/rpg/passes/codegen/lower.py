@@ -31,7 +31,7 @@ def lower(schema: TaskSchema) -> str:
     reset = [replaced(call, lists) for call in reset]
     conditions = {name: replaced(expr, lists) for name, expr in conditions.items()}
     body = [
-        *docstring(schema, tuple(conditions)),
+        *docstring(schema, check),
         "",
         *long_string("instruction = ", schema.instruction, 1),
         *_constants(schema, lists),

@@ -8,27 +8,44 @@ from collections.abc import Iterable
 from rpg.blocks.english import describe_goal
 from rpg.ir.assets import EDGE, Asset, GoalPatch, SemanticCube
 from rpg.ir.schema import TaskSchema
-from rpg.passes.codegen.layout import WIDTH
+from rpg.passes.codegen.layout import WIDTH, Expr, Infix, Labelled
 
 DOUBLE = ("no", "a", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
 
 
-def docstring(schema: TaskSchema, conditions: tuple[str, ...]) -> list[str]:
-    """The lines of the class docstring, indented one level."""
-    criteria = " ".join(conditions)
+def docstring(schema: TaskSchema, check: Expr) -> list[str]:
+    """The lines of the class docstring, indented one level; `check` is the success check over named booleans."""
+    criteria = "; ".join([*_criteria(check), "every block released, supported and at rest"])
     paragraphs = [
         f"{objects(schema.assets)}.",
         "",
         f"Goal: {describe_goal(schema)}",
-        "Success: "
-        + (f"{', '.join(conditions)}; " if criteria else "")
-        + "every block released, supported and at rest.",
+        f"Success: {criteria}.",
     ]
     lines: list[str] = []
     for paragraph in paragraphs:
         lines += textwrap.wrap(_plain(paragraph), WIDTH - 7, break_on_hyphens=False) or [""]
     lines[0] = '"""' + lines[0]
     return [("    " + line).rstrip() for line in (*lines, '"""')]
+
+
+def _criteria(check: Expr) -> list[str]:
+    """The success check in words: "red_on_blue or red_on_green"."""
+    if isinstance(check, Infix) and check.operator == "&":
+        return [", ".join(_said(part) for part in check.operands)]
+    return [_said(check)] if check else []
+
+
+def _said(expr: Expr) -> str:
+    match expr:
+        case Infix():
+            word = {"&": " and ", "|": " or "}[expr.operator]
+            return word.join(f"({_said(p)})" if isinstance(p, Infix) else _said(p) for p in expr.operands)
+        case Labelled():
+            inner = _said(expr.value)
+            return f"not ({inner})" if isinstance(expr.value, Infix) else f"not {inner}"
+        case _:
+            return str(expr)
 
 
 def _plain(text: str) -> str:

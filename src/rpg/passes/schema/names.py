@@ -3,22 +3,37 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.schema import shortened
-from rpg.ir.walk import atoms
+from rpg.ir.walk import children
 
 LONGEST = 48
 
 
 def family_name(goal: g.Goal) -> str:
     """ "red-on-yellow", "stack-of-3", "spell-cat" ...; two atoms at most."""
-    parts = list(dict.fromkeys(_part(atom) for atom in atoms(goal)))
-    text = "-and-".join(parts[:2]) or "task"
+    parts = list(dict.fromkeys(_parts(goal)))
+    text = ("-or-" if isinstance(goal, g.Any) else "-and-").join(parts[:2]) or "task"
     slug = re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-") or "task"
     return shortened(slug, LONGEST, "-")
+
+
+def _parts(goal: g.Goal) -> Iterator[str]:
+    """What each atom asks for; of counted ones, how many."""
+    if isinstance(goal, g.Count):
+        many = goal.at_least or goal.at_most or 0
+        yield from (part.replace(f"{goal.var}-", f"{many}-of-{len(goal.over)}-", 1) for part in _parts(goal.goal))
+    elif isinstance(goal, g.Not):
+        yield from (f"not-{part}" for part in _parts(goal.goal))
+    elif inner := children(goal):
+        for part in inner:
+            yield from _parts(part)
+    else:
+        yield _part(goal)
 
 
 def _short(operand: object) -> str:
@@ -39,7 +54,7 @@ def _part(atom: g.Goal) -> str:
         case "figure":
             return f"{atom.shape}-of-{len(atom.blocks)}"
         case "group_by":
-            return f"{len(atom.groups)}-groups"
+            return f"{len(atom.groups)}-groups" + (f"-by-{atom.by}" if atom.by else "")
         case "spells":
             return f"spell-{atom.word}"
         case "equation":

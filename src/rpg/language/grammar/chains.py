@@ -8,7 +8,8 @@ from rpg.language.grammar.clauses import clause
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.frames import THEN
 from rpg.language.grammar.inventory import inventory
-from rpg.language.grammar.nouns import noun_phrase, restates
+from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.retold import restates
 from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.meaning import Chain, Clause, Meaning, Structure
@@ -54,7 +55,11 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             yield from _more(p, i, whole, (*links, "and"), k)
     for link, j in _link(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
-        items = [*clause(p, j), *(carried_on(p, j, previous) if previous is not None else ()), *(gerund_single(p, j) if link in ("before", "after") else ())]
+        items = [
+            *clause(p, j),
+            *(carried_on(p, j, previous) if previous is not None else ()),
+            *(gerund_single(p, j) if link in ("before", "after") else ()),
+        ]
         bare = previous is not None and not previous.adjuncts and link == "and" and p.words[j - 1] in (",", ";")
         for item, k in items:
             if previous is not None and p.words[j - 1] == "," and _apposed(previous, item):

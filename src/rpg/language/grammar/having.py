@@ -32,8 +32,8 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
             continue
         if k := p.any_of(j, _HAS):
             for theme, start in noun_phrase(p, k):
-                if (place := _on_patch(owner, theme, p.span(i, start))) is not None:
-                    yield _stated(p, i, start, *place, mode), start
+                if (lying := _on_patch(owner, theme, p.span(i, start))) is not None:
+                    yield _stated(p, i, start, *lying, mode), start
                 for found, end in adjuncts(p, start):
                     if isinstance(owner, Structure) and owner.members is not None and _parts(found):
                         detail = Absolute(theme=theme, adjuncts=found, span=p.span(k, end))

@@ -22,7 +22,8 @@ def begun(chains: tuple[Chain, ...], bold: bool = False) -> tuple[Chain, ...]:
     found = []
     for n, chain in enumerate(chains):
         if told[n] and any(m > n for m in (*commands, *undone)):
-            chain = replace(chain, clauses=tuple(replace(c, mode="start") for c in chain.clauses))  # type: ignore[type-var]
+            clauses = tuple(replace(c, mode="start") for c in chain.clauses if isinstance(c, Clause))
+            chain = replace(chain, clauses=clauses)
         found.append(chain)
     return tuple(found)
 

@@ -63,6 +63,8 @@ def share_out(theme: Ref, shape: Structure, spec: Spec, scene: Scene, span: Span
     """ "divide six blocks into two groups": look-alikes in equal lots, parts named one by one as they are named."""
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
     parts = tuple(p.names for p in theme.parts)
+    if shape.traits.scheme == "mixed":
+        raise refuse("ambiguous", "it is not said how these groups are mixed", shape.span, "say what each group has")
     if len(parts) > 1 and any(len(p) > 1 for p in parts) and count in (None, len(parts)):
         return _lots(parts, spec, scene, span)
     things = [scene.things[n] for n in theme.names]

@@ -143,7 +143,9 @@ def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: 
         return None
     if noun.traits.scheme != "different" or noun.traits.colors or theme.quant is not None or theme.op != "and":
         return None
-    units = [p.names for p in theme.parts] if len(theme.parts) > 1 else [(n,) for n in theme.names]
+    units: list[tuple[str, ...]] = (
+        [p.names for p in theme.parts] if len(theme.parts) > 1 else [(n,) for n in theme.names]
+    )
     if all(len(u) == 1 for u in units) and len(units) == 1:
         return None
     many = replace(noun, plural=True, traits=replace(noun.traits, scheme=None))

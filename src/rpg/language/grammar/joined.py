@@ -1,0 +1,157 @@
+"""Lists of noun phrases and what is set beside one: "and", "or", "but", exceptions, appositions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar import amounts
+from rpg.language.grammar.adjectives import adjectives, color
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.retold import (
+    bare_color,
+    named_together,
+    part_after,
+    restates,
+    retelling,
+    retold,
+    shares_head,
+    sized_alike,
+    tally,
+    universal,
+)
+from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits
+
+_JOIN = frozenset({"and", "or", "plus", "&", "nor"})
+
+
+def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
+    """ "all the blocks that are not red"."""
+    k = p.any_of(j, ("that are not", "which are not", "that is not", "which is not")) if isinstance(whole, Noun) else 0
+    if not k or not isinstance(whole, Noun) or whole.det not in ("all", "each", "the") or whole.head == "patch":
+        return
+    for named, end in color(p, k):
+        out = Noun(head="block", det="all", plural=True, traits=Traits(colors=(named,)), span=p.span(k, end))
+        whole = replace(whole, det="all", plural=True)
+        yield Coord(op="besides", items=(whole, out), span=p.span(i, end)), end
+
+
+def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
+    """ "four blocks, red, blue, red, blue": a list of just as many."""
+    from rpg.language.grammar.nouns import simple
+
+    start = p.opt(j, "namely")
+    for first, k in simple(p, start):
+        for found, end in more(p, i, (first,), k, None):
+            if isinstance(found, Coord) and found.op == "and" and tally(found.items) == count:
+                yield replace(found, cost=0), end
+
+
+def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
+    """ "three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
+    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, frozenset({",", ":"})):
+        return
+    for found, k in amounts.quantity(p, j + 1):
+        counts = whole.amount is None and whole.det in ("bare", "some") and found.det == "some"
+        if found.partitive and not counts and (end := p.any_of(k, ("them", "these", "those", "which"))):
+            yield (
+                Noun(
+                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
+                ),
+                end,
+            )
+    if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and whole.traits == Traits():
+        for named, k in _list_of(p, i, j + 1, whole.amount.low):
+            yield named, k
+    if isinstance(whole, Noun) and whole.amount is None:
+        for some, k in amounts.amount(p, j + 1):
+            k = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those")) or k
+            yield (
+                replace(
+                    whole,
+                    amount=some,
+                    plural=some.high != 1,
+                    det="bare" if whole.det == "some" else whole.det,
+                    span=p.span(i, k),
+                ),
+                k,
+            )
+    if k := p.any_of(j + 1, ("none", "all", "each", "both")):
+        det = {"none": "no"}.get(p.words[k - 1], p.words[k - 1])
+        yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
+
+
+def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord | Noun]:
+    """Lists that go on from `items`; with commas only ("red, blue, green") they cost a little."""
+    from rpg.language.grammar.nouns import simple
+
+    comma = p.opt(at, ",", ";")
+    joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
+    word = p.words[comma] if joined else ""
+    yield from _except(p, i, items, comma)
+    if not joined and (k := p.any_of(comma, ("followed by", "then"))):
+        joined, word = k, "then"
+    now = {"or": "or", "nor": "or"}.get(word, "and") if joined else op
+    if comma == at and not joined:
+        return
+    if (joined and p.words[joined - 1] == "then") or word == "then":
+        now = "then"
+    if op is not None and now != op and op != "comma":
+        return
+    nxt = joined or comma
+    for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
+        if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
+            continue
+        if isinstance(item, Noun) and isinstance(item.part_of, Noun) and item.part_of.det == "bare" and not item.cost:
+            item = replace(item, cost=2)
+        if part_after(items[-1], item):
+            item = replace(item, cost=item.cost + 3)
+        if not joined and isinstance(items[-1], Structure) and isinstance(item, Noun) and bare_color(item):
+            continue
+        whole = sized_alike((*items, item))
+        if joined and now == "and" and (named := named_together(whole)) is not None:
+            yield replace(named, span=p.span(i, j)), j
+            continue
+        if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
+            yield Coord(op="xor", items=whole, span=p.span(i, k)), k
+        if joined:
+            cost = 6 if retold(whole) else 2 if now == "then" or shares_head(items[-1], item) else 0
+            yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
+            yield from more(p, i, whole, j, now)
+        else:
+            if (same := retelling(items, item)) is not None:
+                yield from ((replace(found, span=p.span(i, j)), j) for found in same)
+                continue
+            if not restates(items[-1], item):
+                yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
+            yield from more(p, i, whole, j, op or "comma")
+
+
+def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord]:
+    """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B"."""
+    from rpg.language.grammar.nouns import noun_phrase, simple
+
+    whole = len(items) == 1 and universal(items[0])
+    if whole and p.words[comma : comma + 1] == ["but"] and p.words[comma + 1] not in ("not", "only", "first"):
+        nothing = isinstance(items[0], Pronoun) and items[0].word == "nothing"
+        for item, j in noun_phrase(p, p.reach(comma + 1)):
+            if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in ("the", "all")):
+                yield Coord(op="only" if nothing else "except", items=(*items, item), span=p.span(i, j)), j
+    if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
+        for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
+            yield Coord(op="except", items=(*items, item), span=p.span(i, j)), j
+
+
+def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:
+    """ "a group of reds and one of blues": a structure like the one before it in the list."""
+    from rpg.language.grammar.nouns import simple
+
+    if isinstance(before, Noun) and before.traits.rank and before.head == "any" and before.det == "the":
+        for marks, j in adjectives(p, i):
+            if set(marks) == {"rank"}:
+                yield replace(before, traits=Traits(**marks), span=p.span(i, j)), j
+    of = p.any_of(i, ("one of", "another of", "another one of", "a second of", "a third of", "the other of"))
+    if not (of and isinstance(before, Structure) and before.members is not None and not before.plural):
+        return
+    for members, j in simple(p, of):
+        if isinstance(members, Noun):
+            yield replace(before, members=members, sizes=(), dims=(), details=(), span=p.span(i, j)), j

@@ -176,12 +176,17 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
     for (labels, more), j in label_list(p, i):
         plural = lexicon.BLOCK.get(p.words[j]) if j < p.end else None
         if len(labels) == 1 and (
-            plural is not False or (p.words[i - 1 : i] not in (["the"], ["a"], ["an"]) and labels[0].isdigit())
+            plural is not False or (labels[0].isdigit() and not (i and _introduces_a_digit(p.words[i - 1])))
         ):
             continue
         if len(labels) > 1 and plural is not True:
             continue
         yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
+
+
+def _introduces_a_digit(word: str) -> bool:
+    """ "the 3 block", "a red 3 block": a number there is on the block, it does not count blocks."""
+    return word in ("the", "a", "an") or word in lexicon.COLOR
 
 
 _LABELLED = ("labelled", "labeled", "marked", "showing", "named", "called", "bearing", "reading", "saying", "carrying",

@@ -47,6 +47,9 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
         for metres, k in length(p, after) if after else ():
             factor = metres / (p.figure(after) or 1.0)
             yield (round(float(low or 0) * factor, 6), metres), k
+        for least, after in length(p, j):
+            for metres, k in length(p, after + 1) if p.one(after, "and") else ():
+                yield (least, metres), k
     for metres, k in length(p, i):
         if end := p.any_of(k, ("or more", "or farther", "or further", "and more")):
             yield (metres, None), end

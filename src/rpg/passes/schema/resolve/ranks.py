@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.meaning import At, Noun
 from rpg.passes.schema.resolve.positions import SIDES
 from rpg.passes.schema.resolve.reordered import begun_in_order
+from rpg.passes.schema.resolve.things import alike, matching
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 _FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "word": "left"}
@@ -14,6 +17,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The block at a place of the structure spoken of last, or the extreme in size."""
 
     rank = noun.traits.rank or ""
+    if rank.startswith("#"):
+        return _numbered(noun, rank[1:], scene)
     if rank in ("largest", "smallest"):
         sized = sorted(
             ((t.edge or {"small": 0.03, "big": 0.05}.get(t.size or "", 0.04), t.name) for t in scene.blocks()),
@@ -41,6 +46,19 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     raise refuse(
         "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
     )
+
+
+def _numbered(noun: Noun, number: str, scene: Scene) -> Ref:
+    """ "red block 2", where several red blocks were spoken of."""
+    there = [t for t in matching(replace(noun.traits, rank=None), scene, False) if t.declared]
+    if len(there) < 2 or not alike(there) or not 1 <= int(number) <= len(there):
+        raise refuse(
+            "ambiguous",
+            f"this could be a block with a {number} on it, or one of several blocks that look alike",
+            noun.span,
+            f"say 'labelled {number}', or say first how many such blocks there are",
+        )
+    return Ref(names=(there[int(number) - 1].name,))
 
 
 def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:

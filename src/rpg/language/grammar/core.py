@@ -264,5 +264,5 @@ def _distinct(readings: Results[M]) -> list[tuple[M, int]]:
         return list(seen)
     found = list(seen)
     costs = [cost_of(meaning) for meaning, _ in found]
-    dear = sorted(costs)[MAX_READINGS - 1]
-    return [reading for reading, cost in zip(found, costs, strict=True) if cost <= dear][:MAX_READINGS]
+    kept = sorted(range(len(found)), key=costs.__getitem__)[:MAX_READINGS]
+    return [found[n] for n in sorted(kept)]

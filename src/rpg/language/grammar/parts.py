@@ -78,6 +78,11 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         end = p.reach(both + 1) if found else p.opt(both, "end", "ends", "side", "sides")
         yield Places(side="ends", unit=found or "block", span=p.span(i, end)), end
         return
+    across = p.words[j + 1] if j + 1 < p.end else ""
+    if across in ("left", "right") and (along := _SIDES.get(p.words[j])) in ("top", "bottom", "back", "front"):
+        end = p.opt(p.reach(j + 2), "corner", "block", "one", "cell", "cube")
+        yield Places(side=f"{along} {across}", unit="cell", span=p.span(i, end)), end
+        return
     several = p.number(j)
     after = j + 1 if several is not None else j
     after = p.opt(after, "very")

@@ -66,6 +66,11 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
     if height > 1 or not _square(node):
         return []
     rows, columns = 1 + max(c.row for c in cells), 1 + max(c.column for c in cells)
+    if unit == "cell" and isinstance(node, s.Grid):
+        along, across = side.split()
+        row = 0 if along in ("top", "back") else rows - 1
+        column = 0 if across == "left" else columns - 1
+        return [[k] for k, cell in enumerate(cells) if (cell.row, cell.column) == (row, column)]
     match side:
         case "corners":
             found = [k for k, c in enumerate(cells) if c.row in (0, rows - 1) and c.column in (0, columns - 1)]

@@ -97,6 +97,9 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
             at_.span,
             "say 'half of the table', or of what",
         )
+    if any(isinstance(a, s.Row) and not set(ref.names) & set(a.blocks) for a in atoms(goal)):
+        raise refuse("ambiguous", "this could be a place on the table or in the line", at_.span,
+                     "say 'of the table', or name the block among those of the line")  # fmt: skip
     close = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
     if any(set(ref.names) & {*members(a.a), *members(a.b)} for a in close):
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,

@@ -95,6 +95,11 @@ def _within(few: list[int], many: list[int]) -> bool:
     return all(few.count(n) <= many.count(n) for n in few)
 
 
+def _one(theme: Noun) -> bool:
+    """ "one on top"."""
+    return theme.head == "any" and theme.det == "bare" and theme.amount is None and theme.traits == Traits()
+
+
 _LEVELS = ("top", "bottom", "middle", "next")
 
 
@@ -104,6 +109,7 @@ def _layers(spec: Spec, known: bool) -> list[int]:
     for item in list(spec.absolutes):
         at_ = item.adjuncts[0]
         single = isinstance(item.theme, Pronoun) and item.theme.word == "one"
+        single = single or (isinstance(item.theme, Noun) and _one(item.theme))
         count = 1 if single else amount_of(item.theme)
         plain = single or (isinstance(item.theme, Noun) and item.theme.traits in (Traits(), Traits(kind="letter")))
         if isinstance(at_, At) and at_.side in _LEVELS and count is not None and (plain or not known):

@@ -32,7 +32,7 @@ DRIFT = 0.001
 CONTROL_STEPS = 50
 FEWEST_MISSES = 3
 """Near-misses of a structure; a single relation has at least one."""
-MISSED = 1
+MISSED = 3
 """Of a batch, so many goals that can be reached may be held for impossible (a row with one wide gap, for instance)."""
 
 

@@ -18,7 +18,7 @@ from rpg.language.grammar.piled import piled
 from rpg.language.grammar.states import state
 from rpg.language.grammar.terse import about, said_of, terse
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
-from rpg.language.grammar.wishes import COMMAND_WISHES, STATE_WISHES
+from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, STATE_WISHES
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -42,8 +42,26 @@ from rpg.language.meaning import (
 def clause(p: Parser, i: int) -> Results[Meaning]:
     """One clause with whatever frame stands before it."""
     for start, mode in _frames(p, i):
+        if mode == "denied":
+            yield from _unwanted(p, start)
+            continue
         yield from ((piled(found), j) for found, j in _plain(p, start, mode))
         yield from ((piled(found), j) for found, j in _fronted(p, start, mode))
+
+
+_EVERY = ("all", "each", "both", "no")
+
+
+@rule
+def _unwanted(p: Parser, i: int) -> Results[Meaning]:
+    """ "I do not want the red block on the mat", "it must not be that A touches B": one statement, denied."""
+    for found, j in [*state(p, i, "goal"), *_describe(p, i, "goal")]:
+        if not isinstance(found, Clause) or found.verb != "be" or not found.adjuncts or found.negated:
+            continue
+        theme = found.theme
+        listed_ = isinstance(theme, Noun) and len(theme.traits.colors) + len(theme.traits.labels) > 1
+        if not listed_ and isinstance(theme, Noun | Pronoun) and getattr(theme, "det", "") not in _EVERY:
+            yield replace(found, negated=True, lemma=""), j
 
 
 @rule
@@ -159,6 +177,7 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
             (FIRST, mode),
             (COMMAND_WISHES, "command"),
             (STATE_WISHES, "state"),
+            (DENIALS, "denied"),
         ):
             for j in table.matches(p, start):
                 if p.words[j - 1] == "next" and p.words[j] == "to":
@@ -169,7 +188,7 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
                 j = p.opt(j, ",") if table in (FIRST, START_FRAMES) or dashed else j
                 if j not in seen and len(found) < 40:
                     seen.add(j)
-                    found.append((j, kind if mode != "start" else "start"))
+                    found.append((j, mode if mode in ("start", "denied") else kind))
     return found
 
 

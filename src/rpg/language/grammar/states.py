@@ -322,8 +322,8 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
                 end,
             )
     if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says", "spell", "spells"})):
-        for found, end in _reads(p, i, j, theme, mode):
-            yield (replace(found, negated=negated) if isinstance(found, Clause) else found), end
+        for told, end in _reads(p, i, j, theme, mode):
+            yield (replace(told, negated=negated) if isinstance(told, Clause) else told), end
     if j := p.one(k, frozenset({"have", "has"})):
         for traits, end in ((m, e) for m, e in of_quality(p, j - 1, "block")):
             quality = Quality(traits=Traits(**traits), span=p.span(k, end))

@@ -23,7 +23,8 @@ _WANT = (
     "hoping|asking|wondering|wanting|dreaming|thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing"
 )
 _SEE = (
-    "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|:"
+    "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|"
+    "it_that|:"
 )
 _DO = (
     "to|you_to|you_could|you_would|you_can|you_might|the_robot_to|us_to|to_ask_you_to|it_if_you_would|"
@@ -99,7 +100,8 @@ COMMAND_WISHES = Patterns(
     "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|"
     "if_we_could",
     "ask|tell|have|let|make|get|instruct|command|program the|your robot|arm|machine|gripper|manipulator to?",
-    "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
+    "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then "
+    "so? ,?",
     "hello|hi|hey|hiya|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
     "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again ,|:?",
     "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls ,|: let_us|please?",
@@ -109,6 +111,16 @@ COMMAND_WISHES = Patterns(
     "assignment|request|instruction|wish|setup|objective for_you|today|here|now|this_time? is|:|would_be|"
     "will_be to|:? :?",
 )
+DENIALS = Patterns(
+    f"{_WHO} do|would|should|must|can|may|will not|never ever? want|like|see|wish|expect|have to_see|to_have|"
+    f"that|it_that?",
+    f"{_WHO} never want|wish|like|expect to_see|to_have?",
+    "it should|must|may|can|shall|is not|never be? seen|shown|true|allowed|permitted|the_case|okay|acceptable|"
+    "ok that|for?",
+    "it is forbidden|prohibited that|for?",
+    "there should|must be no way that",
+)
+"""What is said after these must not be."""
 STATE_WISHES = Patterns(
     f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? for|forward_to? {_SEE}?",
     f"{_WHO} {_WOULD} {_ALSO}? after",

@@ -10,6 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import (
+    Amount,
     Clause,
     Coord,
     In,
@@ -291,9 +292,9 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         scene.mentions[-1].role = "given"
         for name in theme.names:
             scene.things[name].declared = True
-        amount = getattr(clause.theme, "amount", None)
+        amount: Amount | None = getattr(clause.theme, "amount", None)
         exact = amount is not None and amount.strict and amount.low == amount.high
-        if exact and isinstance(clause.theme, Noun) and not clause.theme.traits.extra:
+        if exact and amount is not None and isinstance(clause.theme, Noun) and not clause.theme.traits.extra:
             scene.closed.append((clause.theme.traits, amount.low, clause.span))
         starting = replace(scope, start=True)
         if spec.intos:

@@ -18,6 +18,8 @@ _LYING = frozenset({"stack", "wall", "staircase", "pile", "cube"})
 """Structures that do not lie on the table."""
 _STANDING = frozenset({"stack", "wall", "staircase", "pyramid", "line", "row", "column", "word", "cube"})
 """Structures that can stand upright."""
+_OUTLINED = frozenset({"square", "rectangle", "triangle", "circle", "grid"})
+"""Structures that can be mere outlines."""
 _VAGUE = {
     "size": "{!r} names no size of a structure: as large as its number of blocks makes it",
     "pace": "{!r} is no part of the goal: how fast or how gently it is done is not judged",
@@ -101,6 +103,8 @@ def _structure(shape: Structure) -> None:
         raise _unfit(f"{traits.quality!r} says nothing of this structure", shape.span, "say it of its blocks")
     if shape.upright is False and shape.kind in _LYING:
         raise _unfit("this structure stands upright", shape.span, "say 'a row' for blocks side by side")
+    if shape.filled is False and shape.kind not in _OUTLINED:
+        raise _unfit("this structure has no inside", shape.span, "leave the word out, or ask for a square or a circle")
     if shape.upright is True and shape.kind not in _STANDING:
         raise _unfit("figures lie flat on the table", shape.span, "leave the word out, or ask for a wall")
 

@@ -162,6 +162,8 @@ def _labelled(source: Meaning) -> bool:
 
 def _equation_node(names: tuple[str, ...], text: str | None, spec: Spec, shape: Structure, scene: Scene) -> Made:
     upright = _along(spec)
+    for way in (t for t in spec.toward if t.first == "right"):
+        raise refuse("misplaced", "an equation is read from left to right", way.span, "leave the direction out")
     spec.toward = []
     longer = text is not None and bool(re.search(r"\d\d", text))
     node = s.Equation(blocks=names, along="stack" if upright else "row", longer=longer, text=text, span=shape.span)

@@ -13,7 +13,8 @@ def tally(items: tuple[Meaning, ...]) -> int:
     for item in items:
         if not (isinstance(item, Noun) and item.head == "any" and item.traits != Traits()):
             return 0
-        total += item.amount.low if item.amount is not None else 1
+        several = 1 if item.traits.either else max(1, len(item.traits.colors), len(item.traits.labels))
+        total += item.amount.low if item.amount is not None else several
     return total
 
 

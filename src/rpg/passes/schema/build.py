@@ -124,7 +124,7 @@ def resolve(
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     links, chains = hoisted(links, chains)
-    facts, bold = begun(chains), begun(chains, bold=True)
+    facts, bold = begun(chains, text), begun(chains, text, bold=True)
     try:
         return _resolved(links, facts, text, notes, name, seed, author, lenient)
     except Refusal as refusal:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from rpg.language.meaning import Chain, Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, Structure, parts_of
@@ -10,12 +11,21 @@ UNMEANT = frozenset({"contradiction", "support-cycle"})
 """Refusals of facts and commands that cannot both be about the end."""
 
 
-def begun(chains: tuple[Chain, ...], bold: bool = False) -> tuple[Chain, ...]:
+_END = re.compile(r"\b(?:at|in|by) the (?:very )?end\b|\bfinally\b|\bfinal\b", re.IGNORECASE)
+"""Words of a fact about the end."""
+
+
+def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Chain, ...]:
     """The sentences, with facts before a command about what they bring up told of the start.
 
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half").
     """
     told = [_facts(chain, bold) for chain in chains]
+    ends = [chain.span[1] for chain in chains]
+    told = [
+        fact and not _END.search(text[before:after])
+        for fact, before, after in zip(told, [0, *ends], [*(c.span[0] for c in chains[1:]), len(text)], strict=False)
+    ]
     commands = [n for n, chain in enumerate(chains) if _commands(chain)]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [x or (n < max(undone, default=0) and _facts(chains[n])) for n, x in enumerate(told)]

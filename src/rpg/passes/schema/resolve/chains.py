@@ -13,7 +13,7 @@ from rpg.passes.schema.resolve.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.conflicts import required, undoes
 from rpg.passes.schema.resolve.logic import conj, disj
 from rpg.passes.schema.resolve.loose import settle
-from rpg.passes.schema.resolve.world import Scene
+from rpg.passes.schema.resolve.world import Scene, refuse
 
 Goals = list[g.Goal]
 
@@ -41,6 +41,8 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
         if link == "and" and _restacked(stages[-1], goals, scene):
             link = "then"
+        if link == "or" and not (goals and (stages[-1] or starts)):
+            raise refuse("ambiguous", "it is not clear what 'or' leaves open here", clause.span, "say 'and'")
         if starts and clause.verb != "exist":
             scene.start_goals += goals
             continue

@@ -10,9 +10,26 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Structure, Using, parts_of
-from rpg.passes.schema.resolve.things import matching
-from rpg.passes.schema.resolve.world import Built, Scene, refuse
+from rpg.language.grammar.retold import tally
+from rpg.language.meaning import (
+    Absolute,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Spacing,
+    Structure,
+    Using,
+    parts_of,
+)
+from rpg.passes.schema.resolve.things import matching, quality_fits
+from rpg.passes.schema.resolve.world import Built, Scene, Thing, refuse
 
 _LYING = frozenset({"stack", "wall", "staircase", "pile", "cube"})
 """Structures that do not lie on the table."""
@@ -24,6 +41,9 @@ _VAGUE = {
     "size": "{!r} names no size of a structure: as large as its number of blocks makes it",
     "pace": "{!r} is no part of the goal: how fast or how gently it is done is not judged",
 }
+
+
+_QUALITY = {"even": "even", "odd": "odd", "vowel": "a vowel", "consonant": "a consonant"}
 
 
 def check_words(chains: Sequence[Chain], scene: Scene) -> None:
@@ -38,8 +58,8 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                     _structure(part)
                 case Clause():
                     _clause(part)
-                case Using() if _none(part.members):
-                    raise _unfit("nothing can be made of no blocks", part.span, "name the blocks to be used")
+                case Using() | OrderBy() | Absolute():
+                    _certain(part)
                 case Manner(kind="idle", value=str(said)):
                     _idle(said, told, part.span, scene)
         told = True
@@ -62,6 +82,33 @@ def _idle(said: str, told: bool, span: Span, scene: Scene) -> None:
         raise _unfit(f"{word!r} speaks of what was so before, and nothing was", span, "say how it starts")
 
 
+def _certain(part: Using | OrderBy | Absolute) -> None:
+    """Refuse "or" and "no" among blocks that something is made of, put in order with, or described by."""
+    items: tuple[Meaning, ...]
+    match part:
+        case Using():
+            items = (part.members,)
+            if _none(part.members):
+                raise _unfit("nothing can be made of no blocks", part.span, "name the blocks to be used")
+        case OrderBy():
+            items = part.items
+        case _:
+            items = (part.theme,)
+    if any(_open(item) for item in items):
+        raise _either(part.span)
+
+
+def _open(meaning: Meaning | None) -> bool:
+    """Whether a phrase leaves open which of several things it means."""
+    return (isinstance(meaning, Coord) and meaning.op in ("or", "xor")) or (
+        isinstance(meaning, Noun) and meaning.traits.either
+    )
+
+
+def _either(span: Span) -> Exception:
+    return refuse("ambiguous", "'or' leaves open here which of them is meant", span, "say 'and', or name one of them")
+
+
 def _noun(noun: Noun) -> None:
     traits = noun.traits
     single = not noun.plural and (noun.amount is None or noun.amount.high == 1)
@@ -76,6 +123,8 @@ def _noun(noun: Noun) -> None:
     if single and traits.scheme == "mixed":
         raise _unfit("a single block is not mixed", noun.span, "name its colour")
     for label in traits.labels:
+        if traits.quality and not quality_fits(Thing(name="", label=label), traits.quality):
+            raise _unfit(f"{label} is not {_QUALITY[traits.quality]}", noun.span, "leave one of the two out")
         if (traits.kind == "letter" and label not in string.ascii_uppercase) or (
             traits.kind == "digit" and label not in string.digits
         ):
@@ -85,14 +134,51 @@ def _noun(noun: Noun) -> None:
 
 def _clause(clause: Clause) -> None:
     theme = clause.theme
+    if _open(theme):
+        _alternatives(clause)
+    if isinstance(theme, Noun):
+        _tallied(theme, clause.adjuncts)
     if isinstance(theme, Noun) and theme.traits.extra and theme.head == "block" and not clause.negated:
         placed = any(isinstance(a, Loc) and not a.negated for a in clause.adjuncts)
         if placed and clause.verb in ("place", "stack") and clause.mode == "command":
             raise _unfit("a distractor has no place in the goal", theme.span, "leave out the word, or its place")
 
 
+def _alternatives(clause: Clause) -> None:
+    """ "The red or the blue block": where one of them is to be, but not of what there is, or of what they do together."""
+    theme = clause.theme
+    shapes = isinstance(theme, Coord) and any(isinstance(item, Structure) for item in theme.items)
+    together = any(
+        isinstance(a, OrderBy | Into | Spacing)
+        or (isinstance(a, Manner) and a.kind == "respectively")
+        or (isinstance(a, Loc) and isinstance(a.landmark, Pronoun) and "other" in a.landmark.word)
+        for a in clause.adjuncts
+    )
+    if shapes or together or clause.mode == "given" or clause.verb in ("swap", "sort", "spell", "exist"):
+        raise _either(clause.span if theme is None else theme.span)
+
+
+def _tallied(whole: Noun, adjuncts: tuple[Meaning, ...]) -> None:
+    """ "Four blocks ..., three cyan and two brown": a list that tells what was counted has to agree with it."""
+    for part in adjuncts:
+        if isinstance(part, OrderBy) and whole.amount is not None and whole.amount.low == whole.amount.high:
+            told = tally(part.items)
+            counted = part.by == "named" or any(isinstance(i, Noun) and i.amount is not None for i in part.items)
+            if counted and told not in (0, whole.amount.low):
+                raise refuse(
+                    "count-mismatch",
+                    f"{whole.amount.low} blocks are spoken of, but {told} are listed",
+                    part.span,
+                    f"say {told}, or list {whole.amount.low}",
+                    asked=whole.amount.low,
+                    listed=told,
+                )
+
+
 def _structure(shape: Structure) -> None:
     traits = shape.traits
+    if _open(shape.members):
+        raise _either(shape.span)
     if shape.det == "no" or _none(shape.members):
         raise _unfit("what should not be there is no goal to build", shape.span, "say what should be there")
     if traits.empty:
@@ -110,6 +196,7 @@ def _structure(shape: Structure) -> None:
 
 
 def _members(shape: Structure, members: Noun) -> None:
+    _tallied(members, shape.details)
     if members.traits.extra:
         raise _unfit("distractors take no part in a structure", members.span, "leave the word out")
     if shape.traits.scheme and members.traits.colors and shape.det in ("a", "bare"):

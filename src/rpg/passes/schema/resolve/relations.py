@@ -125,6 +125,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
     if mark.reciprocal:
         return reciprocal(theme, loc, span)
+    if mark.op == "nor":
+        return [x for part in mark.parts for x in negation(related(theme, part, loc, scene, span), span)]
     if mark.table:
         return [_table(theme, loc, scene, span)]
     if loc.rel in ("between", "sandwiched"):
@@ -149,6 +151,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if theme.op == "only":
         theme = _alone(theme, mark, loc, scene)
     if mark.matching:
+        if loc.rel not in ("on", "in", "above"):
+            raise refuse("misplaced", "blocks match the patches that they are on", loc.span, "say 'on'")
         return matching_patches(theme, mark, scene, span)
     if loc.rel == "in" and not mark.patch:
         raise refuse("misplaced", "blocks are solid: nothing can be put in one", loc.span, "say 'on' or 'next to'")
@@ -217,6 +221,8 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         node = LEVEL[loc.rel]
         if loc.rel == "beside" and "immediate" in loc.mods:
             node = r.Adjacent
+        if loc.rel == "touching":
+            return spread(theme, lambda a: node(a=a, b=foot(mark), span=span), span, together=bool(theme.built))
         b = _beside_foot(theme, mark, scene)
         return spread(
             theme, lambda a: node(a=_carrier(a, theme, scene), b=b, span=span), span, together=bool(theme.built)

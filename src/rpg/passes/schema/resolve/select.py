@@ -30,6 +30,8 @@ def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ..
         indefinite = not found
     if scope.given and not scope.start:
         indefinite = indefinite or noun.det == "bare"
+    if noun.det == "some" and amount is None and any(t.declared for t in found) and not scope.given:
+        raise refuse("ambiguous", "it is not said how many of them", noun.span, "say how many, or 'all'")
     if indefinite:
         return _indefinite(noun, found, scene, scope, patch)
     return _definite(noun, found, scene, scope, patch)
@@ -150,6 +152,15 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
                 f"{amount} are spoken of, but there are {len(found)} such blocks",
                 noun.span,
                 "say which, or 'any'",
+                asked=amount,
+                there=len(found),
+            )
+        if any(t.declared for t in found) and len(found) < amount and not scope.given:
+            raise refuse(
+                "too-many-asked",
+                f"{amount} are spoken of, but there are only {len(found)}",
+                noun.span,
+                f"say {len(found)}",
                 asked=amount,
                 there=len(found),
             )

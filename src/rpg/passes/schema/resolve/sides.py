@@ -162,6 +162,8 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
 def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
     """Bottom, middle and top of a tower that only its parts speak of."""
     level = {"bottom": 0, "middle": 1, "top": 2}
+    if any(sum(getattr(at_, "side", "") == side for _, at_, _ in loose) > 1 for side in ("bottom", "top")):
+        raise refuse("contradiction", "two blocks are given the same place", loose[-1][2], "name another place")
     ranked = sorted(loose, key=lambda item: level[item[1].side if isinstance(item[1], At) else "middle"])
     ranks = tuple(ref.names for ref, _, _ in ranked)
     blocks = tuple(n for rank in ranks for n in rank)
@@ -191,6 +193,8 @@ def _across(loose: list[Loose]) -> g.Goal:
     ranked = sorted(loose, key=lambda item: rank[item[1].side if isinstance(item[1], At) else "middle"])
     sides = {item[1].side for item in loose if isinstance(item[1], At)}
     node: type[r.LeftOf | r.InFrontOf] = r.InFrontOf if sides & {"front", "back"} else r.LeftOf
+    if len(sides) < len(loose):
+        raise refuse("ambiguous", "several blocks are said to be on the same side", loose[-1][2], "say of what")
     goals: list[g.Goal] = []
     for (a, _, span), (b, _, _) in itertools.pairwise(ranked):
         goals.append(node(a=a.names, b=b.names, span=span))

@@ -111,8 +111,10 @@ def _layers(spec: Spec, known: bool) -> list[int]:
         single = isinstance(item.theme, Pronoun) and item.theme.word == "one"
         single = single or (isinstance(item.theme, Noun) and _one(item.theme))
         count = 1 if single else amount_of(item.theme)
-        plain = single or (isinstance(item.theme, Noun) and item.theme.traits in (Traits(), Traits(kind="letter")))
+        plain = single or (isinstance(item.theme, Noun) and item.theme.head != "patch" and item.theme.traits in (Traits(), Traits(kind="letter")))
         if isinstance(at_, At) and at_.side in _LEVELS and count is not None and (plain or not known):
+            if found and {"bottom": max(found) > count, "top": min(found) < count}.get(at_.side, False):
+                raise refuse("misplaced", "a pyramid grows smaller upwards", item.span, "say how many its base has")
             found.append(count)
             if plain:
                 spec.absolutes.remove(item)

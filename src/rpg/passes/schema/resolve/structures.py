@@ -28,6 +28,11 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
     """A structure as a noun phrase: one spoken of before, or a new one (whose making joins the goal)."""
     known = _known(shape, scene) if shape.det in ("the", "its", "each", "all", "both", "bare") else []
     if known:
+        if shape.amount is not None and shape.amount.low > len(known):
+            raise refuse(
+                "count-mismatch", f"{shape.amount.low} are spoken of, but there are {len(known)}", shape.span,
+                f"say {len(known)}", asked=shape.amount.low, there=len(known),
+            )  # fmt: skip
         if len(known) > 1 and not shape.plural and shape.det not in ("each", "all"):
             raise refuse("ambiguous", f"there are {len(known)} of them", shape.span, "say which")
         names = tuple(dict.fromkeys(n for b in known for n in b.members))
@@ -304,6 +309,8 @@ def row_node(
 ) -> s.Row:
     """The atom of a line with its order, direction and spacing."""
     order = order_of(spec, names, kind, scene, scope, span)
+    if kind == "column" and (order.first in ("left", "right") or any(t.axis == "y" for t in spec.toward)):
+        raise refuse("contradiction", "a column goes from front to back", span, "say 'a row'")
     axis = next((t.axis for t in spec.toward if t.axis in ("x", "y")), None)
     spec.toward = []
     if axis is None:

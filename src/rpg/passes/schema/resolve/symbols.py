@@ -10,7 +10,7 @@ from itertools import permutations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.language.meaning import Meaning, Noun, Structure, Traits, Using, parts_of
+from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import create
@@ -36,6 +36,7 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             "unknown-symbol" if bad else "too-few", what, shape.span, "use the letters A to Z and the digits 0 to 9"
         )
     names = _cubes(text, spec, theme, scene, scope, shape.span)
+    details = [x for into in spec.intos if isinstance(into.structure, Structure) for x in into.structure.details]
     upright = _along(spec)
     backward = spec.manner("backwards") is not None or spec.first("right", "bottom") is not None
     spec.toward = []
@@ -43,8 +44,21 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if any(o.by == "reverse" for o in spec.orders):
         backward = True
         spec.orders = [o for o in spec.orders if o.by != "reverse"]
+    _ends_agree(details, text[::-1] if backward else text)
     node = s.Spells(blocks=names, word=text, along="stack" if upright else "row", reverse=backward, span=shape.span)
     return [scene.add_built("word", names, True, shape.span, "top" if upright else "left")], [node]
+
+
+def _ends_agree(details: list[Meaning], text: str) -> None:
+    """ "..., S on top": what is said of an end of the word has to be so already."""
+    ends = {"top": text[0], "left": text[0], "first": text[0], "bottom": text[-1], "right": text[-1]}
+    for item in details:
+        at_ = item.adjuncts[0] if isinstance(item, Absolute) else None
+        label = item.theme.traits.labels if isinstance(item, Absolute) and isinstance(item.theme, Noun) else ()
+        if not isinstance(at_, At) or at_.index is not None or len(label) != 1 or at_.side not in ends:
+            raise refuse("misplaced", "this does not fit a word", item.span, "leave it out")
+        if ends[at_.side] != label[0]:
+            raise refuse("contradiction", f"{ends[at_.side]} is there in {text}", item.span, "leave it out")
 
 
 def _along(spec: Spec) -> bool:
@@ -52,6 +66,8 @@ def _along(spec: Spec) -> bool:
     upright = any(t.axis == "z" for t in spec.toward)
     for into in list(spec.intos):
         kind = getattr(into.structure, "kind", "")
+        if upright and kind in ("row", "line"):
+            raise refuse("contradiction", "a row does not stand upright", into.span, "say 'in a tower'")
         if kind in ("stack", "row", "line", "column"):
             if kind == "stack" or (kind == "column" and getattr(into.structure, "upright", None)):
                 upright = True
@@ -104,6 +120,8 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
         if found is None and theme is not None and any(t.label for t in pool):
             return theme.names
         if found is None:
+            if traits.kind == ("digit" if symbol in string.ascii_uppercase else "letter"):
+                raise refuse("order-misfit", f"{symbol} is on none of these blocks", span, "use letter blocks")
             if traits.kind == "plain":
                 raise refuse("order-misfit", "plain blocks spell nothing", span, "use letter blocks")
             found = create(
@@ -133,6 +151,10 @@ def _has_symbols(scene: Scene) -> bool:
 
 
 def _label(thing: Thing, symbol: str) -> None:
+    letter = symbol in string.ascii_uppercase
+    if thing.kind == ("digit" if letter else "letter"):
+        what = "number" if letter else "letter"
+        raise refuse("order-misfit", f"no {what} block shows {symbol}", None, "name the blocks by what they show")
     thing.label = symbol
     thing.kind = "letter" if symbol in string.ascii_uppercase else "digit" if symbol in string.digits else "symbol"
 

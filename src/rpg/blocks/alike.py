@@ -11,7 +11,7 @@ from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable, namings
 from rpg.ir import goal as g
-from rpg.ir.walk import rename, transform
+from rpg.ir.walk import instances, rename, transform
 
 
 class Renamed:
@@ -32,13 +32,20 @@ def _without_span(node: g.Goal) -> g.Goal:
     return node if node.span is None else node.model_copy(update={"span": None})
 
 
+def _spelt_out(node: g.Goal) -> g.Goal:
+    """ "At least one of" as the alternatives that it is, so that they are not made anew for every state."""
+    if not isinstance(node, g.Count) or node.at_least != 1 or node.at_most is not None or len(node.over) < 2:
+        return node
+    return g.Any(goals=instances(node))
+
+
 class Judge:
     """Whether a goal holds under some naming of its look-alikes, every block being at rest and supported."""
 
     def __init__(self, goal: g.Goal, world: World) -> None:
         cheap_first = sorted(conditions(goal), key=lambda part: part.kind not in PREDICATES or part.kind in STRUCTURES)
         renamed = Renamed(goal, cheap_first, world)
-        self._goals = renamed.goals
+        self._goals = tuple(transform(part, _spelt_out) for part in renamed.goals)
         self._all = _unlike(renamed.namings)
         self._changed = _unlike(renamed.namings[1:])
 
@@ -58,6 +65,8 @@ class Judge:
         return self._arranged(state, tried) and rests(state)
 
     def _arranged(self, state: BlockState, tried: Sequence[tuple[int, ...]]) -> bool:
+        if len(tried) == 1:
+            return all(satisfied(self._goals[number], state) for number in tried[0])
         values: dict[int, bool] = {}
         return any(all(self._part(k, state, values) for k in numbers) for numbers in tried)
 

@@ -1,4 +1,4 @@
-"""Layers of grids, pyramids and staircases: how many blocks each has, and whether a pattern tells more apart than layers."""
+"""Layers of grids, pyramids and staircases: how many blocks each has, and whether a pattern tells more apart."""
 
 from __future__ import annotations
 

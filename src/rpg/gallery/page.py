@@ -62,7 +62,7 @@ def _controls(found: tuple[Album, ...], cards: list[Card]) -> str:
 {_select("kind", "Any condition", kinds)}
 {_select("color", "Any colour", colors)}
 <label><input type="checkbox" id="current"> current versions only</label>
-<output id="count">{len(cards)} of {len(cards)} versions, {len(found)} famil{'y' if len(found) == 1 else 'ies'}</output>
+<output id="count">{len(cards)} of {len(cards)} versions, {len(found)} famil{"y" if len(found) == 1 else "ies"}</output>
 <button type="button" id="theme" aria-label="Light or dark">◐</button>
 </div>"""
 

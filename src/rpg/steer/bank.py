@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations
 from random import Random
+from types import MappingProxyType
+from typing import NamedTuple
 
 from rpg.blocks.arrange import CHANGES, arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
@@ -45,16 +46,14 @@ RENEWED = 16
 """After so many states another order of the places on the table is drawn."""
 
 
-@dataclass(frozen=True)
-class Layout:
+class Layout(NamedTuple):
     """Where objects are, by key."""
 
     position: dict[str, Vec3]
     orientation: dict[str, Quat]
 
 
-@dataclass(frozen=True)
-class Sample:
+class Sample(NamedTuple):
     """One state of the bank: where every object of either version is, how it began, and where it is from.
 
     `known`: what one of the versions is known to say of it by construction.
@@ -63,7 +62,7 @@ class Sample:
     layout: Layout
     start: Layout
     source: str
-    known: dict[str, bool] = field(default_factory=dict)
+    known: Mapping[str, bool] = MappingProxyType({})
 
 
 class Side:
@@ -165,7 +164,9 @@ class Bank:
         self.alike = len(set(self.sizes.values())) == 1
         self.rng = Random(f"bank {seed}")
         self.slots = _slots(1.5 * max(self.sizes.values()))
-        self.starts = {side.label: _starts(side, STARTS) for side in (self.old, self.new)}
+        self.starts = {"old": _starts(self.old, STARTS)}
+        same_draws = _drawn_from(self.old) == _drawn_from(self.new)
+        self.starts["new"] = self.starts["old"] if same_draws else _starts(self.new, STARTS)
         self.begun = {label: [self._complete(start) for start in self.starts[label]] for label in ("old", "new")}
         self.samples: list[Sample] = []
         self._fill()
@@ -299,6 +300,21 @@ def _slots(pitch: float) -> list[tuple[float, float]]:
         for i in range(math.floor((WORKSPACE_X[1] - WORKSPACE_X[0]) / pitch) + 1)
         for j in range(math.floor(1.6 * (WORKSPACE_Y[1] - WORKSPACE_Y[0]) / pitch) + 1)
     ]
+
+
+def _drawn_from(side: Side) -> tuple[object, ...]:
+    """All that the starts of a version are drawn from, by key: objects in their order, with their sizes and places,
+    and how they start. Equal ones give equal starts for every seed."""
+    keys = {name: k for k, name in side.names.items()}
+    init = side.schema.init
+    objects = tuple(
+        (k, side.world.edge.get(k), side.world.patches.get(k) and side.world.patches[k].model_dump_json())
+        for k in side.world.assets
+    )
+    starts = tuple(s.model_copy(update={"block": keys[s.block]}) for s in init.poses)
+    heaps = tuple(tuple(keys[name] for name in heap) for heap in init.heaps)
+    vacant = tuple(v.model_copy(update={"before": keys.get(v.before or "")}) for v in init.vacant)
+    return objects, starts, heaps, vacant, tuple(rename(goal, keys) for goal in init.arranged)
 
 
 def _starts(side: Side, count: int) -> list[Layout]:

@@ -46,9 +46,9 @@ CODES: tuple[Code, ...] = (
     Code(
         "origin-unsupported",
         "the version's origin is claimed, not recorded",
-        "A snapshot says what wrote the code. Code that the code generator wrote is generated again to be checked; what "
-        "a model wrote can only be believed where its answers are recorded, and a workspace records none. The code "
-        "runs confined, if it passes every gate; nothing is built upon it.",
+        "A snapshot says what wrote the code. Code that the code generator wrote is generated again to be checked; "
+        "what a model wrote can only be believed where its answers are recorded, and a workspace records none. "
+        "The code runs confined, if it passes every gate; nothing is built upon it.",
         remedy="rpg compile --from tasks/red-on-blue/v0-*/task.yaml --name red-on-blue-2",
     ),
     Code(

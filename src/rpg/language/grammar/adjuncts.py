@@ -165,8 +165,8 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     comma = p.opt(i, ",")
     if j := p.any_of(comma, ("that read", "that reads", "that spell", "that spells", "to spell", "to read",
         "which spell", "which spells", "that say", "that says", "to say", "spelling", "so it reads",
-                             "so they read", "so they spell", "so they say", "so that it reads", "so that it spells",
-                             "so you read", "so that you read", "so that you can read", "so you can read", "so that i can read",
+        "so they read", "so they spell", "so they say", "so that it reads", "so that it spells",
+        "so you read", "so that you read", "so that you can read", "so you can read", "so that i can read",
         "so i can read", "so one can read", "so that one can read", "so we can read", "to write", "reading",
         "saying", "which read", "which reads")):  # fmt: skip
         text = literal(p, j)

@@ -67,7 +67,8 @@ def side_relation(p: Parser, i: int) -> Results[tuple[str, str]]:
         or i
     )
     near = p.one(j, frozenset({"immediate", "near", "direct"}))
-    k = near or j
+    far = p.one(j, "far")
+    k = near or far or j
     if p.words[k : k + 1] and p.words[k] in _CHOICE:
         side = p.words[k]
         k = p.reach(k + 1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Pattern, Pronoun, Structure, Traits
 
 
 def tally(items: tuple[Meaning, ...]) -> int:
@@ -66,7 +66,7 @@ def bare_color(item: Noun) -> bool:
 
 def part_after(before: Meaning, item: Meaning) -> bool:
     """ "a tower with black ends and white ..." goes on with the tower's parts."""
-    parts = isinstance(before, Structure) and any(isinstance(d, Absolute | Coord) for d in before.details)
+    parts = isinstance(before, Structure) and any(isinstance(d, Absolute | Coord | Pattern) for d in before.details)
     return parts and not isinstance(item, Structure)
 
 

@@ -23,8 +23,7 @@ _WANT = (
     "hoping|asking|wondering|wanting|dreaming|thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing"
 )
 _SEE = (
-    "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|"
-    "it_that|:"
+    "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|:"
 )
 _DO = (
     "to|you_to|you_could|you_would|you_can|you_might|the_robot_to|us_to|to_ask_you_to|it_if_you_would|"
@@ -100,8 +99,7 @@ COMMAND_WISHES = Patterns(
     "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|"
     "if_we_could",
     "ask|tell|have|let|make|get|instruct|command|program the|your robot|arm|machine|gripper|manipulator to?",
-    "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then "
-    "so? ,?",
+    "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
     "hello|hi|hey|hiya|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
     "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again ,|:?",
     "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls ,|: let_us|please?",

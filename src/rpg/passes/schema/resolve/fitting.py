@@ -145,7 +145,7 @@ def _clause(clause: Clause) -> None:
 
 
 def _alternatives(clause: Clause) -> None:
-    """ "The red or the blue block": where one of them is to be, but not of what there is, or of what they do together."""
+    """ "The red or the blue block": where one of them is to be, not of what there is or what they do together."""
     theme = clause.theme
     shapes = isinstance(theme, Coord) and any(isinstance(item, Structure) for item in theme.items)
     together = any(

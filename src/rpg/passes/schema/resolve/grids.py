@@ -6,8 +6,8 @@ import math
 from dataclasses import replace
 
 from rpg.ir import structures as s
-from rpg.language.meaning import Pattern as Said
 from rpg.language.meaning import Coord, Structure
+from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.parts import widened

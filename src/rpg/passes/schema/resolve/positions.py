@@ -77,7 +77,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         place = place_of(item)
         if place is None or not _belongs(item.theme, names, scene):
             continue
-        if place.side == "rest" or (place.side == "middle" and ends and _whole(item)):
+        if place.side == "rest" or (place.side == "middle" and ends and _whole(item, place)):
             rest.append(item)
             continue
         groups = _following(item, last) if place.side == "next" and last is not None else None
@@ -146,9 +146,14 @@ def _put(
     return found, max(indices)
 
 
-def _whole(item: Absolute) -> bool:
+def _whole(item: Absolute, place: At | Places) -> bool:
     """ "white in the middle": all of it, however many."""
-    return isinstance(item.theme, Noun) and item.theme.det == "bare" and item.theme.amount is None
+    return (
+        getattr(place, "several", None) is None
+        and isinstance(item.theme, Noun)
+        and item.theme.det == "bare"
+        and item.theme.amount is None
+    )
 
 
 def looks(thing: Thing) -> tuple[object, ...]:
@@ -218,7 +223,7 @@ def _further(item: Absolute, kind: str, own: Sequence[str | None]) -> Noun | Non
     if place is None or not isinstance(theme, Noun) or not theme.traits.colors or set(theme.traits.colors) & set(own):
         return None
     ends = isinstance(place, Places) and place.side in ("ends", "outer")
-    if theme.det not in ("a", "bare") or (theme.amount is None and not ends) or amount_of(theme) is None and not ends:
+    if theme.det not in ("a", "bare") or (not ends and (theme.amount is None or amount_of(theme) is None)):
         return None
     if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
         return None

@@ -299,8 +299,12 @@ def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
 def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     patches = mark.names
     if "side" in loc.mods:
-        raise refuse("ambiguous", f"the {loc.rel} side of a patch could be a part of it or the table beside it", loc.span,
-                     f"say 'on the patch' or 'to the {loc.rel} of the patch'")  # fmt: skip
+        raise refuse(
+            "ambiguous",
+            f"the {loc.rel} side of a patch could be a part of it or the table beside it",
+            loc.span,
+            f"say 'on the patch' or 'to the {loc.rel} of the patch'",
+        )
     if loc.rel == "off":
         return [
             spread(

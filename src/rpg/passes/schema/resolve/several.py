@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from copy import copy
 from dataclasses import replace
+from itertools import pairwise
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -98,20 +99,26 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
             scene.sides[built[1].key] = "middle"
         node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if axis == "y" else r.InFrontOf
         feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
-        goals += [node(a=a, b=b, span=shape.span) for a, b in zip(feet, feet[1:], strict=False)]
+        goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
     return built, goals
 
 
 def _fresh(shape: Structure, scene: Scene) -> Structure:
     """ "two rows of red blocks": blocks of which no number is said are others for each."""
     source = shape.members
-    if isinstance(source, Noun) and source.amount is None and source.det in ("bare", "some") and not source.conditions:
-        if shape.traits in (Traits(), source.traits) and not source.traits.labels and source.part_of is None:
-            shape = replace(shape, members=None, traits=source.traits)
+    if isinstance(source, Noun) and _plain(source) and shape.traits in (Traits(), source.traits):
+        shape = replace(shape, members=None, traits=source.traits)
     if shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes:
         scene.assume(f"the length of the {shape.kind}s is not said: {LENGTH} blocks each")
         shape = replace(shape, sizes=(Size(what="size", amount=Amount(LENGTH, LENGTH), span=shape.span),))
     return shape
+
+
+def _plain(source: Noun) -> bool:
+    """Blocks of a look alone: no number of them is said, none of them are named."""
+    if source.amount is not None or source.det not in ("bare", "some") or source.traits.labels:
+        return False
+    return not source.conditions and source.part_of is None
 
 
 def _lots(theme: Ref | None, count: int, shape: Structure, scene: Scene) -> list[Ref | None]:

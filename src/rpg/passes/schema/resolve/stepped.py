@@ -108,10 +108,12 @@ def _layers(spec: Spec, known: bool) -> list[int]:
     found: list[int] = []
     for item in list(spec.absolutes):
         at_ = item.adjuncts[0]
-        single = isinstance(item.theme, Pronoun) and item.theme.word == "one"
-        single = single or (isinstance(item.theme, Noun) and _one(item.theme))
-        count = 1 if single else amount_of(item.theme)
-        plain = single or (isinstance(item.theme, Noun) and item.theme.head != "patch" and item.theme.traits in (Traits(), Traits(kind="letter")))
+        theme = item.theme
+        single = isinstance(theme, Pronoun) and theme.word == "one"
+        single = single or (isinstance(theme, Noun) and _one(theme))
+        count = 1 if single else amount_of(theme)
+        looks = (Traits(), Traits(kind="letter"))
+        plain = single or (isinstance(theme, Noun) and theme.head != "patch" and theme.traits in looks)
         if isinstance(at_, At) and at_.side in _LEVELS and count is not None and (plain or not known):
             if found and {"bottom": max(found) > count, "top": min(found) < count}.get(at_.side, False):
                 raise refuse("misplaced", "a pyramid grows smaller upwards", item.span, "say how many its base has")

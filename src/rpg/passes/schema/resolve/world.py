@@ -114,7 +114,8 @@ class Scope:
 class Scene:
     """Everything brought up so far, with the goals and assumptions it led to.
 
-    `sides`: where structures stand that were built together, by key. `vague`: blocks of which neither look nor number was said, though they have been given a colour.
+    `sides`: where structures stand that were built together, by key.
+    `vague`: blocks of which neither look nor number was said, though they have been given a colour.
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
     """

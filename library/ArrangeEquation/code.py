@@ -4,7 +4,7 @@ from rpg.env import BlockTask, SemanticCube, Verdict
 
 
 class ArrangeEquation(BlockTask):
-    """Five symbol blocks (2, 3, 5, +, =).
+    """Three number blocks (2, 3, 5) and two symbol blocks (+, =).
 
     Goal: The blocks 2, 3, 5, + and = must form a true equation.
     Success: equation_true; every block released, supported and at rest.

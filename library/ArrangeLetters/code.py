@@ -4,10 +4,10 @@ from rpg.env import BlockTask, Order, SemanticCube, Verdict
 
 
 class ArrangeLetters(BlockTask):
-    """Five symbol blocks (A, B, C, D, E).
+    """Five letter blocks (A, B, C, D, E).
 
     Goal: The blocks A, B, C, D and E must be in a row from left to right in alphabetical order.
-    Success: letters_in_row; every block released, supported and at rest.
+    Success: letters_in_row_alphabetically; every block released, supported and at rest.
     """
 
     instruction = (
@@ -26,9 +26,9 @@ class ArrangeLetters(BlockTask):
         self.scatter(*self.blocks)
 
     def _success(self) -> Verdict:
-        letters_in_row = self.row(
+        letters_in_row_alphabetically = self.row(
             self.blocks, axis="y", order=Order(by="label", first="left"), readable=True
         )
         at_rest = self.at_rest()
-        _success_check = letters_in_row & at_rest
+        _success_check = letters_in_row_alphabetically & at_rest
         return _success_check

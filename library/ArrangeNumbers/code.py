@@ -4,11 +4,11 @@ from rpg.env import BlockTask, Order, SemanticCube, Verdict
 
 
 class ArrangeNumbers(BlockTask):
-    """Four symbol blocks (7, 2, 9, 4).
+    """Four number blocks (7, 2, 9, 4).
 
     Goal: The blocks 7, 2, 9 and 4 must be in a row from left to right in ascending numerical
     order.
-    Success: blocks_in_row; every block released, supported and at rest.
+    Success: blocks_in_row_numerically; every block released, supported and at rest.
     """
 
     instruction = "Arrange the number blocks 7, 2, 9 and 4 in increasing order from left to right."
@@ -24,9 +24,9 @@ class ArrangeNumbers(BlockTask):
         self.scatter(*self.blocks)
 
     def _success(self) -> Verdict:
-        blocks_in_row = self.row(
+        blocks_in_row_numerically = self.row(
             self.blocks, axis="y", order=Order(by="number", first="left"), readable=True
         )
         at_rest = self.at_rest()
-        _success_check = blocks_in_row & at_rest
+        _success_check = blocks_in_row_numerically & at_rest
         return _success_check

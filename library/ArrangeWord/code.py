@@ -4,7 +4,7 @@ from rpg.env import BlockTask, SemanticCube, Verdict
 
 
 class ArrangeWord(BlockTask):
-    """Five symbol blocks (R, O, B, O, T).
+    """Five letter blocks (R, O, B, O, T).
 
     Goal: The R block, the two blocks labelled O, the B block and the T block must spell the word
     ROBOT.

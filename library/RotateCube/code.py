@@ -4,10 +4,10 @@ from rpg.env import BlockTask, SemanticCube, Verdict
 
 
 class RotateCube(BlockTask):
-    """A symbol block (R).
+    """A letter block (R).
 
     Goal: The R block must be upside down.
-    Success: r_facing_up; every block released, supported and at rest.
+    Success: r_upside_down; every block released, supported and at rest.
     """
 
     instruction = "Turn the R block so that its letter is upside down."
@@ -19,7 +19,7 @@ class RotateCube(BlockTask):
         self.scatter("R_block")
 
     def _success(self) -> Verdict:
-        r_facing_up = self.facing("R_block", label="R", turn=180.0)
+        r_upside_down = self.facing("R_block", label="R", turn=180.0)
         at_rest = self.at_rest()
-        _success_check = r_facing_up & at_rest
+        _success_check = r_upside_down & at_rest
         return _success_check

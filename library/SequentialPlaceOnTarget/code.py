@@ -8,8 +8,7 @@ class SequentialPlaceOnTarget(BlockTask):
 
     Goal: First, the blue block must be on the blue patch. Then, the red block must be on the red
     patch.
-    Success: blue_on_blue_patch, red_on_red_patch, in_order; every block released, supported and
-    at rest.
+    Success: in_order; every block released, supported and at rest.
     """
 
     instruction = (

@@ -7,7 +7,7 @@ class StackBlocksOnTarget(BlockTask):
     """A red block, a blue block, a green block and a gray patch.
 
     Goal: The red, blue and green blocks must form a tower of exactly three on the gray patch.
-    Success: blocks_stacked; every block released, supported and at rest.
+    Success: blocks_stacked_on_gray_patch; every block released, supported and at rest.
     """
 
     instruction = "Build a tower of three blocks on the square patch."
@@ -22,9 +22,9 @@ class StackBlocksOnTarget(BlockTask):
         self.scatter("red_block", "blue_block", "green_block")
 
     def _success(self) -> Verdict:
-        blocks_stacked = self.stack(
+        blocks_stacked_on_gray_patch = self.stack(
             ["red_block", "blue_block", "green_block"], exact=True, patch="gray_patch"
         )
         at_rest = self.at_rest()
-        _success_check = blocks_stacked & at_rest
+        _success_check = blocks_stacked_on_gray_patch & at_rest
         return _success_check

@@ -42,7 +42,7 @@ CODES: tuple[Code, ...] = (
         title="too many look-alike blocks with different duties",
         explanation="A goal holds if it does for some choice of which of several blocks that look alike is which. "
         "More than 5,000 such choices are not searched.",
-        example="put each of the eight red blocks next to one of the eight blue blocks",
-        remedy="put each of the three red blocks next to one of the three blue blocks",
+        example="put a red block on each of the letters A, B, C, D, E, F, G and H",
+        remedy="put a red block on each of the letters A, B and C",
     ),
 )

@@ -304,7 +304,8 @@ def _pictures(program: Program, options: CompileOptions) -> dict[str, bytes]:
 
     options.listen("pictures", "draw")
     world = World(program.task.assets)
-    return {"initial.png": draw(_start(program, world)), "goal.png": draw(_goal(program, world))}
+    start, goal = _start(program, world), _goal(program, world)
+    return {"initial.png": draw(start, beside=(goal,)), "goal.png": draw(goal, beside=(start,))}
 
 
 def _start(program: Program, world: World) -> BlockState:

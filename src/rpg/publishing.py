@@ -64,7 +64,7 @@ def write_pictures(task: Task, directory: Path, seed: int) -> tuple[Path, ...]:
     states = {"initial.png": task.task_class().reset(seed), "goal.png": task.goal_class().reset(seed)}
     directory.mkdir(parents=True, exist_ok=True)
     for name, state in states.items():
-        replace_file(directory / name, draw(state))
+        replace_file(directory / name, draw(state, beside=tuple(states.values())))
     return tuple(directory / name for name in states)
 
 

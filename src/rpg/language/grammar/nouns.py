@@ -18,6 +18,8 @@ from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, 
 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""
+_OUTLINES = {word + end: (word, bool(end)) for word in ("square", "circle", "rectangle") for end in ("", "s")}
+"""Figures by which a patch is called as well: the word, its shape, whether it is a plural."""
 _SINGLE = Quantity("bare")
 
 
@@ -177,13 +179,15 @@ def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]
             both = merge(marks, brings)
             if both is not None:
                 yield from _finish(p, i, k, quantity, head, plural, both)
+        if (figure := _OUTLINES.get(p.words[j])) and (both := merge(marks, {"shape": figure[0]})) is not None:
+            yield from _finish(p, i, p.reach(j + 1), quantity, "patch", figure[1], both, cost=1)
         yield from _headless(p, i, start, j, quantity, marks)
 
 
 def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: Marks) -> Results[Meaning]:
     """ "red on blue", "the other two", "A", "a red and a blue block"."""
     ranked = quantity.det == "the" and marks.get("rank") not in (None, "top", "bottom", "middle")
-    named = j > start and p.words[j - 1] not in ("target", "goal")
+    named = j > start and p.words[j - 1] not in ("target", "goal") and "shape" not in marks
     if named and "edge" not in marks and (marks.get("colors") or marks.get("size") or ranked):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")

@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Structure, Toward, Traits
+from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.logic import conj
@@ -187,6 +188,8 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
         )
     if not isinstance(target, Structure):
         raise refuse("misplaced", "this is nothing that blocks can form", target.span)
+    if target.det == "the":
+        check_built(target)
     theme = certain(theme, scene)
     built, goals = make(target, spec, theme, scene, scope)
     if uses_orders(built):

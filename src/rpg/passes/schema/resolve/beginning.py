@@ -29,9 +29,11 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     commands = [n for n, chain in enumerate(chains) if _commands(chain)]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [x or (n < max(undone, default=0) and _facts(chains[n])) for n, x in enumerate(told)]
+    ordered = [n for n, chain in enumerate(chains) if _ordered(chain)]
+    heaped = [n for n, chain in enumerate(chains) if n < max(ordered, default=0) and _heaped(chain)]
     found = []
     for n, chain in enumerate(chains):
-        if told[n] and any(m > n for m in (*commands, *undone)):
+        if n in heaped or (told[n] and any(m > n for m in (*commands, *undone))):
             clauses = tuple(replace(c, mode="start") for c in chain.clauses if isinstance(c, Clause))
             chain = replace(chain, clauses=clauses)
         found.append(chain)
@@ -41,6 +43,18 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
 def _undoes(chain: Chain) -> bool:
     """Whether a sentence changes what is there, whatever it is: swaps it, takes it apart, turns it round."""
     return any(isinstance(c, Clause) and c.verb in ("swap", "unstack", "reverse") for c in chain.clauses)
+
+
+def _ordered(chain: Chain) -> bool:
+    """Whether a sentence orders something to be done."""
+    said = [c for c in chain.clauses if isinstance(c, Clause) and not c.negated]
+    return any(c.mode == "command" or (c.mode, c.verb) == ("goal", "exist") for c in said)
+
+
+def _heaped(chain: Chain) -> bool:
+    """ "the six blocks lie in a heap": before a command no end, for nobody asks for a heap in the indicative."""
+    shapes = [a.structure for c in chain.clauses if isinstance(c, Clause) for a in c.adjuncts if isinstance(a, Into)]
+    return _facts(chain) and bool(shapes) and all(isinstance(x, Structure) and x.kind == "pile" for x in shapes)
 
 
 def _facts(chain: Chain, bold: bool = True) -> bool:

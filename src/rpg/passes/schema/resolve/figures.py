@@ -17,6 +17,15 @@ from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
+def check_built(shape: Structure) -> None:
+    """Refuse a mere square, circle or rectangle that nothing says is built of blocks: it is a patch, if anything."""
+    said = shape.members or shape.sizes or shape.dims or shape.details or shape.letter or shape.plural
+    alone = shape.amount is None or shape.amount.low == 1
+    if shape.kind in ("square", "circle", "rectangle") and alone and not said and shape.filled is None:
+        hint = f"say of which blocks the {shape.kind} is built, or 'the {shape.kind} patch'"
+        raise refuse("no-referent", f"nothing says that this {shape.kind} is built of blocks", shape.span, hint)
+
+
 def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Outlines, filled figures and letter shapes on the table."""
     plain(shape)

@@ -26,6 +26,8 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
     if scope.start and not several:
         names = members_of(shape, spec, theme, None, 4, scene, scope)
         scene.heaps.append(names)
+        for name in names:
+            scene.things[name].declared = True
         return [scene.add_built("pile", names, False, shape.span)], []
     if not several:
         names = members_of(shape, spec, theme, None, 4, scene, scope)

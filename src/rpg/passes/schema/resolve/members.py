@@ -63,6 +63,8 @@ def members_of(
     there = declared(shape.traits, scene)
     if len(there) > 1 and (count is None or len(there) == count):
         return there
+    if count is not None and (some := _some_of(there, count, shape, scene)):
+        return some
     if count is None and scene.each is not None and len(shape.traits.colors) == 1:
         count = scene.each[0]
     if count is None:
@@ -201,6 +203,23 @@ def declared(traits: Traits, scene: Scene) -> tuple[str, ...]:
     """The blocks that "there are", for a structure that names none."""
     plain = replace(traits, scheme=None, shape=None)
     return tuple(t.name for t in matching(plain, scene, False) if t.declared and t.name not in scene.used)
+
+
+def _some_of(there: tuple[str, ...], count: int, shape: Structure, scene: Scene) -> tuple[str, ...]:
+    """So many of the blocks that there are, where it does not matter which; they are used up."""
+    things = [scene.things[n] for n in there]
+    if there and len(there) < count and shape.traits == Traits():
+        raise refuse("count-mismatch", f"this takes {count} blocks, but only {len(there)} are there for it", shape.span,
+                     "say of which blocks it is built", needed=count, there=len(there))  # fmt: skip
+    if there and len({(t.color, t.label, t.kind, t.size, t.edge) for t in things}) > 1:
+        raise refuse("ambiguous", f"it is not said which of {len(there)} different blocks are used", shape.span,
+                     "name the blocks", blocks=len(there))  # fmt: skip
+    if len(there) < count:
+        return ()
+    for thing in things:
+        thing.scheme = thing.scheme or "same"
+    scene.used.update(there[:count])
+    return there[:count]
 
 
 def new_members(traits: Traits, count: int, kind: str | None, scene: Scene) -> tuple[str, ...]:

@@ -232,8 +232,14 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
             if not pool and len(last) == 1 and all(scene.things[n].color is None for n in last):
                 raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
             return all(t.patch for t in pool) if pool else True
-        return scope.like_patch
+        return scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene))
     return noun.head == "patch"
+
+
+def _the_marked(noun: Noun, scene: Scene) -> bool:
+    """ "the red one" where there is a red patch, and no red block."""
+    said = noun.det == "the" and bool(noun.traits.colors)
+    return said and bool(matching(noun.traits, scene, True)) and not matching(noun.traits, scene, False)
 
 
 def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:

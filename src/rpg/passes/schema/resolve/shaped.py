@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks
+from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.placing import Goals, absolutes, places
 from rpg.passes.schema.resolve.refer import refer
@@ -40,6 +41,8 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         if isinstance(shape, Structure) and not _spoken_of(shape, clause, scene):
             if shape.kind == "pile" and spec.places and clause.verb == "stack":
                 raise refuse("misplaced", "piles lie on the table", shape.span)
+            if shape.det == "the" and clause.verb not in ("build", "arrange"):
+                check_built(shape)
             more, atoms = make(shape, spec, None, scene, scope)
             spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
             goals += atoms

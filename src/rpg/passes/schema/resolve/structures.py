@@ -37,6 +37,8 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
             raise refuse("ambiguous", f"there are {len(known)} of them", shape.span, "say which")
         names = tuple(dict.fromkeys(n for b in known for n in b.members))
         return Ref(names=names, built=tuple(known), plural=len(known) > 1, each=shape.det == "each")
+    if shape.det == "the" or scope.role == "landmark" or scope.given:
+        figures.check_built(shape)
     spec = Spec()
     built, goals = make(shape, spec, None, scene, scope)
     ref = Ref(

@@ -8,7 +8,7 @@ from typing import Any
 from rpg.language import lexicon
 from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.labels import label_list
+from rpg.language.grammar.labels import label_list, run
 from rpg.language.meaning import Traits
 
 
@@ -197,71 +197,65 @@ _KINDS = {"letter": "letter", "letters": "letter", "number": "digit", "numbers":
           "digits": "digit", "symbols": "symbol", "symbol": "symbol"}  # fmt: skip
 
 
+_SCHEMES = {
+    "of the same color": "same", "of one color": "same", "of a single color": "same", "of identical color": "same",
+    "in the same color": "same", "in a single color": "same", "of just one color": "same",
+    "of different colors": "different", "in different colors": "different", "of a different color": "different",
+    "each of a different color": "different", "with different colors": "different", "of distinct colors": "different",
+    "of various colors": "different", "of all different colors": "different", "all of different colors": "different",
+    "of multiple colors": "different", "of varying colors": "different", "in various colors": "different",
+    "of assorted colors": "mixed", "of mixed colors": "mixed", "of any color": "mixed", "in assorted colors": "mixed",
+}  # fmt: skip
+"""What is said of the colours of several blocks or patches."""
+_MATCHING = (
+    "with the same color", "of its color", "of its own color", "of the same color", "of matching color",
+    "of that color", "of the corresponding color", "of their color", "in its color", "of their own color",
+    "of the matching color", "with matching color", "that matches its color", "matching its color",
+    "that matches their color", "matching their color", "matching in color", "with its color", "that match its color",
+    "that match their color", "with the matching color", "that has the same color", "that has its color",
+    "in the same color", "in its own color", "of equal color", "in the matching color", "in matching color",
+    "with its own color",
+)  # fmt: skip
+"""What is said of a patch that has the colour of what goes on it."""
+_OWN = ("of its own", "of their own", "to itself", "to themselves")
+_MARKED = tuple(f"{how}on the table" for how in ("", "designated ", "marked ", "painted ", "drawn "))
+
+
 @rule
 def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     """What follows a noun directly: "A", "labelled A", "with letters", "of the same colour", "of 5 cm", "in red"."""
     if head == "block":
-        for (labels, more), j in label_list(p, i, p.words[i - 1] in _LABEL_NOUNS):
-            yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
-        yield from _labelled(p, i)
-        if p.words[i - 1] in ("blocks", "cubes", "bricks"):
-            yield from (
-                (Marks({"colors": listed}), k)
-                for (listed, either), k in colors(p, p.opt(i, ":"))
-                if len(listed) > 1 and not either
-            )
-    for phrase, value in (
-        ("of the same color", "same"), ("of the same colour", "same"), ("of one color", "same"),
-        ("of one colour", "same"),
-        ("of a single color", "same"), ("of identical color", "same"), ("in the same color", "same"),
-        ("of different colors", "different"), ("of different colours", "different"),
-        ("in different colors", "different"),
-        ("of a different color", "different"), ("each of a different color", "different"),
-        ("with different colors", "different"),
-        ("of distinct colors", "different"), ("of various colors", "different"), ("of assorted colors", "mixed"),
-        ("of mixed colors", "mixed"), ("of any color", "mixed"), ("of all different colors", "different"),
-        ("all of different colors", "different"), ("of multiple colors", "different"), ("in assorted colors", "mixed"),
-        ("of varying colors", "different"), ("in a single color", "same"), ("of just one color", "same"),
-        ("in various colors", "different"),
-    ):  # fmt: skip
-        if j := p.seq(i, phrase):
-            yield Marks({"scheme": value}), j
+        yield from _symbols_after(p, i)
+    for phrase, j in p.standing(i, _SCHEMES):
+        yield Marks({"scheme": _SCHEMES[phrase]}), j
     if j := p.any_of(i, (", all of them", ", all in", ", all", ", each", ", both", ", every one of them")):
         for (listed, _either), k in colors(p, j):
             if len(listed) == 1:
                 yield Marks({"colors": listed}), k
-    if head == "patch" and (j := p.any_of(i, ("of its own", "of their own", "to itself", "to themselves"))):
+    if head == "patch" and (j := p.any_of(i, _OWN)):
         yield Marks({"scheme": "different"}), j
-    if head == "patch" and (
-        j := p.any_of(
-            i,
-            (
-                "designated on the table",
-                "on the table",
-                "marked on the table",
-                "painted on the table",
-                "drawn on the table",
-            ),
-        )
-    ):
+    if head == "patch" and (j := p.any_of(i, _MARKED)):
         yield Marks({"target": True}), j
-    for phrase in ("with the same color", "of its color", "of its own color", "of the same color",
-                   "of matching color", "of that color",
-                   "of its colour", "of its own colour", "of the corresponding color", "of their color",
-                   "in its color", "of their own color",
-                   "of the matching color", "with matching color", "that matches its color",
-                   "matching its color", "that matches their color", "matching their color", "matching in color",
-                   "with its color", "that match its color", "that match their color", "with the matching color",
-                   "that has the same color", "that has its color", "in the same color", "in its own color",
-                   "of equal color", "in the matching color", "in matching color", "with its own color"):  # fmt: skip
-        if head != "patch" and "same" in phrase:
-            continue
-        if j := p.seq(i, phrase):
+    for phrase, j in p.standing(i, _MATCHING):
+        if head == "patch" or "same" not in phrase:
             yield Marks({"matching": True}), j
     if j := p.any_of(i, ("of size", "of edge", "with edge", "with edges of", "with sides of", "of edge length", "of")):
         yield from ((Marks({"edge": metres}), k) for metres, k in length(p, j))
     if j := p.any_of(i, ("in", "in color", "colored", "coloured", "painted", "of color", "with color")):
         yield from ((Marks({"colors": listed, "either": either}), k) for (listed, either), k in colors(p, j))
+
+
+def _symbols_after(p: Parser, i: int) -> Results[Marks]:
+    """ "(blocks) A, B and C", "(letters) from A to D", "(blocks) labelled A", "(blocks) red and blue"."""
+    for (labels, more), j in label_list(p, i, p.words[i - 1] in _LABEL_NOUNS):
+        yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
+    if j := p.one(i, "from"):
+        yield from ((Marks({"labels": labels}), k) for labels, k in run(p, j) if k < p.end and labels[0] < labels[-1])
+    yield from _labelled(p, i)
+    if p.words[i - 1] in ("blocks", "cubes", "bricks"):
+        for (listed, either), k in colors(p, p.opt(i, ":")):
+            if len(listed) > 1 and not either:
+                yield Marks({"colors": listed}), k
 
 
 def _labelled(p: Parser, i: int) -> Results[Marks]:

@@ -60,7 +60,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             *(carried_on(p, j, previous) if previous is not None else ()),
             *(gerund_single(p, j) if link in ("before", "after") else ()),
         ]
-        bare = previous is not None and not previous.adjuncts and link == "and" and p.words[j - 1] in (",", ";")
+        bare = previous is not None and not previous.adjuncts
+        bare = bare and (link == "then" or (link == "and" and p.words[j - 1] in (",", ";")))
         for item, k in items:
             if previous is not None and p.words[j - 1] == "," and _apposed(previous, item):
                 continue

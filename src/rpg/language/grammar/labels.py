@@ -9,6 +9,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 _AND = frozenset({"and", "&", "plus"})
 _SIGN_WORDS = {"plus": "+", "minus": "-", "times": "*", "equals": "=", "equal": "=", "divide": "/", "divided": "/"}
 _TO = frozenset({"to", "through", "thru", "until", "till"})
+_TOWARD = ("to", "through", "thru", "until", "till", "up to", "down to")
 
 
 def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
@@ -40,6 +41,18 @@ def _between(first: str, last: str) -> tuple[str, ...]:
         if first in row and last in row and row.index(first) <= row.index(last):
             return tuple(row[row.index(first) : row.index(last) + 1])
     return ()
+
+
+@rule
+def run(p: Parser, i: int) -> Results[tuple[str, ...]]:
+    """ "1 to 5", "E down to A": symbols one after the other, either way."""
+    first = symbol(p, i)
+    j = p.any_of(i + 1, _TOWARD) if first is not None else 0
+    last = symbol(p, j) if j else None
+    if first is not None and last is not None:
+        found = _between(first, last) or _between(last, first)[::-1]
+        if len(found) > 1:
+            yield found, j + 1
 
 
 @rule

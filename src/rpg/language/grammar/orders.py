@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.amounts import makes_number
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.labels import run
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.order_phrases import NAMED
 from rpg.language.grammar.patterns import pattern, spacing
 from rpg.language.grammar.sides import toward
-from rpg.language.meaning import Meaning, OrderBy, Toward
+from rpg.language.meaning import Meaning, Noun, OrderBy, Toward, Traits
 
 _LEADS = frozenset(
     {"reading", "sorted", "ordered", "arranged", "lined", "organized", "organised", "going", "running", "placed"}
@@ -32,6 +34,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by=by, span=p.span(i, k), descending=bool(extra.get("descending"))), k
         yield from toward(p, start)
         yield from _explicit(p, start)
+        yield from _run(p, start)
         yield from _by_attribute(p, start, j > i)
         yield from temporal(p, start)
     yield from pattern(p, i)
@@ -142,6 +145,15 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
     j = p.opt(j, "first") if p.words[j : j + 1] == ["first"] else j
     j = p.opt(j, "from") if p.words[j : j + 1] == ["from"] and j + 1 < p.end and p.words[j + 1] in lexicon.COLOR else j
     yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in listed(p, j))
+
+
+def _run(p: Parser, i: int) -> Results[Meaning]:
+    """ "from 1 to 5", "from E down to A": those symbols, in that order."""
+    j = p.one(i, "from")
+    for labels, k in run(p, j) if j else ():
+        if labels[-1].isalpha() or not makes_number(p, k):
+            items = tuple(Noun(head="any", traits=Traits(labels=(x,)), span=p.span(j, k)) for x in labels)
+            yield OrderBy(by="run", items=items, span=p.span(i, k)), k
 
 
 _INTO_ATTRIBUTES = {

@@ -12,7 +12,7 @@ from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, colors, mer
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.equations import equation, unequal
-from rpg.language.grammar.labels import digits_of, literal
+from rpg.language.grammar.labels import digits_of, literal, run
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.shapes import noun
@@ -297,7 +297,7 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     from rpg.language.grammar.nouns import noun_phrase
 
     k = p.any_of(j, _OF) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
-    if not k:
+    if not k or (p.words[k - 1] == "from" and run(p, k)):
         return
     for start in dict.fromkeys((k, p.one(k, "each"))):
         if not start:

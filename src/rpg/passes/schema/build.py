@@ -26,6 +26,7 @@ from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.inventory import each_agrees
+from rpg.passes.schema.resolve.kept import brought_about
 from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.things import matching
@@ -169,7 +170,7 @@ def _resolved(
     goal = join([(links[n], stated[n]) for n in sequence], scene, (0, len(text)))
     if isinstance(goal, g.All) and not goal.goals:
         raise _no_goal(scene, text)
-    goal = keep_premises(goal, scene)
+    goal = brought_about(keep_premises(goal, scene), scene)
     finish.choose(scene)
     goal = tidy(goal, scene)
     check(goal, scene)

@@ -19,6 +19,7 @@ from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, places
 from rpg.passes.schema.resolve.positions import alternatives
 from rpg.passes.schema.resolve.refer import refer
+from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.reordered import moved_within, topped
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.structures import either, make, stack_built
@@ -144,15 +145,31 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
     if not units:
         units = tuple(Ref(names=(n,)) for n in theme.names)
     stages = []
+    under = _block_below(spec, scene, scope)
     for unit in units:
+        if under is not None and isinstance(on := spec.places[0], Loc):
+            stages.append(g.Stage(goal=conj(related(unit, under, on, scene, span), span)))
+            under = unit
+            continue
         again = Spec(places=list(spec.places), ats=list(spec.ats), manners=list(spec.manners))
         stages.append(g.Stage(goal=conj(places(unit, again, scene, scope, span), span)))
     spec.places, spec.manners = [], [m for m in spec.manners if m.kind != "respectively"]
     return [g.Sequence(stages=tuple(stages), span=span)]
 
 
+def _block_below(spec: Spec, scene: Scene, scope: Scope) -> Ref | None:
+    """ "yellow, then green on the black block": there is room for one on it; what comes later goes on that one."""
+    item = spec.places[0] if len(spec.places) == 1 else None
+    if not isinstance(item, Loc) or item.rel != "on" or item.negated or item.landmark is None:
+        return None
+    mark = refer(item.landmark, scene, replace(scope, role="landmark"))
+    single = len(mark.names) == 1 and mark.quant is None and not mark.patch and not mark.table
+    return mark if single else None
+
+
 def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
-    if spec.orders or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
+    runs = [o for o in spec.orders if o.by == "run" and verb == "place"]
+    if len(spec.orders) > len(runs) or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
         return True
     if len(theme.names) > 2 and any(map(place_of, spec.absolutes)) and any(map(_in_line, spec.places)):
         return True
@@ -213,7 +230,7 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         return theme, []
     if theme.quant is not None or theme.op == "or" or theme.mixed:
         raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
-    items = next((o.items for o in spec.orders if o.items and o.by == "given"), ())
+    items = next((o.items for o in spec.orders if o.items and o.by in ("given", "run")), ())
     if items and len(theme.names) != len(items):
         theme = replace(theme, names=scene.fit(theme.names, len(items)))
     base = _base(theme, spec, scene, scope)

@@ -101,7 +101,7 @@ def _merge(
     match order.by:
         case "any" | "reverse":
             return found
-        case "given" | "named" if order.items:
+        case "given" | "named" | "run" if order.items:
             return _given(order, names, kind, scene, scope, first)
         case "given":
             scene.assume(

@@ -11,7 +11,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest, Operand
 from rpg.ir.order import Order
-from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.corners import corners
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import reciprocal
@@ -82,6 +82,8 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if (apart := on_separate_patches(theme, loc, scene, scope, span)) is not None:
         return apart
     if (found := _any_of_them(theme, loc, scene)) is not None:
+        if theme.quant is not None:
+            return [_some_on_any(theme, theme.quant, found, loc, scene, span)]
         units = [Ref(names=(n,)) for n in theme.names]
         if isinstance(loc.landmark, Noun) and loc.landmark.traits.scheme == "different":
             if len(found) != len(units):
@@ -101,20 +103,27 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
 def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
     """ "every red block is beside a blue one": any of the blue ones, for each of the red."""
     mark = loc.landmark
-    if (
-        not isinstance(mark, Noun)
-        or mark.det != "a"
-        or mark.head == "patch"
-        or len(theme.names) < 2
-        or theme.built
-        or theme.quant is not None
-    ):
+    if not isinstance(mark, Noun) or mark.det != "a" or mark.head == "patch" or len(theme.names) < 2 or theme.built:
         return None
     there = [t.name for t in matching(mark.traits, scene, False) if t.declared]
-    if not there and theme.each and not compared(mark) and not mark.conditions and mark.traits.rank is None:
+    plain = not mark.conditions and mark.traits.rank is None
+    if theme.quant is not None and not plain:
+        return None
+    if not there and theme.each and theme.quant is None and plain and not compared(mark):
         scene.new_batch()
         there = [create(mark.traits, scene, False).name for _ in theme.names]
     return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, "on") else None
+
+
+def _some_on_any(theme: Ref, quant: Amount, marks: tuple[str, ...], loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    """ "exactly one of the three green blocks is on a black block": on any of the black ones."""
+
+    def to_any(a: Operand) -> g.Goal:
+        if loc.rel == "on":
+            return disj([r.On(a=a, b=(m,), span=span) for m in marks], span)
+        return disj([_relate(Ref(names=a), Ref(names=(m,)), loc, scene, span) for m in marks], span)  # type: ignore[arg-type]
+
+    return count(theme.names, quant, to_any, span)
 
 
 def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:

@@ -23,6 +23,7 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "leave the red block where it is", "keep the blue block on the table"."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     stays = [m for m in spec.manners if m.kind == "stay"]
+    ever = any(m.kind == "always" for m in spec.manners)
     spec.manners = [m for m in spec.manners if m.kind not in ("stay", "always")]
     if spec.places and not stays:
         goals: Goals = []
@@ -32,7 +33,10 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         if clause.lemma == "keep":
             from rpg.passes.schema.resolve.clauses import held_throughout
 
-            return held_throughout(goals, scene, clause.span)
+            there = len(scene.start_goals)
+            found = held_throughout(goals, scene, clause.span)
+            scene.kept += [] if ever else [(always, scene.start_goals[there:]) for always in found]
+            return found
         return goals
     more = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
     spec.places = []

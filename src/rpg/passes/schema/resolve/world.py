@@ -118,6 +118,7 @@ class Scene:
     `vague`: blocks of which neither look nor number was said, though they have been given a colour.
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
+    `kept`: what the verb "keep" asks for, each with what it says of the start.
     """
 
     things: dict[str, Thing] = field(default_factory=dict)
@@ -157,6 +158,7 @@ class Scene:
     unstacked: set[str] = field(default_factory=set)
     lenient: bool = False
     besides: list[tuple[Traits, Ref, Span]] = field(default_factory=list)
+    kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
 
     def assume(self, text: str) -> None:
         """Record a default that was taken."""

@@ -103,7 +103,7 @@ def _differs(turn: dict[str, Any], done: Steered, head: int) -> tuple[str, Score
     schema = done.outcome.program.task
     if not _replays(done):
         return "its edits do not lead to it again", "wrong"
-    looks = {block.name: getattr(block, "label", "") or block.color for block in schema.blocks}
+    looks = {block.name: _look(block) for block in schema.blocks}
     untouched = {looks[name] for name in done.proof.positions.blocks}
     for look in turn.get("same", []):
         if look not in untouched or any(looks[name] == look for name in done.proof.positions.moved):
@@ -112,6 +112,12 @@ def _differs(turn: dict[str, Any], done: Steered, head: int) -> tuple[str, Score
     entry = Entry("", "", turn["edit"], assets=turn.get("assets"), hold=states["hold"], miss=states["miss"])
     why = _disagreement(entry, schema)
     return (why, "wrong") if why and not why.endswith("start in a heap") else ("", "right")
+
+
+def _look(block: Any) -> str:
+    """A block as the files name it: by its colour, or by its symbol and the colour of its body."""
+    label = getattr(block, "label", "")
+    return f"{block.color}:{label}" if label and block.color != "ivory" else label or block.color
 
 
 def _trajectory(state: str | list[str]) -> tuple[str, ...]:

@@ -18,18 +18,34 @@ class Terminal:
 
     def __init__(self, arguments: list[str], state: Path) -> None:
         environment = {**os.environ, "MUJOCO_GL": "disable", "XDG_STATE_HOME": str(state), "TERM": "dumb"}
+        self.left = b""
         self.number, self.file = pty.fork()
         if self.number == 0:
             os.execve(sys.executable, [sys.executable, "-m", "rpg", *arguments], environment)
 
     def until(self, wanted: str) -> str:
-        """What is shown up to and with `wanted`."""
-        shown, end = b"", time.monotonic() + PATIENCE
+        """What is shown up to and with `wanted`. What came after it in the same breath is for the next to look at."""
+        shown, end = self.left, time.monotonic() + PATIENCE
         while wanted.encode() not in shown:
             assert time.monotonic() < end, shown.decode(errors="replace")
             if select.select([self.file], [], [], 0.1)[0]:
                 shown += os.read(self.file, 65536)
-        return shown.decode(errors="replace")
+        before, found, self.left = shown.partition(wanted.encode())
+        return (before + found).decode(errors="replace")
+
+    def prompt(self, wanted: str) -> str:
+        """What is shown up to a prompt, once the process waits for what is typed: an interrupt that comes between its
+        prompt and its waiting would be noticed only at the next key."""
+        shown, end, asleep = self.until(f"{wanted}> "), time.monotonic() + PATIENCE, 0
+        while asleep < 3:
+            assert time.monotonic() < end, shown
+            time.sleep(0.02)
+            asleep = asleep + 1 if self._sleeps() else 0
+        return shown
+
+    def _sleeps(self) -> bool:
+        status = Path(f"/proc/{self.number}/stat")
+        return not status.exists() or status.read_text().rpartition(") ")[2].startswith("S")
 
     def type(self, text: str) -> None:
         os.write(self.file, text.encode())
@@ -41,19 +57,19 @@ class Terminal:
 
 def test_a_typed_session(tmp_path: Path) -> None:
     terminal = Terminal(["session", "--no-pictures", "--tasks", str(tmp_path / "tasks")], tmp_path)
-    assert "quit" in terminal.until("rpg> ")
+    assert "quit" in terminal.prompt("rpg")
     terminal.type("put the red block on the blue block\n")
-    assert "must be on the blue" in terminal.until("red-on-blue@0> ")
+    assert "must be on the blue" in terminal.prompt("red-on-blue@0")
     terminal.type("remove the pur\x03")
-    terminal.until("red-on-blue@0> ")
+    terminal.prompt("red-on-blue@0")
     terminal.type("remove the purple one\n")
-    assert "no such block" in terminal.until("red-on-blue@0> ")
+    assert "no such block" in terminal.prompt("red-on-blue@0")
     terminal.type("add a green block on top\n")
-    assert "EXTEND" in terminal.until("red-on-blue@1> ")
+    assert "EXTEND" in terminal.prompt("red-on-blue@1")
     terminal.type("undo\n")
-    assert "back at" in terminal.until("red-on-blue@0> ")
+    assert "back at" in terminal.prompt("red-on-blue@0")
     terminal.type("log\n")
-    assert "HEAD" in terminal.until("red-on-blue@0> ")
+    assert "HEAD" in terminal.prompt("red-on-blue@0")
     terminal.type("\x04")
     assert terminal.status() == 0
     typed = (tmp_path / "rpg" / "history").read_text().splitlines()
@@ -62,16 +78,17 @@ def test_a_typed_session(tmp_path: Path) -> None:
 
 def test_an_interrupt_gives_up_one_line_alone(tmp_path: Path) -> None:
     terminal = Terminal(["session", "--no-pictures", "--tasks", str(tmp_path / "tasks")], tmp_path)
-    terminal.until("rpg> ")
+    terminal.prompt("rpg")
     terminal.type("put the red block on the blue block\n")
-    terminal.until("red-on-blue@0> ")
+    terminal.prompt("red-on-blue@0")
     terminal.type("make a pyramid of blue blocks with a 4x4 base\n")
     terminal.until("4x4 base\r\n")
     time.sleep(0.1)
     terminal.type("\x03")
-    terminal.until("> ")
+    shown = terminal.prompt("")
+    assert "interrupted; red-on-blue@0 is current" in shown or "red-on-blue@1" in shown
     terminal.type("log\n")
     terminal.until("HEAD")
-    terminal.until("> ")
+    terminal.prompt("")
     terminal.type("quit\n")
     assert terminal.status() == 0

@@ -128,9 +128,10 @@ def converse(out: Output, workspace: Workspace, task: str | None, options: Compi
     if interactive:
         out.asides.print(HELP)
     try:
-        while (line := _line(talk, interactive)) is not None:
+        while True:
             try:
-                if line and not talk.take(line):
+                line = _line(talk, interactive)
+                if line is None or (line and not talk.take(line)):
                     break
             except KeyboardInterrupt:
                 if not interactive:

@@ -40,10 +40,9 @@ class Identity:
 
     @property
     def untouched(self) -> tuple[str, ...]:
-        """Keys of shared blocks that look the same in both versions: their starts must not change."""
-        return tuple(
-            k for k in self.shared if look(self.before[k]) == look(self.after[k]) and not _patch(self.after[k])
-        )
+        """Keys of shared blocks of one size in both versions: whatever their looks, their starts must not change."""
+        both = ((k, self.before[k], self.after[k]) for k in self.shared)
+        return tuple(k for k, old, new in both if not _patch(new) and old.size == new.size)
 
     @property
     def names(self) -> dict[str, str]:

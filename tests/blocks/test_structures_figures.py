@@ -176,6 +176,11 @@ def test_flat_pyramid() -> None:
     assert not holds(node, [(0, 0), (0, 1), (0, 2), (0, 3), (0, 0.5, 1), (0, 1.5, 1)])
 
 
+@pytest.mark.parametrize(("off", "fine"), [(0.5, True), (0.25, True), (0.0, False)])
+def test_a_pyramid_bridges_the_blocks_below(off: float, fine: bool) -> None:
+    assert holds(Pyramid(blocks=named(3), base=(2, 1)), [(0, 0), (0, 1), (0, off, 1)], pitch=E) is fine
+
+
 def test_square_pyramid() -> None:
     points = [(x, y, 0) for x in range(3) for y in range(3)]
     points += [(x + 0.5, y + 0.5, 1) for x in range(2) for y in range(2)]

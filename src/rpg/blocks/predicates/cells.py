@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.figures import NAMED, NEAREST, Ideal, flat_forms, ideals, upright
+from rpg.blocks.geometry import rests_on
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.cells_build import layouts, resting
 from rpg.blocks.predicates.common import (
@@ -34,7 +35,7 @@ from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.blocks.traits import AWAY, TO_VIEWER, UP, Traits, symbols_shown
 from rpg.blocks.verdict import FALSE, TRUE, Verdict, every, holds
 from rpg.blocks.visibility import reads
-from rpg.ir.structures import Cells, Figure
+from rpg.ir.structures import Cells, Figure, Pyramid
 
 MAX_FILLINGS = 4
 """How many ways to fill a figure's cells are offered for each of its forms."""
@@ -128,6 +129,8 @@ class CellsPredicate(Predicate[Cells]):
         if ideal.limit is not None:
             margin = min(margin, slack(abs(math.degrees(fit.turn)), ideal.limit))
         parts = [holds(margin)]
+        if isinstance(node, Pyramid) and margin > 0.0:
+            parts.append(TRUE if _bridged(ideal, blocks, state) else FALSE)
         if node.pattern is not None:
             shown = symbols_shown(state, node.blocks, TO_VIEWER if upright(node) else UP)
             parts.append(TRUE if follows(node.pattern, ideal, blocks, Traits(state.world, shown)) else FALSE)
@@ -268,6 +271,12 @@ class CellsPredicate(Predicate[Cells]):
                     break
             if made == 3:
                 return
+
+
+def _bridged(ideal: Ideal, blocks: Sequence[str], state: BlockState) -> bool:
+    """Does every block rest on all those that a pyramid has below it? A column with a block beside it is near one."""
+    pairs = resting(ideal.cells)
+    return all(lower is None or rests_on(state, blocks[upper], blocks[lower]) for upper, lower in pairs)
 
 
 def hidden_cells(ideal: Ideal) -> list[bool]:

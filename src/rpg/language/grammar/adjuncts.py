@@ -18,6 +18,7 @@ from rpg.language.meaning import (
     At,
     Chain,
     Clause,
+    Coord,
     In,
     Into,
     Loc,
@@ -80,7 +81,7 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             yield (
                 (
                     (replace(first, cost=first.cost + 1), *rest)
-                    if rest and (isinstance(first, That) or _side_after(first, rest[0]))
+                    if rest and (isinstance(first, That) or _next_clause(first, rest[0]))
                     else (first, *rest)
                 ),
                 k,
@@ -106,6 +107,16 @@ def _opposed(first: Meaning, second: Meaning) -> bool:
 def _side_after(first: Meaning, second: Meaning) -> bool:
     """A side right after "with ... beside it" belongs to that, not to the clause."""
     return isinstance(first, Absolute) and isinstance(second, At) and isinstance(first.adjuncts[0], Loc)
+
+
+def _next_clause(first: Meaning, second: Meaning) -> bool:
+    """ "G next to F and H to the left of them": the last of a list with a place right behind it begins a clause."""
+    if _side_after(first, second):
+        return True
+    if not (isinstance(first, Loc) and isinstance(second, Loc) and isinstance(second.landmark, Pronoun)):
+        return False
+    mark = first.landmark
+    return isinstance(mark, Coord) or (isinstance(mark, Noun) and len(mark.traits.labels) > 1)
 
 
 def _into(p: Parser, i: int) -> Results[Meaning]:

@@ -79,7 +79,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             if s := p.seq(k, phrase):
                 readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
         for found, end in readings:
-            lasting = bool(words & {"never", "always"})
+            lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words
             if isinstance(found, Clause) and found.verb == "be" and not words & _MODALS:
                 found = replace(found, lemma="fact")
             idle = isinstance(found, Clause) and _needless(

@@ -27,7 +27,7 @@ from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
-from rpg.passes.schema.resolve.inventory import tally, told_apart
+from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
 from rpg.passes.schema.resolve.logic import conj, negation
 from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, places
@@ -201,7 +201,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.patterns.append(Pattern(unit="stack", span=clause.span))
     shape = _kind_of_shape(spec)
     if clause.lemma in ("spread", "distribute") and not (
-        spec.orders or spec.intos or spec.toward or spec.spacings or spec.places
+        spec.orders or spec.intos or spec.toward or spec.spacings or spec.places or spec.thats
     ):
         each = Pronoun(word="each other", span=clause.span)
         spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
@@ -285,6 +285,8 @@ def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.lemma == "tally":
         return tally(clause, spec, scene, scope)
     if clause.mode == "given":
+        if (kinds := blocks_and_patches(clause)) is not None:
+            return [goal for one in kinds for goal in _exist(one, Spec(), scene, scope)]
         clause = replace(clause, theme=told_apart(_only(clause.theme)))
         if is_shape(clause.theme) and (spec.toward or spec.orders or spec.ats or spec.absolutes or spec.sizes):
             return _there_already(clause, spec, scene, scope)

@@ -58,6 +58,23 @@ def told_apart(theme: Meaning | None) -> Meaning | None:
     return replace(theme, items=tuple(rest))
 
 
+def blocks_and_patches(clause: Clause) -> tuple[Clause, Clause] | None:
+    """ "there are three blocks and two mats": a clause for the blocks and one for the patches."""
+    theme = clause.theme
+    if not isinstance(theme, Coord) or theme.op != "and" or clause.adjuncts:
+        return None
+    heads = [item.head if isinstance(item, Noun) else "" for item in theme.items]
+    for index, head in enumerate(heads):
+        near = {*heads[index + 1 : index + 2], *heads[max(index - 1, 0) : index]} - {"any"}
+        if head == "any" and len(near) == 1:
+            heads[index] = near.pop()
+    if set(heads) != {"block", "patch"}:
+        return None
+    lots = [tuple(x for x, at in zip(theme.items, heads, strict=True) if at == head) for head in ("block", "patch")]
+    blocks, patches = (lot[0] if len(lot) == 1 else replace(theme, items=lot) for lot in lots)
+    return replace(clause, theme=blocks), replace(clause, theme=patches)
+
+
 def each_agrees(scene: Scene) -> None:
     """ "two of each" holds of every kind of block there is."""
     if scene.each is None:
@@ -72,4 +89,4 @@ def each_agrees(scene: Scene) -> None:
         )  # fmt: skip
 
 
-__all__ = ["each_agrees", "tally", "told_apart"]
+__all__ = ["blocks_and_patches", "each_agrees", "tally", "told_apart"]

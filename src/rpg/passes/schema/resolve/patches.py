@@ -27,6 +27,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
+    if mark.each and theme.quant is not None and _known(theme, scene):
+        return conj([_on_patch(theme, p, span) for p in patches], span)
     if mark.each and theme.quant is not None and not _just_these(theme, scene):
         raise refuse(
             "ambiguous", "it is not clear which blocks are counted on each patch", span, "say it of one patch at a time"
@@ -67,6 +69,13 @@ def indefinite(theme: Ref) -> bool:
     if theme.op == "and" and theme.parts:
         return all(indefinite(part) for part in theme.parts)
     return theme.op == "and" and theme.det in ("a", "bare", "some")
+
+
+def _known(theme: Ref, scene: Scene) -> bool:
+    """Whether so many of blocks are meant that are known: those there are, those spoken of, "one of A, B and C"."""
+    if all(n in scene.told or scene.things[n].declared for n in theme.names):
+        return True
+    return theme.quant is not None and theme.quant.high is not None and len(theme.names) > theme.quant.high
 
 
 def _just_these(theme: Ref, scene: Scene) -> bool:

@@ -133,21 +133,31 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             return replace(
                 ref, quant=None, each=False, built=ref.built if len(ref.built) > 1 or _told_together(ref) else ()
             )
-    last: list[str] = []
-    for mention in reversed(scene.mentions):
-        if mention.clause >= scene.clause - 1:
-            last = [n for n in mention.ref.names if n not in last and not scene.things[n].patch] + last
+    last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
     if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
         said = [n for m in scene.mentions for n in m.ref.names if not scene.things[n].patch]
         last = list(dict.fromkeys(said))
     if last:
-        return Ref(names=tuple(dict.fromkeys(last)), plural=len(last) > 1)
+        return Ref(names=tuple(last), plural=len(last) > 1)
     raise refuse(
         "no-referent",
         f"{word.word!r} refers to something, but nothing was mentioned before",
         word.span,
         "name the blocks",
     )
+
+
+def _last_spoken_of(scene: Scene, own: set[str]) -> list[str]:
+    """The blocks of the last clause and of those before it that spoke of one of them, without a clause's `own`."""
+    clauses: dict[int, list[str]] = {}
+    for mention in scene.mentions:
+        there = [n for n in mention.ref.names if n not in own and not scene.things[n].patch]
+        clauses.setdefault(max(-mention.clause, 1 - scene.clause), []).extend(there)
+    last = clauses.get(1 - scene.clause, [])
+    for clause in sorted(clauses):
+        if set(last) & set(clauses[clause]):
+            last = [*clauses[clause], *last]
+    return list(dict.fromkeys(last))
 
 
 def _told_together(ref: Ref) -> bool:

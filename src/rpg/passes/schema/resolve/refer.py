@@ -213,7 +213,7 @@ def _counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
     amount = noun.amount
     if amount is None or not amount.strict or noun.det not in ("bare", "some"):
         return ()
-    there = [t for t in matching(noun.traits, scene, patch) if t.declared]
+    there = [t for t in matching(noun.traits, scene, patch) if t.declared or t.name in scene.told]
     if amount.low == 0 and len(there) <= (amount.high or 0):
         raise refuse(
             "ambiguous",

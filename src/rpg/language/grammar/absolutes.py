@@ -10,7 +10,7 @@ from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.parts import part_statement, unit_of
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import SIDES, at
-from rpg.language.meaning import Absolute, At, Coord, Loc, Manner, Meaning, Noun, Places, Pronoun, TableTop
+from rpg.language.meaning import Absolute, At, Coord, Loc, Manner, Meaning, Noun, Places, Pronoun, TableTop, Traits
 
 _LEADS = (
     "with", "having", "where", "keeping", "whose", "and with", "but with", "crowned by", "crowned with", "topped by",
@@ -21,6 +21,7 @@ _PART_LEADS = (
     "and where", "and whose", "with just", "with only", "and", "that has", "which has", "that have", "and has",
 )  # fmt: skip
 """What only a statement about a part of the structure follows, beside the others."""
+_EXTREMES = {"smallest": "smallest", "largest": "largest", "biggest": "largest"}
 _STARTING = ("starting with", "beginning with", "starting from", "start with", "begin with")
 
 
@@ -86,6 +87,9 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
         for found, end in _places(p, k):
             yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
+    if rank := _EXTREMES.get(p.words[j]) if j < p.end else None:
+        best = Noun(head="any", det="the", traits=Traits(rank=rank), span=p.span(j, j + 1))
+        yield from ((Absolute(theme=best, adjuncts=x, span=p.span(j, e)), e) for x, e in _places(p, p.reach(j + 1)))
     the = p.opt(j, "the", "whose")
     the = p.opt(the, "the")
     side = {**SIDES, "lower": "bottom", "upper": "top", "middle": "middle"}.get(p.words[the]) if the < p.end else None

@@ -244,7 +244,7 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
         mode = "given"
     if not j:
         return
-    j = p.opt(j, "also", "exactly", "now", "currently", "initially")
+    j = p.opt(j, "also", "now", "currently", "initially")
     for theme, k in noun_phrase(p, j):
         apart = adjuncts(p, k + 1) if p.words[k : k + 1] == [","] and isinstance(theme, Structure) else []
         nothing = isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det == "no")

@@ -289,7 +289,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
 
 def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun | None:
     """`noun` with more traits, unless they contradict those it has."""
-    if clash(noun.traits, update):
+    retold = set(update) == {"kind"} and noun.traits.kind is not None
+    if clash(noun.traits, update) or retold:
         return None
     plural = noun.plural or len(update.get("labels", ())) > 1
     return replace(noun, traits=replace(noun.traits, **update), span=span, plural=plural)

@@ -9,6 +9,7 @@ from rpg.language.grammar.adjectives import adjectives
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import literal
+from rpg.language.grammar.likes import like_with_like
 from rpg.language.grammar.manners import direction
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.remade import remade, reverse
@@ -78,6 +79,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         yield from reverse(p, i, j)
         return
     yield from remade(p, i, j, sense, lemma)
+    if sense == "sort" or lemma == "put":
+        yield from like_with_like(p, i, j, lemma, word)
     only = p.one(j, "only") if lemma == "move" else 0
     alone = (Manner(kind="only", span=p.span(j, only)),) if only else ()
     for theme, k in noun_phrase(p, only or j):

@@ -8,11 +8,12 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
-from rpg.language.meaning import Meaning, Noun, OrderBy
+from rpg.language.meaning import Coord, Meaning, Noun, OrderBy
+from rpg.passes.schema.resolve.extremes import sorted_from
 from rpg.passes.schema.resolve.positions import SIDES, Placed, positions
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.things import quality_fits
+from rpg.passes.schema.resolve.things import matching, quality_fits
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
 
 
@@ -29,6 +30,7 @@ def implied_kind(spec: Spec) -> str | None:
 def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, span: Span) -> Order:
     """The order of `names` in a line or stack of `kind`."""
     sides = SIDES[kind]
+    spec.orders += sorted_from(spec, names, kind, scene)
     first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides), None)
     wrong = next((t for t in spec.toward if t.first and t.first not in sides), None)
     if wrong is not None:
@@ -38,7 +40,7 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     found = Order()
     for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "reverse")):
         merged = _merge(found, order, names, kind, scene, scope, first)
-        if found.by not in ("any", merged.by) and order.by not in ("in_order", "reverse", "any"):
+        if found.by not in ("any", merged.by) and order.by not in ("in_order", "reverse", "either", "any"):
             if scene.lenient:
                 continue
             raise refuse("order-conflict", "two orders are given for the same blocks", order.span, "keep one of them")
@@ -66,7 +68,19 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         found = Order(by="given", ranks=placed.ranks, first=placed.first)  # type: ignore[arg-type]
     if found.by != "any" and first and found.first is None:
         found = found.model_copy(update={"first": first})
-    return found
+    return _either_way(found, spec, kind, first)
+
+
+def _either_way(found: Order, spec: Spec, kind: str, first: str | None) -> Order:
+    """ "in either direction": no end of a line is its beginning."""
+    said = next((o for o in spec.orders if o.by == "either"), None)
+    if said is None:
+        return found
+    if kind == "stack" or first is not None:
+        raise refuse("order-conflict", "this has one direction, and either is asked for", said.span, "leave one out")
+    if found.by == "any":
+        raise refuse("ambiguous", "it is not said which order may go either way", said.span, "name the order")
+    return found.model_copy(update={"first": None})
 
 
 def _begun(found: Order, placed: Placed, names: tuple[str, ...], kind: str, scene: Scene, span: Span) -> Order:
@@ -99,7 +113,7 @@ def _merge(
 ) -> Order:
     things = [scene.things[n] for n in names]
     match order.by:
-        case "any" | "reverse":
+        case "any" | "reverse" | "either":
             return found
         case "given" | "named" | "run" if order.items:
             return _given(order, names, kind, scene, scope, first)
@@ -145,9 +159,10 @@ def _merge(
 
 
 def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, first: str | None) -> Order:
-    ranks = []
+    ranks: list[tuple[str, ...]] = []
     for item in order.items:
-        ranks.append(_item(item, names, scene))
+        had = {name for rank in ranks for name in rank}
+        ranks.append(_by_look(item, names, had, scene) or _item(item, names, scene))
     listed = [n for rank in ranks for n in rank]
     missing = [n for n in names if n not in listed]
     if missing or len(set(listed)) != len(listed) or not set(listed) <= set(names):
@@ -161,6 +176,26 @@ def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scop
             "the order is read from the bottom up" if kind == "stack" else "the order is read from left to right"
         )
     return Order(by="given", ranks=tuple(ranks), first=first or _default_side(kind))  # type: ignore[arg-type]
+
+
+def _by_look(item: Meaning, names: tuple[str, ...], had: set[str], scene: Scene) -> tuple[str, ...]:
+    """ "a red block", "two red ones": the next of the blocks to be ordered that look so, where there are more."""
+    if isinstance(item, Coord) and item.op == "and":
+        found: list[str] = []
+        for part in item.items:
+            more = _by_look(part, names, had.union(found), scene) or _item(part, names, scene)
+            found += [name for name in more if name not in found]
+        return tuple(found)
+    if not isinstance(item, Noun) or item.det not in ("a", "bare") or item.part_of is not None or item.conditions:
+        return ()
+    count = 1 if item.amount is None else item.amount.low
+    if (item.amount is None and item.plural) or (item.amount is not None and item.amount != (count, count, False)):
+        return ()
+    known = [t.name for t in matching(item.traits, scene, False) if t.name in names]
+    looks = {(scene.things[n].color, scene.things[n].label, scene.things[n].size) for n in known}
+    free = [name for name in known if name not in had]
+    marked = len(item.traits.colors) + len(item.traits.labels) == 1 and not item.traits.rank
+    return tuple(free[:count]) if marked and len(looks) == 1 and len(free) >= count else ()
 
 
 def _item(item: Meaning, names: tuple[str, ...], scene: Scene) -> tuple[str, ...]:

@@ -321,10 +321,10 @@ def _extras(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     for index in range(max(count, len(labels), len(colors))):
         color = (colors[index % len(colors)],) if colors else ()
         label = (labels[index % len(labels)],) if labels else ()
-        thing = create(replace(noun.traits, labels=label, colors=color), scene, False)
+        thing = create(replace(noun.traits, labels=label, colors=color), scene, noun.head == "patch")
         thing.extra = True
         names.append(thing.name)
-    return Ref(names=tuple(names), det=noun.det, plural=len(names) > 1)
+    return Ref(names=tuple(names), patch=noun.head == "patch", det=noun.det, plural=len(names) > 1)
 
 
 def _alternatives(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:

@@ -59,6 +59,15 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
     elif claimed := _claim(noun, scene, scope, patch, count):
         chosen = claimed
     else:
+        if free and noun.det in ("bare", "some") and not scope.given and not patch and is_counted(noun):
+            raise refuse(
+                "count-mismatch",
+                f"there are only {len(free)} of these, but {count} are asked for",
+                noun.span,
+                f"ask for {len(free)}, or for others ('another {count}')",
+                there=len(free),
+                asked=count,
+            )
         scene.new_batch()
         chosen = _marked([create(noun.traits, scene, patch) for _ in range(count)], noun, scene, patch)
         for thing in chosen:
@@ -66,6 +75,11 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
     if not scope.given:
         scene.used.update(t.name for t in chosen)
     return tuple(t.name for t in chosen)
+
+
+def is_counted(noun: Noun) -> bool:
+    """Whether a phrase says how many of one colour or label there are."""
+    return noun.amount is not None and noun.amount.low > 0 and bool(noun.traits.colors or noun.traits.labels)
 
 
 def _claim(noun: Noun, scene: Scene, scope: Scope, patch: bool, count: int) -> list[Thing]:
@@ -185,10 +199,12 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
 
 def _shown_on(noun: Noun, scene: Scene) -> str | None:
     """ "rotate a block so that the letter ...": the letter is the one that the block just spoken of shows."""
-    last = scene.mentions[-1].ref.names if scene.mentions else ()
-    if noun.det != "the" or noun.traits.kind not in ("letter", "digit") or noun.traits.colors or len(last) != 1:
+    last = scene.mentions[-1] if scene.mentions else None
+    if noun.det != "the" or noun.traits.kind not in ("letter", "digit") or noun.traits.colors or noun.traits.labels:
         return None
-    thing = scene.things[last[0]]
+    if last is None or len(last.ref.names) != 1 or last.role == "landmark":
+        return None
+    thing = scene.things[last.ref.names[0]]
     if thing.patch or thing.label is not None or thing.kind is not None:
         return None
     thing.kind = noun.traits.kind

@@ -27,12 +27,14 @@ from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
 from rpg.steer.operations.move import move
 from rpg.steer.operations.order import group, reorder, trade
+from rpg.steer.operations.parts import part
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace, restyle
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.parse import Parsed, is_edit, parse
 from rpg.steer.refer import resolve
+from rpg.steer.parts import Part
 from rpg.steer.shape import same_structure
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
@@ -53,6 +55,9 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Kinds: mixed,
     r.Group: group,
 }
+    r.Some: some,
+    r.Turn: turn,
+    Part: part,
 KIND_OF = {"label": "letter", "number": "digit"}
 TRIES = 12
 """Readings of a request that are carried out in turn until one can be."""
@@ -131,7 +136,11 @@ def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
             draft.kept += resolve(draft.view, request.theme).names
     for request in requests:
         if not isinstance(request, r.Keep):
-            OPERATIONS[type(request)](draft, request)
+            try:
+                OPERATIONS[type(request)](draft, request)
+            except ValidationError as error:
+                told, hint = "this is more than the goal of a task can say", "say it as an instruction of its own"
+                raise draft.refusal("edit-unclear", told, request.span, hint) from error
     if requests and all(isinstance(request, r.Keep) for request in requests):
         draft.aim("EXTEND")
         draft.do(AddCondition(goal=Stayed(a=draft.kept)))

@@ -1,0 +1,171 @@
+"""How the blocks at a place of a figure look: its layers, rows and columns, its corners, its edge, its middle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+
+from rpg.blocks.figures import Cell, ideals, upright
+from rpg.blocks.predicates.pattern import reading_order
+from rpg.core.diagnostics import Refusal
+from rpg.ir.assets import Asset
+from rpg.ir.edits import SetField
+from rpg.ir.order import Order, Pattern
+from rpg.ir.structures import Cells, Figure, Grid, Pyramid, Staircase
+from rpg.steer.draft import Draft
+from rpg.steer.language import m
+from rpg.steer.operations.guard import check_new
+from rpg.steer.operations.make import describe
+from rpg.steer.operations.restyle import exchange
+from rpg.steer.parts import PLACE, Part
+from rpg.steer.view import Shape
+
+_FIRST = {"row": ("back", "front"), "column": ("left", "right"), "layer": ("bottom", "top")}
+_ALIAS = {"top": "back", "bottom": "front"}
+"""A grid on the table is seen like a page: its top row is the far one."""
+
+
+def part(draft: Draft, request: Part) -> None:
+    """Blocks at a place of the figure get another look; what stands elsewhere in it stays where it is."""
+    figure = _figure(draft)
+    if figure is None:
+        raise draft.refusal(
+            "edit-unclear", "it is not settled which block this is", request.place.span, "name its colour or letter"
+        )
+    node = figure.node
+    assert isinstance(node, Cells)
+    places = _places(node, request.place, len(figure.members))
+    if not places:
+        told, hint = "the structure has no such part", "name one of its layers, rows or corners, or its middle"
+        raise draft.refusal("no-such-object", told, request.place.span, hint)
+    check_new(request.look)
+    amount = request.look.amount
+    if amount is not None and amount.low != len(places) and not (amount.low == 1 and request.look.det == "a"):
+        told = f"this part has {len(places)} places, not {amount.low}"
+        raise draft.refusal("count-mismatch", told, request.look.span, f"say {len(places)}")
+    standing = _standing(draft, figure, node, request)
+    chosen = [standing[k] for k in places]
+    new: dict[str, Asset] = {}
+    for name, block in zip(chosen, describe(draft, request.look.traits, len(chosen)), strict=True):
+        new[name] = block.model_copy(update={"name": name, "size": draft.view.world.edge[name]})
+    draft.aim("TWEAK" if _plain(draft, chosen) and not request.look.traits.labels else "MODIFY")
+    draft.note("part", {"blocks": chosen})
+    names = exchange(draft, new, request.span)
+    members = [names.get(name, name) for name in standing]
+    looks = draft.view.world.look
+    ranks = tuple(tuple(run) for _, run in groupby(members, key=lambda name: looks[name]))
+    pattern = Pattern(kind="reading", order=Order(by="given", ranks=ranks)) if len(ranks) > 1 else None
+    draft.do(SetField(at=figure.path, field="pattern", value=pattern and pattern.model_dump()), request.span)
+    draft.look_at(tuple(names.values()))
+
+
+def _plain(draft: Draft, names: Sequence[str]) -> bool:
+    return all(draft.view.world.blocks[name].type == "ColoredCube" for name in names)
+
+
+def _figure(draft: Draft) -> Shape | None:
+    shapes = [shape for shape in draft.view.figures if isinstance(shape.node, Cells)]
+    recent = [shape for shape in shapes if set(shape.members) & set(draft.view.focus)]
+    return (recent or shapes or [None])[-1]  # type: ignore[list-item]
+
+
+def _standing(draft: Draft, figure: Shape, node: Cells, request: Part) -> list[str]:
+    """The block of each place as the figure is read; look-alikes stand anywhere among themselves."""
+    looks = {draft.view.world.look[name] for name in figure.members}
+    pattern = node.pattern
+    if len(looks) == 1:
+        return list(figure.members)
+    if pattern is not None and pattern.kind == "reading" and not pattern.upward and pattern.order.by == "given":
+        ranks = pattern.order.ranks
+        alike = all(len({draft.view.world.look[name] for name in rank}) == 1 for rank in ranks)
+        if alike and sum(map(len, ranks)) == len(figure.members):
+            return [name for rank in ranks for name in rank]
+    told = "the places of these blocks in the structure are free, so that it is not settled which one this is"
+    raise _unsettled(draft, told, request)
+
+
+def _unsettled(draft: Draft, told: str, request: Part) -> Refusal:
+    return draft.refusal("edit-unclear", told, request.span, "say the whole structure with the colours of its parts")
+
+
+def _places(node: Cells, place: PLACE, count: int) -> list[int]:
+    """The places that a part names, by their index as the figure is read; none where the figure has no such part."""
+    found = ideals(node, count)
+    if not found:
+        return []
+    cells = [found[0].cells[k] for k in reading_order(found[0].cells, False)]
+    height = 1 + max(cell.level for cell in cells)
+    unit, side = (place.unit, place.side) if isinstance(place, m.Places) else ("block", place.side)
+    index, several = place.index, place.several if isinstance(place, m.Places) else None
+    if unit == "row" and upright(node):
+        unit = "layer"
+    if unit == "block" and height > 1 and side in ("top", "bottom") and not isinstance(node, Staircase):
+        unit = "layer"
+    if unit in _FIRST:
+        return _line(node, cells, height, (unit, side, index, several))
+    if height > 1 and not (isinstance(node, Grid) and upright(node)):
+        return []
+    if height > 1:
+        cells = [cell._replace(row=height - 1 - cell.level, level=0) for cell in cells]
+    if unit == "cell" and isinstance(node, Grid):
+        return _cell(cells, side)
+    return _spots(node, cells, side, several) if unit == "block" else []
+
+
+def _cell(cells: Sequence[Cell], side: str) -> list[int]:
+    """The corner that two sides name: "top left"."""
+    along, across = side.split()
+    rows, columns = 1 + max(c.row for c in cells), 1 + max(c.column for c in cells)
+    corner = (0 if along in ("top", "back") else rows - 1, 0 if across == "left" else columns - 1)
+    return [k for k, cell in enumerate(cells) if (cell.row, cell.column) == corner]
+
+
+def _spots(node: Cells, cells: Sequence[Cell], side: str, several: int | None) -> list[int]:
+    """Corners, edge, inside and middle of a flat figure that has them in whichever direction it lies."""
+    if not (isinstance(node, Grid) or (isinstance(node, Figure) and node.shape in ("square", "plus", "X"))):
+        return []
+    rows, columns = 1 + max(c.row for c in cells), 1 + max(c.column for c in cells)
+    found = [k for k, cell in enumerate(cells) if _is_at(cell, {"outer": "edge"}.get(side, side), rows, columns)]
+    return found if len(found) < len(cells) and several in (None, len(found)) else []
+
+
+def _is_at(cell: Cell, side: str, rows: int, columns: int) -> bool:
+    ends = cell.row in (0, rows - 1), cell.column in (0, columns - 1)
+    match side:
+        case "corners":
+            return all(ends)
+        case "edge":
+            return any(ends)
+        case "inner":
+            return not any(ends)
+        case "middle":
+            return (2 * cell.row, 2 * cell.column) == (rows - 1, columns - 1)
+    return False
+
+
+def _line(node: Cells, cells: Sequence[Cell], height: int, part: tuple[str, str, int | None, int | None]) -> list[int]:
+    """The places of a row, a column or a layer, or of several."""
+    unit, side, index, several = part
+    if isinstance(node, Figure) or (isinstance(node, Pyramid | Staircase) and unit != "layer"):
+        return []
+    if (unit == "layer" and height < 2) or (unit == "row" and height > 1):
+        return []
+    lines: dict[int, list[int]] = {}
+    for k, cell in enumerate(cells):
+        lines.setdefault({"row": cell.row, "column": cell.column, "layer": cell.level}[unit], []).append(k)
+    ordered = [lines[n] for n in sorted(lines)]
+    first, last = _FIRST[unit]
+    side = _ALIAS.get(side, side) if unit == "row" else side
+    total, number = len(ordered), several or 1
+    ranges = {
+        first: range(number), "first": range((index or 1) - 1, (index or 1) - 1 + number),
+        last: range(total - number, total), "last": range(total - number, total),
+        "ends": (0, total - 1), "outer": (0, total - 1), "inner": range(1, total - 1),
+        "middle": range((total - number) // 2, (total + number) // 2) if (total - number) % 2 == 0 < total - number
+        else range(0),
+    }  # fmt: skip
+    wanted = list(ranges.get(side, ()))
+    if unit == "layer" and side in ("first", "last") and isinstance(node, Pyramid | Grid):
+        wanted = wanted if side == "last" or index is not None else []
+    inside = bool(wanted) and min(wanted) >= 0 and max(wanted) < total
+    return sorted(k for n in wanted for k in ordered[n]) if inside else []

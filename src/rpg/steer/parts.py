@@ -1,0 +1,53 @@
+"""Requests about places in a figure: "the top layer should be red", "the block in the centre", "a red one in each
+corner"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rpg.language.grammar.parts import part, part_statement
+from rpg.steer import requests as r
+from rpg.steer.language import Parser, lexicon, longest, m, noun_phrase
+
+PLACE = m.At | m.Places
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Part(r.Request):
+    """Blocks of this look stand at a place of a figure, in the stead of those that do."""
+
+    place: PLACE
+    look: m.Noun
+
+
+_LEADS = "make | have | with | let | paint | color | colour | turn | i want | put | use | change | now with | place"
+_IS = (
+    "should be | must be | should become | becomes | is to be | are to be | has to be | have to be | needs to be | "
+    "to | be | should all be | should be made of | should now be | into | in | to be | is | are"
+)
+
+
+def parts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Every way to say how a part of a figure should look."""
+    j = longest(p, i, _LEADS) or i
+    for found, k in part_statement(p, j):
+        place = found.adjuncts[0]
+        if isinstance(found.theme, m.Noun) and isinstance(place, PLACE):
+            yield Part(place=place, look=found.theme, span=p.span(i, k), cost=1), k
+    for place, k in _block_at(p, j):
+        for look, end in noun_phrase(p, longest(p, k, _IS) or k):
+            if isinstance(look, m.Noun) and (look.traits.colors or look.traits.labels) and look.det != "the":
+                yield Part(place=place, look=look, span=p.span(i, end)), end
+
+
+def _block_at(p: Parser, i: int) -> Iterator[tuple[PLACE, int]]:
+    """Phrases such as "the block in the centre", "the ones at the corners"."""
+    j = longest(p, i, "the | its | the one")
+    plural = p.lex(j, lexicon.BLOCK) if j and j < p.end else None
+    if plural is None and j and p.words[j : j + 1] not in (["one"], ["ones"]):
+        return
+    n = longest(p, j + 1, "in | at | on | of") if j else 0
+    for place, k in part(p, n, "block") if n else ():
+        if isinstance(place, PLACE):
+            yield place, k

@@ -35,7 +35,7 @@ def test_every_predicate_has_a_clause() -> None:
         (g.On(a="blue_block", b="A_block"), "the blue block is on the A block"),
         (g.Not(goal=g.On(a="blue_block", b="A_block")), "the blue block is not on the A block"),
         (g.Not(goal=g.Touching(a=RED, b="A_block")), "the three red blocks do not touch the A block"),
-        (g.OnPatch(a=RED[:2], patch="green_patch"), "two of the three red blocks are on the green patch"),
+        (g.OnPatch(a=RED[:2], patch="green_patch"), "two red blocks are on the green patch"),
         (
             g.Distance(a="blue_block", b="A_block", minimum=0.11, maximum=0.13),
             "the blue block is 12 cm from the A block",
@@ -64,7 +64,7 @@ def test_clauses(goal: g.Goal, text: str) -> None:
 
 def test_look_alikes_are_told_apart_as_they_are_mentioned() -> None:
     goal = g.All(goals=(g.On(a=RED[0], b="blue_block"), g.On(a=RED[1], b="A_block"), g.OnTable(a=RED[2])))
-    said = "one of the three red blocks is on the blue block, another red block is on the A block"
+    said = "a red block is on the blue block, another red block is on the A block"
     assert clause(goal, WORLD) == f"{said} and the other red block is on the table"
 
 

@@ -5,6 +5,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeVar
+
 from rpg.blocks.english.goals import sentences, spoken
 from rpg.blocks.english.scene import objects, starts
 from rpg.blocks.english.speaker import Inexpressible, Speaker
@@ -15,43 +18,35 @@ from rpg.ir.schema import TaskSchema
 __all__ = ["Inexpressible", "clause", "describe", "describe_goal"]
 
 
+T = TypeVar("T")
+
+
 def clause(goal: g.Goal, world: World) -> str:
     """A goal as one clause: "the red block is on the yellow block". Look-alikes are told apart by number if need be."""
-    try:
-        return spoken(goal, Speaker(world))
-    except Inexpressible:
-        return spoken(goal, _numbered(world))
+    return _said(lambda say: spoken(goal, say), world)
 
 
 def describe_goal(schema: TaskSchema) -> str:
     """What a task asks for, as sentences."""
-    world = World(schema.assets)
-    try:
-        said = sentences(schema.goal, Speaker(world, modal="must"))
-    except Inexpressible:
-        said = sentences(schema.goal, _numbered(world, modal="must"))
-    return " ".join(f"{sentence}." for sentence in said)
+    return _text(_said(lambda say: sentences(schema.goal, say), World(schema.assets), "must"))
 
 
 def describe(schema: TaskSchema) -> str:
     """A task as one paragraph: what there is, how it starts, what it asks for."""
     world = World(schema.assets)
-    for say in (Speaker(world, modal="must"), _numbered(world, modal="must")):
+    there = objects(schema, Speaker(world))
+    return _text([*there, *_said(lambda say: [*starts(schema, say), *sentences(schema.goal, say)], world, "must")])
+
+
+def _text(said: list[str]) -> str:
+    return " ".join(f"{sentence}." for sentence in said)
+
+
+def _said(tell: Callable[[Speaker], T], world: World, modal: str = "") -> T:
+    """What `tell` says; blocks that it cannot tell apart otherwise have numbers."""
+    numbered: frozenset[str] = frozenset()
+    while True:
         try:
-            said = [*objects(schema, Speaker(world)), *starts(schema, say), *sentences(schema.goal, say)]
-        except Inexpressible:
-            continue
-        return " ".join(f"{sentence}." for sentence in said)
-    raise AssertionError("numbered blocks are always told apart")
-
-
-def _numbered(world: World, modal: str = "") -> Speaker:
-    """A speaker that calls look-alikes "red block 1", "red block 2"."""
-    say = Speaker(world, modal=modal)
-    groups: dict[str, list[str]] = {}
-    for name in world.assets:
-        groups.setdefault(say.noun(name), []).append(name)
-    for noun, names in groups.items():
-        if len(names) > 1:
-            say.aliases.update({name: f"{noun} {i}" for i, name in enumerate(names, start=1)})
-    return say
+            return tell(Speaker(world, modal=modal, numbered=numbered))
+        except Inexpressible as failure:
+            numbered |= {failure.noun}

@@ -9,6 +9,8 @@ from rpg.blocks.english import relations, structures
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import goal as g
+from rpg.ir.node import EACH
+from rpg.ir.walk import names, rename
 
 CLAUSES: dict[str, Callable[[Any, Speaker], str]] = {**relations.TABLE, **structures.TABLE}
 """A clause for each kind of atom."""
@@ -20,17 +22,43 @@ def spoken(goal: g.Goal, say: Speaker) -> str:
     match goal:
         case g.All():
             return join([spoken(part, say) for part in goal.goals])
+        case g.Any() if (counted := _any_of(goal)) is not None:
+            return spoken(counted, say)
         case g.Any():
-            return " or ".join(spoken(part, say) for part in goal.goals)
+            with say.strictly():
+                return _alternatives([spoken(part, say) for part in goal.goals], goal.goals)
         case g.Not():
-            return _negated(goal.goal, say)
+            with say.strictly():
+                return _negated(goal.goal, say)
         case g.Count():
-            return _counted(goal, say)
+            with say.strictly():
+                return _counted(goal, say)
         case g.Sequence():
             return ", then ".join(spoken(stage.goal, say) for stage in goal.stages)
         case g.Always():
-            return f"{spoken(goal.goal, say)} at all times"
+            with say.strictly(), say.at_all_times():
+                return spoken(goal.goal, say)
     return CLAUSES[goal.kind](goal, say)
+
+
+def _any_of(goal: g.Any) -> g.Count | None:
+    """Alternatives that say the same of several blocks, as "at least one of"."""
+    first, *others = goal.goals
+    for name in names(first):
+        over = [name]
+        for other in others:
+            fits = [n for n in names(other) if n not in over and rename(first, {name: n}) == other]
+            over += fits[:1]
+        if len(over) == len(goal.goals) > 1 and not set(over[1:]) & set(names(first)):
+            return g.Count(over=tuple(over), at_least=1, goal=rename(first, {name: EACH}))
+    return None
+
+
+def _alternatives(said: list[str], goals: tuple[g.Goal, ...]) -> str:
+    """ "A or B", and "either A and B, or C and D" where one of them has parts."""
+    if any(isinstance(goal, g.All) and len(goal.goals) > 1 for goal in goals):
+        return f"either {', or '.join(said)}"
+    return " or ".join(said)
 
 
 def sentences(goal: g.Goal, say: Speaker) -> list[str]:
@@ -54,7 +82,7 @@ def _negated(goal: g.Goal, say: Speaker) -> str:
         case g.Any():
             return join([_negated(part, say) for part in goal.goals])
         case g.All():
-            return " or ".join(_negated(part, say) for part in goal.goals)
+            return _alternatives([_negated(part, say) for part in goal.goals], ())
     say.negated = not say.negated
     text = spoken(goal, say)
     say.negated = not say.negated

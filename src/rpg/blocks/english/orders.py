@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.blocks.english.speaker import Speaker
+from rpg.blocks.nouns import join
 from rpg.ir.order import Attribute, Order, Pattern, Side
 
 TO: dict[Side, Side] = {
@@ -24,7 +25,7 @@ def from_to(first: Side | None) -> str:
 
 
 def ordered(order: Order, say: Speaker) -> str:
-    """An order with its direction, as it follows "in a row" or "in a stack"."""
+    """An order with its direction, as it follows "in a stack"."""
     way = from_to(order.first)
     match order.by:
         case "any":
@@ -47,6 +48,12 @@ def ordered(order: Order, say: Speaker) -> str:
             return f"{way} with blocks of the same {ATTRIBUTES[order.attribute]} next to each other"
 
 
+def along(order: Order, say: Speaker) -> str:
+    """An order along a line on the table, which may have its beginning at either end."""
+    free = order.first is None and order.by in ("given", "label", "number", "rainbow", "size")
+    return ordered(order, say) + (" in either direction" if free else "")
+
+
 def _values(attribute: Attribute) -> str:
     return {"color": "colors", "kind": "kinds", "label": "labels", "size": "sizes"}.get(
         attribute, ATTRIBUTES[attribute]
@@ -66,27 +73,45 @@ def _at_the_ends(order: Order, say: Speaker) -> str:
         return ""
     if len(order.ranks) == 3 and free != [1]:
         return ""
+    if any(len(rank) == 1 and not say.unique(rank[0]) for rank in order.ranks):
+        return ""
     ends = [(order.ranks[0], order.first), (order.ranks[-1], TO[order.first])]
     told = [f"{say.the(rank)} {PLACES[side]}" for rank, side in ends if len(rank) == 1]
     return f" with {' and '.join(told)}"
 
 
 def _ranks(order: Order, say: Speaker) -> str:
-    if order.match == "name":
-        return ", then ".join(say.the(rank) for rank in order.ranks)
-    if all(len(rank) == 1 for rank in order.ranks):
-        return ", ".join(say.one(rank[0]) for rank in order.ranks)
-    return ", then ".join(say.the(rank) for rank in order.ranks)
+    """ "red, blue, red", "the red block, the A block", "a red block, then two blue blocks"."""
+    single = all(len(rank) == 1 for rank in order.ranks)
+    if single and order.match == "look" and (short := say.short(rank[0] for rank in order.ranks)):
+        return ", ".join(short)
+    joint = ", " if single else ", then "
+    return joint.join(_rank(rank, order.match == "name", say) for rank in order.ranks)
 
 
-def patterned(pattern: Pattern | None, say: Speaker) -> str:
-    """A pattern, as it follows the figure's noun."""
+def _rank(rank: tuple[str, ...], by_name: bool, say: Speaker) -> str:
+    parts = [say.the(rank)] if by_name or all(map(say.unique, rank)) else say.like(rank)
+    mixed = len(rank) > 1 and (by_name or len({say.noun(name) for name in rank}) > 1)
+    return join(parts) + (" in no fixed order" if mixed else "")
+
+
+def patterned(pattern: Pattern | None, say: Speaker, *, upright: bool = False) -> str:
+    """A pattern, as it follows the figure's noun; `upright`: the figure has layers."""
     if pattern is None:
         return ""
     match pattern.kind:
         case "checkerboard":
             return " in a checkerboard pattern"
         case "reading":
-            return ordered(pattern.order, say)
+            return _reading(pattern, upright, say)
         case line:
             return f" where each {line} has a different {ATTRIBUTES[pattern.attribute]}"
+
+
+def _reading(pattern: Pattern, upright: bool, say: Speaker) -> str:
+    """How cells are filled one after the other, as a page is read."""
+    order = pattern.order
+    if order.by == "any":
+        return ""
+    way = " from bottom to top" if pattern.upward else " from top to bottom" if upright else " row by row"
+    return f"{way}{ordered(order, say)}"

@@ -7,6 +7,7 @@ from typing import Any
 from rpg.blocks.english.measures import cm, span
 from rpg.blocks.english.speaker import Speaker
 from rpg.ir import relations as r
+from rpg.ir.node import Highest, Lowest, Operand, members
 
 DIRECTIONS = {
     "left_of": "to the left of",
@@ -70,39 +71,66 @@ def directional(node: r.Directional, say: Speaker) -> str:
 
 
 def beside(node: r.Beside, say: Speaker) -> str:
-    return f"{say.the(node.a)} {say.be(node.a)} next to {say.the(node.b)}"
+    return _mutual(node, say, "next to")
 
 
 def adjacent(node: r.Adjacent, say: Speaker) -> str:
-    return f"{say.the(node.a)} {say.be(node.a)} adjacent to {say.the(node.b)}"
+    return _mutual(node, say, "adjacent to")
 
 
 def touching(node: r.Touching, say: Speaker) -> str:
+    if (both := _look_alikes(node.a, node.b, say)) is not None:
+        return f"{say.the(both)} {say.do(both, 'touch', 'touches')} each other"
     return f"{say.the(node.a)} {say.do(node.a, 'touch', 'touches')} {say.the(node.b)}"
 
 
 def near(node: r.Near, say: Speaker) -> str:
     if node.distance != 0.10:
-        return f"{say.the(node.a)} {say.be(node.a)} at most {cm(node.distance)} from {say.the(node.b)}"
-    return f"{say.the(node.a)} {say.be(node.a)} near {say.the(node.b)}"
+        return _far(node, say, f"at most {cm(node.distance)}")
+    return _mutual(node, say, "near")
 
 
 def apart(node: r.Apart, say: Speaker) -> str:
     if node.distance != 0.10:
-        return f"{say.the(node.a)} {say.be(node.a)} at least {cm(node.distance)} from {say.the(node.b)}"
+        return _far(node, say, f"at least {cm(node.distance)}")
+    if (both := _look_alikes(node.a, node.b, say)) is not None:
+        return f"{say.the(both)} {say.be(both)} apart from each other"
     return f"{say.the(node.a)} {say.be(node.a)} apart from {say.the(node.b)}"
 
 
 def distance(node: r.Distance, say: Speaker) -> str:
     length = span(node.minimum, node.maximum)
     if node.measure == "faces":
-        ends = f"between {say.the(node.a)} and {say.the(node.b)}"
-        return f"there {say.be('gap')} a gap of {length} {ends}"
+        both = _look_alikes(node.a, node.b, say)
+        ends = say.the(both) if both is not None else f"{say.the(node.a)} and {say.the(node.b)}"
+        return f"there {say.be('gap')} a gap of {length} between {ends}"
+    return _far(node, say, length)
+
+
+def _far(node: r.Near | r.Apart | r.Distance, say: Speaker, length: str) -> str:
+    if (both := _look_alikes(node.a, node.b, say)) is not None:
+        return f"{say.the(both)} {say.be(both)} {length} apart"
     return f"{say.the(node.a)} {say.be(node.a)} {length} from {say.the(node.b)}"
 
 
+def _mutual(node: r.Beside | r.Adjacent | r.Near, say: Speaker, how: str) -> str:
+    if (both := _look_alikes(node.a, node.b, say)) is not None:
+        return f"{say.the(both)} {say.be(both)} {how} each other"
+    return f"{say.the(node.a)} {say.be(node.a)} {how} {say.the(node.b)}"
+
+
+def _look_alikes(a: Operand, b: Operand, say: Speaker) -> tuple[str, ...] | None:
+    """Two single blocks as one pair, where they look alike and need no numbers."""
+    both = (*members(a), *members(b))
+    single = not isinstance(a, Lowest | Highest) and not isinstance(b, Lowest | Highest) and len(both) == 2
+    return both if single and say.alike(both) else None
+
+
 def between(node: r.Between, say: Speaker) -> str:
-    return f"{say.the(node.a)} {say.be(node.a)} between {say.the(node.b)} and {say.the(node.c)}"
+    subject = f"{say.the(node.a)} {say.be(node.a)}"
+    if (both := _look_alikes(node.b, node.c, say)) is not None:
+        return f"{subject} between {say.the(both)}"
+    return f"{subject} between {say.the(node.b)} and {say.the(node.c)}"
 
 
 def in_region(node: r.InRegion, say: Speaker) -> str:

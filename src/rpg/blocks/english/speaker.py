@@ -12,11 +12,16 @@ from rpg.blocks.state import World
 from rpg.ir.node import Highest, Lowest, Operand, members
 
 _COLOR = re.compile(r"[a-z]+ block")
+_SYMBOL = re.compile(r"[A-Z0-9] block")
 _LABEL = re.compile(r"[-A-Z0-9+*/=] block")
 
 
 class Inexpressible(Exception):
-    """A goal that refers to look-alike blocks in a way that no short phrase tells apart."""
+    """A goal that refers to look-alike blocks in a way that no short phrase tells apart: which `noun` needs numbers."""
+
+    def __init__(self, noun: str) -> None:
+        super().__init__(f"which of the {_plural(noun)} is meant?")
+        self.noun = noun
 
 
 @dataclass
@@ -24,32 +29,42 @@ class Speaker:
     """Speaks of one task. `modal` "must" makes goals of statements ("must be"), "" leaves them ("is").
 
     `aliases` are phrases for names that stand for something else (the counted block of a `Count`), some of them
-    `plural`. `known` are the sets of look-alikes spoken of already, which "the other one" and "another" lean on.
-    `figures`: what structures are called, by their blocks, where the text has spoken of them.
+    `plural`. `numbered`: look-alikes that are told apart by number, "red block 1". `known` are the sets of look-alikes
+    spoken of already, which "the other one" and "another" lean on; where `exact`, such a phrase would say too little
+    (in what is denied, counted or always so). `figures`: what structures are called, by their blocks, where the text
+    has spoken of them. `always`: statements are of every moment, "must never touch".
     """
 
     world: World
     modal: str = ""
     negated: bool = False
     aliases: dict[str, str] = field(default_factory=dict)
+    numbered: frozenset[str] = frozenset()
+    exact: bool = False
+    always: bool = False
     plural: set[str] = field(default_factory=set)
     known: list[frozenset[str]] = field(default_factory=list)
     figures: dict[frozenset[str], str] = field(default_factory=dict)
 
     def be(self, operand: Operand | str) -> str:
         """The form of "to be" that agrees with `operand`."""
-        if self.modal:
-            return f"{self.modal} not be" if self.negated else f"{self.modal} be"
         verb = "is" if self.single(operand) else "are"
-        return f"{verb} not" if self.negated else verb
+        adverb = self._adverb()
+        return f"{self.modal}{adverb} be" if self.modal else f"{verb}{adverb}"
 
     def do(self, operand: Operand | str, many: str, one: str) -> str:
         """The form of another verb: `do(a, "touch", "touches")`."""
+        adverb = self._adverb()
         if self.modal:
-            return f"{self.modal} not {many}" if self.negated else f"{self.modal} {many}"
-        if self.negated:
+            return f"{self.modal}{adverb} {many}"
+        if self.negated and not self.always:
             return f"does not {many}" if self.single(operand) else f"do not {many}"
-        return one if self.single(operand) else many
+        return f"{adverb} {one if self.single(operand) else many}".strip()
+
+    def _adverb(self) -> str:
+        if self.always:
+            return " never" if self.negated else " always"
+        return " not" if self.negated else ""
 
     def single(self, operand: Operand | str) -> bool:
         """Whether the phrase for `operand` is singular."""
@@ -64,6 +79,20 @@ class Speaker:
         yield
         self.modal = before
 
+    @contextmanager
+    def strictly(self) -> Iterator[None]:
+        """No "a red block" for one of several for a while."""
+        before, self.exact = self.exact, True
+        yield
+        self.exact = before
+
+    @contextmanager
+    def at_all_times(self) -> Iterator[None]:
+        """Statements of every moment for a while."""
+        self.always = True
+        yield
+        self.always = False
+
     def the(self, operand: Operand | str) -> str:
         """A noun phrase for one or several objects, for a tower or for what tops it."""
         if isinstance(operand, Lowest | Highest):
@@ -71,10 +100,15 @@ class Speaker:
             return known or f"the tower of {self._listed(members(operand))}"
         return self._listed(members(operand))
 
-    def one(self, name: str) -> str:
-        """One object, whichever of those that look like it: "the blue block", "a red block"."""
-        noun = self.noun(name)
-        return f"the {noun}" if len(self._alike(noun)) == 1 else f"{_article(noun)} {noun}"
+    def like(self, names: Iterable[str]) -> list[str]:
+        """Blocks by their look alone: "a red block", "two blue blocks", "the green block" where all such are meant."""
+        groups: dict[str, int] = {}
+        for name in names:
+            groups[self.noun(name)] = groups.get(self.noun(name), 0) + 1
+        return [
+            self._whole(noun, count) if count == len(self._alike(noun)) else _some(noun, count)
+            for noun, count in groups.items()
+        ]
 
     def some(self, names: Iterable[str]) -> list[str]:
         """The objects as if never heard of: "a red block", "two blue blocks"."""
@@ -82,11 +116,26 @@ class Speaker:
         for name in names:
             noun = self.noun(name)
             counts[noun] = counts.get(noun, 0) + 1
-        return [f"{_article(n)} {n}" if k == 1 else f"{number(k)} {_plural(n)}" for n, k in counts.items()]
+        return [_some(noun, count) for noun, count in counts.items()]
 
     def noun(self, name: str) -> str:
         """What a block or patch is called without an article."""
         return self.aliases.get(name) or bare(name, self.world)
+
+    def alike(self, names: Iterable[str]) -> bool:
+        """Whether objects are called the same, and one of them is not told from another by a number."""
+        nouns = {self.noun(name) for name in names}
+        return len(nouns) == 1 and (nouns.isdisjoint(self.numbered) or len(self._alike(min(nouns))) == 2)
+
+    def short(self, names: Iterable[str]) -> list[str]:
+        """The colors or symbols alone, where they tell all there is to the looks of the blocks; else nothing."""
+        nouns = [self.noun(name) for name in names]
+        plain = any(all(form.fullmatch(noun) for noun in nouns) for form in (_COLOR, _SYMBOL))
+        return [noun.removesuffix(" block") for noun in nouns] if plain else []
+
+    def unique(self, name: str) -> bool:
+        """Whether no other object is called so."""
+        return len(self._alike(self.noun(name))) == 1
 
     def _listed(self, names: tuple[str, ...]) -> str:
         parts: dict[str, list[str]] = {}
@@ -107,23 +156,31 @@ class Speaker:
         if names[0] in self.aliases:
             return self.aliases[names[0]]
         alike = self._alike(noun)
-        count = len(names)
-        if count == len(alike):
-            return f"the {noun}" if count == 1 else f"the {number(count)} {_plural(noun)}"
+        if len(names) == len(alike):
+            return self._whole(noun, len(names))
+        if noun in self.numbered:
+            return join([f"{noun} {alike.index(name) + 1}" for name in names])
         return self._part(noun, frozenset(names), alike)
 
+    def _whole(self, noun: str, count: int) -> str:
+        return f"the {noun}" if count == 1 else f"the {number(count)} {_plural(noun)}"
+
     def _part(self, noun: str, chosen: frozenset[str], alike: list[str]) -> str:
-        """Some of several look-alikes: "one of the three red blocks", "another red block", "the other two"."""
+        """Some of several look-alikes: "a red block", "another red block", "the other two red blocks"."""
         spoken = [known for known in self.known if known <= set(alike)]
-        if chosen in spoken or any(chosen & known for known in spoken):
-            raise Inexpressible(f"which of the {_plural(noun)} is meant?")
+        if self.exact or any(chosen & known for known in spoken):
+            raise Inexpressible(noun)
         self.known.append(chosen)
         count, left = len(chosen), len(alike) - sum(len(known) for known in spoken)
         if not spoken:
-            return f"{number(count)} of the {number(len(alike))} {_plural(noun)}"
+            return _some(noun, count)
         if left == count:
             return f"the other {noun}" if count == 1 else f"the other {number(count)} {_plural(noun)}"
         return f"another {noun}" if count == 1 else f"another {number(count)} {_plural(noun)}"
+
+
+def _some(noun: str, count: int) -> str:
+    return f"{_article(noun)} {noun}" if count == 1 else f"{number(count)} {_plural(noun)}"
 
 
 def _plural(noun: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rpg.blocks.english.measures import cm
-from rpg.blocks.english.orders import ATTRIBUTES, ordered, patterned
+from rpg.blocks.english.orders import ATTRIBUTES, along, ordered, patterned
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import structures as s
@@ -37,7 +37,7 @@ def _upward(node: s.Stack) -> Any:
 def towers(node: s.Towers, say: Speaker) -> str:
     what = f"{number(node.count)} towers" if node.count else "towers"
     if node.heights:
-        what = join([f"a tower of {number(height)}" for height in node.heights])
+        what = join([_tall(height, node.heights.count(height)) for height in dict.fromkeys(node.heights)])
     what += " of equal height" if node.equal else ""
     if node.each:
         own = "a different" if node.separate else "a single"
@@ -46,9 +46,13 @@ def towers(node: s.Towers, say: Speaker) -> str:
     return _form(node, say, what)
 
 
+def _tall(height: int, count: int) -> str:
+    return f"{number(count)} towers of {number(height)}" if count > 1 else f"a tower of {number(height)}"
+
+
 def row(node: s.Row, say: Speaker) -> str:
     kind = {"x": "in a column on the table", "y": "in a row", None: "in a line"}[node.axis]
-    order = ordered(node.order, say)
+    order = along(node.order, say)
     space = " without gaps" if node.touching else ""
     space += f" with {cm(node.spacing)} between centers" if node.spacing is not None else ""
     space += f" with gaps of {cm(node.gap)}" if node.gap is not None else ""
@@ -63,7 +67,7 @@ def grid(node: s.Grid, say: Speaker) -> str:
         what = f"a {node.rows}x{node.columns}x{node.layers} cube"
     else:
         what = f"a grid of {number(node.rows)} rows and {number(node.columns)} columns"
-    return _form(node, say, what + patterned(node.pattern, say))
+    return _form(node, say, what + patterned(node.pattern, say, upright=node.layers > 1))
 
 
 def pyramid(node: s.Pyramid, say: Speaker) -> str:
@@ -71,12 +75,13 @@ def pyramid(node: s.Pyramid, say: Speaker) -> str:
     base = f"{long}x{deep} base" if deep > 1 else f"base of {number(long)} blocks"
     other = any(blocks != frozenset(node.blocks) for blocks in say.figures)
     say.figures[frozenset(node.blocks)] = "" if other else "the pyramid"
-    return _form(node, say, f"a pyramid with a {base}{patterned(node.pattern, say)}")
+    return _form(node, say, f"a pyramid with a {base}{patterned(node.pattern, say, upright=True)}")
 
 
 def staircase(node: s.Staircase, say: Speaker) -> str:
     way = f" going up {WAY[node.up]}" if node.up else ""
-    return _form(node, say, f"a staircase of {number(node.steps)} steps{way}{patterned(node.pattern, say)}")
+    what = f"a staircase of {number(node.steps)} steps{way}"
+    return _form(node, say, what + patterned(node.pattern, say, upright=True))
 
 
 def figure(node: s.Figure, say: Speaker) -> str:
@@ -112,7 +117,10 @@ def _which(index: int) -> str:
 def spells(node: s.Spells, say: Speaker) -> str:
     way = " from top to bottom in a tower" if node.along == "stack" else ""
     way = {"row": " backwards", "stack": " from bottom to top in a tower"}[node.along] if node.reverse else way
-    return f"{say.the(node.blocks)} {say.do(node.blocks, 'spell', 'spells')} the word {node.word}{way}"
+    what, verb = "word", say.do(node.blocks, "spell", "spells")
+    if node.word.isdigit():
+        what, verb = "number", say.do(node.blocks, "form", "forms")
+    return f"{say.the(node.blocks)} {verb} the {what} {node.word}{way}"
 
 
 def equation(node: s.Equation, say: Speaker) -> str:

@@ -12,7 +12,7 @@ from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
 from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
-from rpg.language.meaning import Chain, Clause, Meaning, Structure
+from rpg.language.meaning import Chain, Clause, Loc, Meaning, Structure
 
 _LEADS = (
     ("after", "then"), ("once", "then"), ("as soon as", "then"), ("when", "then"), ("before", "before"),
@@ -35,10 +35,26 @@ def chain(p: Parser, i: int) -> Results[Chain]:
                     links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
                     yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
     if j := p.one(i, "either"):
+        if joined := list(_alternatives(p, j, ())):
+            yield from joined
+            return
         yield from ((found, k) for found, k in chain(p, j) if "or" in found.links)
     for first, j in clause(p, i):
         yield Chain(clauses=(first,), links=("and",), span=p.span(i, j)), j
         yield from _more(p, i, (first,), ("and",), j)
+
+
+def _alternatives(p: Parser, i: int, had: tuple[Chain, ...]) -> Results[Chain]:
+    """ "either A and B, or C and D": the clauses of each side belong together."""
+    for part, j in chain(p, i):
+        if set(part.links) != {"and"} or any(p.words[at : at + 2] == [",", "and"] for at in range(i, j)):
+            continue
+        found = (*had, part)
+        if k := p.seq(j, ", or"):
+            yield from _alternatives(p, k, found)
+        if len(found) > 1 and any(len(side.clauses) > 1 for side in found):
+            links = ("and", *("or" for _ in had))
+            yield Chain(clauses=found, links=links, span=p.span(i, j)), j
 
 
 def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
@@ -53,8 +69,12 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, "and"), k)
+    if isinstance(had[-1], Clause) and had[-1].negated:
+        yield from _not_until(p, i, had, links, at)
     for link, j in _link(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
+        if previous is not None and previous.negated and link in ("before", "after"):
+            continue
         items = [
             *clause(p, j),
             *(carried_on(p, j, previous) if previous is not None else ()),
@@ -85,6 +105,20 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 whole = (*had, item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
+
+
+def _not_until(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
+    """ "do not put red on blue until green is on the mat": afterwards it is put there."""
+    *before, last = had
+    if not isinstance(last, Clause) or last.verb not in ("place", "stack") or last.mode != "command":
+        return
+    if not all(isinstance(a, Loc) and a.landmark is not None for a in last.adjuncts) or not last.adjuncts:
+        return
+    j = p.any_of(p.opt(at, ","), ("until", "before", "until after", "unless and until"))
+    for item, k in [*clause(p, j), *gerund_single(p, j)] if j else ():
+        if isinstance(item, Clause) and not item.negated:
+            whole = (*before, replace(last, negated=False), item)
+            yield Chain(clauses=whole, links=(*links, "after"), span=p.span(i, k)), k
 
 
 def _told_again(before: Clause, item: Meaning) -> Clause | None:

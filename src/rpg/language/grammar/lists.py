@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rpg.language.grammar.adjectives import color
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
@@ -37,6 +39,26 @@ def _colors(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         at = p.opt(at, ",", "-")
         at = p.any_of(at, ("and then", "and", "then", "to", "followed by")) or at
     yield from reversed(readings)
+
+
+@rule
+def ranks(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """ "a green and two blue blocks in no fixed order, then the white block": places of an order, some shared."""
+    for items, shared, j in _ranks(p, i):
+        if shared:
+            yield items, j
+
+
+def _ranks(p: Parser, i: int) -> Iterator[tuple[tuple[Meaning, ...], bool, int]]:
+    from rpg.language.grammar.nouns import noun_phrase
+
+    for item, j in noun_phrase(p, i):
+        shared = p.seq(j, "in no fixed order")
+        end = shared or j
+        yield (item,), bool(shared), end
+        k = p.any_of(end, (", then", "then"))
+        for rest, also, last in _ranks(p, k) if k else ():
+            yield (item, *rest), bool(shared) or also, last
 
 
 def _more(p: Parser, items: tuple[Meaning, ...], at: int) -> Results[tuple[Meaning, ...]]:

@@ -137,6 +137,8 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("regardless of order", "any", {}), (", in whatever order", "any", {}),
     ("so that the colors alternate between", "alternating", {}), ("so that the colors are together", "by_color", {}),
     ("with each color together", "by_color", {}), ("so that same colors are adjacent", "by_color", {}),
+    ("in either direction", "either", {}), (", in either direction", "either", {}), ("either way round", "either", {}),
+    (", either way round", "either", {}),
     ("in no particular order", "any", {}), ("in reverse order", "reverse", {}), ("in reverse", "reverse", {}),
     ("in that order", "given", {}), ("in this order", "given", {}), ("in the order given", "given", {}),
     ("in order", "in_order", {}),

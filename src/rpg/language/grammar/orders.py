@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.alternation import alternation
 from rpg.language.grammar.amounts import makes_number
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import run
-from rpg.language.grammar.lists import listed
+from rpg.language.grammar.lists import listed, ranks
 from rpg.language.grammar.order_phrases import NAMED
 from rpg.language.grammar.patterns import pattern, spacing
 from rpg.language.grammar.sides import toward
@@ -26,7 +27,7 @@ _NAMED["into"] = [entry for entry in NAMED if entry[0].split()[0] in ("in", "int
 @rule
 def order(p: Parser, i: int) -> Results[Meaning]:
     """An order, a direction, a pattern, a spacing."""
-    j = p.one(i, _LEADS) or i
+    j = p.one(i, _LEADS) or p.seq(i, "row by row") or i
     for start in {i: None, j: None}:
         for phrase, by, extra in _NAMED.get(p.words[start], ()):
             into = phrase.startswith("in ") and p.words[start] == "into"
@@ -39,37 +40,8 @@ def order(p: Parser, i: int) -> Results[Meaning]:
         yield from temporal(p, start)
     yield from pattern(p, i)
     yield from spacing(p, i)
-    yield from _alternating(p, i)
+    yield from alternation(p, i)
     yield from _toward_list(p, i)
-
-
-def _alternating(p: Parser, i: int) -> Results[Meaning]:
-    """ "alternating red and white", "alternating between red and blue blocks"."""
-    j = p.any_of(
-        i,
-        (
-            "alternating between",
-            "whose colors alternate between",
-            "with colors alternating between",
-            "with alternating colors",
-            "in alternating colors ,",
-            "so that the colors alternate between",
-            "alternating",
-            "alternately",
-            "alternately in",
-            "with alternating",
-            "of alternating",
-            "that alternate between",
-            "which alternate between",
-            "switching between",
-        ),
-    )
-    for items, k in listed(p, j) if j else ():
-        k = p.opt(k, "blocks", "cubes", "ones")
-        yield OrderBy(by="alternating", items=items, span=p.span(i, k)), k
-    for items, k in listed(p, i):
-        if end := p.any_of(k, ("alternating", "in alternation", "alternately")):
-            yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
 
 
 @rule
@@ -145,6 +117,7 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
     j = p.opt(j, "first") if p.words[j : j + 1] == ["first"] else j
     j = p.opt(j, "from") if p.words[j : j + 1] == ["from"] and j + 1 < p.end and p.words[j + 1] in lexicon.COLOR else j
     yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in listed(p, j))
+    yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in ranks(p, j))
 
 
 def _run(p: Parser, i: int) -> Results[Meaning]:

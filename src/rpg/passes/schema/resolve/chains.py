@@ -25,6 +25,9 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     chain = in_that_order(chain)
     stages: list[Goals] = [[]]
     for link, clause in _given_first(chain):
+        if isinstance(clause, Chain):
+            _append(stages, link, [conj(chain_goals(clause, scene, start))])
+            continue
         if not isinstance(clause, Clause):
             continue
         begun = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "start"]

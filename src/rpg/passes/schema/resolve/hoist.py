@@ -4,26 +4,28 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Chain, Clause, Coord, Into, Structure
+from rpg.language.meaning import Absolute, Chain, Clause, Coord, Into, Meaning, Structure
 
 _LINES = ("stack", "arrange")
 
 
 def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
-    found: list[list[tuple[str, Clause]]] = []
+    found: list[list[tuple[str, Meaning]]] = []
     for chain in chains:
-        kept: list[tuple[str, Clause]] = []
+        kept: list[tuple[str, Meaning]] = []
         found.append(kept)
         for link, clause in zip(chain.links, chain.clauses, strict=True):
-            assert isinstance(clause, Clause)
+            if not isinstance(clause, Clause):
+                kept.append((link, clause))
+                continue
             host = _host(found, _of_wholes(clause)) if clause.verb == "part" and link != "then" else None
             if host is None:
                 kept.append((link, clause))
                 continue
-            line, place = host
-            before = found[line][place]
-            found[line][place] = (before[0], replace(before[1], adjuncts=(*before[1].adjuncts, *clause.adjuncts)))
+            line, place, builder = host
+            built = replace(builder, adjuncts=(*builder.adjuncts, *clause.adjuncts))
+            found[line][place] = (found[line][place][0], built)
     left = [n for n, kept in enumerate(found) if kept]
     return [links[n] for n in left], tuple(
         replace(chains[n], clauses=tuple(c for _, c in found[n]), links=tuple(link for link, _ in found[n]))
@@ -37,14 +39,16 @@ def _of_wholes(clause: Clause) -> bool:
     return all(isinstance(x, Absolute) and getattr(x.adjuncts[0], "unit", "") == "whole" for x in parts)
 
 
-def _host(found: list[list[tuple[str, Clause]]], several: bool) -> tuple[int, int] | None:
+def _host(found: list[list[tuple[str, Meaning]]], several: bool) -> tuple[int, int, Clause] | None:
     """Where the structure was built that is spoken of: the clause before, if it builds a single one (or several)."""
     for line in range(len(found) - 1, -1, -1):
         for place in range(len(found[line]) - 1, -1, -1):
             clause = found[line][place][1]
+            if not isinstance(clause, Clause):
+                return None
             if clause.verb == "exist" and clause.mode == "given":
                 continue
-            return (line, place) if _builds(clause, several) else None
+            return (line, place, clause) if _builds(clause, several) else None
     return None
 
 

@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import Coord, Meaning, Noun, OrderBy
-from rpg.passes.schema.resolve.extremes import sorted_from
+from rpg.passes.schema.resolve.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.positions import SIDES, Placed, positions
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -60,6 +60,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     placed = positions(spec, names, kind, scene)
     if placed is not None and found.by == "alternating":
         return _begun(found, placed, names, kind, scene, span)
+    if placed is not None and first is None and (way := directed(found, placed, names, kind, scene)) is not None:
+        return way
     if placed is not None and not (scene.lenient and found.by != "any"):
         if found.by != "any":
             raise refuse("order-conflict", "two orders are given for the same blocks", span, "keep one of them")

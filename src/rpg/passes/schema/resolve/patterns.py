@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rpg.ir.order import Order, Pattern
-from rpg.ir.structures import Cells
+from rpg.ir.order import Pattern
+from rpg.ir.structures import Cells, Figure
 from rpg.language.lexicon import COLORS
 from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.orders import order_of
@@ -39,6 +39,9 @@ def pattern_of(
         if alternating is not None and dims is not None:
             spec.orders.remove(alternating)
             return _painted("checkerboard", things, dims, scene), False
+        upward = spec.first("bottom") is not None
+        if getattr(form, "layers", 2) > 1 and not isinstance(form, Figure):
+            spec.toward = [t for t in spec.toward if t.first not in ("top", "bottom")]
         order = order_of(spec, names, "row", scene, scope, shape.span).model_copy(update={"first": None})
         if order.by == "together":
             raise refuse(
@@ -48,9 +51,7 @@ def pattern_of(
                 "say 'each row a different colour' or 'each layer a different colour'",
             )
         spec.orders = []
-        return Pattern(
-            kind="reading", order=Order(**{**order.model_dump()}), upward=spec.first("bottom") is not None
-        ), order.by in ("label", "number")
+        return Pattern(kind="reading", order=order, upward=upward), order.by in ("label", "number")
     unit = {"pile": "row", "stack": "column"}.get(said.unit, said.unit)
     if dims is None:
         raise refuse("misplaced", f"a {shape.kind} has no {said.unit}s", said.span)

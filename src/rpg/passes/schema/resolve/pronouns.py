@@ -182,7 +182,7 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
 
 def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     """ "the other (red) block", "the others", "the rest"."""
-    from rpg.passes.schema.resolve.things import create, matching
+    from rpg.passes.schema.resolve.things import create, further, matching
 
     taken = {
         n
@@ -195,7 +195,9 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         taken = set(scene.things) - (set(scene.whole) - scene.parted)
     left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken]
     count = noun.amount.low if noun.amount else None
-    if noun.det == "another" or not left:
+    if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
+        left = more
+    elif noun.det == "another" or not left:
         if not left and noun.head == "any" and not noun.traits.colors and noun.det != "another" and not scene.mentions:
             raise refuse("no-referent", "there is no other block that this could be", noun.span, "name the blocks")
         if (

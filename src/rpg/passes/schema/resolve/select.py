@@ -5,7 +5,7 @@ from __future__ import annotations
 import string
 
 from rpg.language.meaning import Noun, Traits
-from rpg.passes.schema.resolve.things import alike, create, elastic, give, is_open, matching, open_to
+from rpg.passes.schema.resolve.things import alike, create, elastic, further, give, is_open, matching, open_to
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse, said
 
 
@@ -47,7 +47,9 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
     ):
         scene.parted.add(left[0].name)
         return (left[0].name,)
-    if noun.det != "another" and not scope.given and len(free) >= count:
+    if noun.det == "another" and not scope.given and (more := further(found, count, scene)):
+        chosen = more
+    elif noun.det != "another" and not scope.given and len(free) >= count:
         chosen = free[:count]
         if len(free) > count and not alike(free):
             raise refuse(

@@ -86,6 +86,13 @@ def alike(things: list[Thing]) -> bool:
     return len(looks) == 1 and (things[0].color is not None or things[0].label is not None)
 
 
+def further(found: list[Thing], count: int, scene: Scene) -> list[Thing]:
+    """ "another red block" where three were counted, and one of them is spoken of: the next one."""
+    free = [t for t in found if t.declared and t.name not in scene.used]
+    spoken = any(t.declared and t.name in scene.used for t in found)
+    return free[:count] if spoken and len(free) >= count and alike(free) else []
+
+
 def open_to(thing: Thing, traits: Traits) -> bool:
     """Whether an object's looks are still open to what `traits` says."""
     if thing.claims or (traits.size and thing.size not in (None, traits.size)):
@@ -167,3 +174,10 @@ def plain_colors(theme: Meaning) -> tuple[str, ...]:
         return tuple(c for item in theme.items for c in plain_colors(item))
     plain = isinstance(theme, Noun) and theme.amount is None and theme.det == "bare" and theme.head == "any"
     return theme.traits.colors if plain and isinstance(theme, Noun) and not theme.traits.either else ()
+
+
+def bare_colors(theme: Meaning) -> tuple[str, ...]:
+    """The colours of "red and blue", or of "red and blue blocks"."""
+    named = isinstance(theme, Noun) and theme.plural and theme.amount is None and theme.det == "bare"
+    plain = isinstance(theme, Noun) and theme.traits == Traits(colors=theme.traits.colors)
+    return theme.traits.colors if named and plain and isinstance(theme, Noun) else plain_colors(theme)

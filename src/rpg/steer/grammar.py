@@ -82,5 +82,4 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from paint(p, i)
     yield from resize(p, i)
     yield from arrange(p, i)
-    yield from elliptic(p, i)
     yield from parts(p, i)

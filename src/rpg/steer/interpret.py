@@ -54,10 +54,8 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Outliers: outliers,
     r.Kinds: mixed,
     r.Group: group,
-}
-    r.Some: some,
-    r.Turn: turn,
     Part: part,
+}
 KIND_OF = {"label": "letter", "number": "digit"}
 TRIES = 12
 """Readings of a request that are carried out in turn until one can be."""

@@ -20,11 +20,12 @@ class Stages:
         values = [stage.value for stage in stages]
         if not settled or self.broken:
             return
-        if self._before is not None and self.met < len(values) and not values[self.met]:
-            early = range(self.met + 1, len(values))
-            self.broken = any(values[k] and not self._before[k] for k in early)
-        while not self.broken and self.met < len(values) and values[self.met]:
-            self.met += 1
+        met = self.met
+        while met < len(values) and values[met]:
+            met += 1
+        early = range(met + 1, len(values)) if self._before is not None else ()
+        self.broken = any(values[k] and not (self._before or [])[k] for k in early)
+        self.met = self.met if self.broken else met
         self._before = values
 
     @property

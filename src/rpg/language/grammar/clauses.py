@@ -71,7 +71,9 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield from _command(p, i)
     yield from gap(p, i)
     yield from state(p, i, when)
-    yield from _exists(p, i)
+    for there, j in _exists(p, i):
+        begun = mode == "start" and isinstance(there, Clause) and there.mode == "given"
+        yield (replace(there, lemma="begun") if begun and isinstance(there, Clause) else there), j
     yield from _describe(p, i, when)
     yield from having(p, i, when)
     if mode != "start":

@@ -29,6 +29,13 @@ _DIFFERENT = ("a different color", "of a different color", "its own color", "a u
               "different color")  # fmt: skip
 
 
+_ONE_TOWER = tuple(
+    f"{one} {noun} {each}" for one in ("one", "a") for noun in ("tower", "stack")
+    for each in ("per color", "for each color", "for every color", "of each color", "for each", "each", "for each one")
+)  # fmt: skip
+"""What is said of blocks that are stacked by colour: one tower for each of them."""
+
+
 @rule
 def pattern(p: Parser, i: int) -> Results[Meaning]:
     """ "where each row is a different colour", "one colour per layer", "in a checkerboard pattern"."""
@@ -58,6 +65,8 @@ def pattern(p: Parser, i: int) -> Results[Meaning]:
                          ("one color each", "stack"), ("a single color per row", "row")):  # fmt: skip
         if k := p.seq(j, phrase):
             yield Pattern(unit=unit, span=p.span(i, k)), k
+    if (k := p.any_of(p.opt(i, ","), _ONE_TOWER)) and (k >= p.end or p.words[k] in (":", ",", ";")):
+        yield Pattern(unit="stack", span=p.span(i, k)), k
     for phrase in ("in a checkerboard pattern", "in a chessboard pattern", "like a checkerboard", "like a chessboard",
         "checkerboard style",
                    "in a checkered pattern", "checkered", "in checkerboard style", "as a checkerboard",

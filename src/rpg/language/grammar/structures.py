@@ -307,6 +307,8 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 continue
             if ends_in_lines(p, j) and base.sizes and members_amount(members) is not None:
                 continue
+            if isinstance(members, Pronoun) and p.words[k - 1] == "for":
+                continue
             if isinstance(members, Structure) or (
                 isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)
             ):

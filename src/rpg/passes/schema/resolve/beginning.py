@@ -4,8 +4,22 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from typing import TypeGuard
 
-from rpg.language.meaning import Chain, Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, Structure, parts_of
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    TableTop,
+    parts_of,
+)
 
 UNMEANT = frozenset({"contradiction", "support-cycle"})
 """Refusals of facts and commands that cannot both be about the end."""
@@ -20,6 +34,8 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
 
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half").
     """
+    if (picture := _pictured(chains)) is not None:
+        return picture
     told = [_facts(chain, bold) for chain in chains]
     ends = [chain.span[1] for chain in chains]
     told = [
@@ -38,6 +54,29 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
             chain = replace(chain, clauses=clauses)
         found.append(chain)
     return tuple(found)
+
+
+def _pictured(chains: tuple[Chain, ...]) -> tuple[Chain, ...] | None:
+    """Facts alone, "there is a red block on the blue one" among them: all of it pictures the end."""
+    clauses = [c for chain in chains for c in chain.clauses]
+    if not all(isinstance(c, Clause) and (c.lemma == "fact" or _there_is(c)) for c in clauses):
+        return None
+    if not any(isinstance(c, Clause) and c.lemma == "fact" and c.mode == "goal" for c in clauses):
+        return None
+    return tuple(replace(chain, clauses=tuple(map(_of_the_end, chain.clauses))) for chain in chains)
+
+
+def _of_the_end(clause: Meaning) -> Meaning:
+    """The clause, about the end if it says where something is: to be on the table is to be there."""
+    places = clause.adjuncts if _there_is(clause) else ()
+    told = any(not (isinstance(a, Loc) and isinstance(a.landmark, TableTop)) for a in places)
+    return replace(clause, mode="goal") if told and isinstance(clause, Clause) else clause
+
+
+def _there_is(clause: Meaning) -> TypeGuard[Clause]:
+    """ "there is ...", with nothing but places."""
+    said = isinstance(clause, Clause) and clause.verb == "exist" and clause.mode == "given" and not clause.lemma
+    return said and isinstance(clause, Clause) and all(isinstance(a, Loc | In) for a in clause.adjuncts)
 
 
 def _undoes(chain: Chain) -> bool:

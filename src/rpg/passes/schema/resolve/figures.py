@@ -88,8 +88,16 @@ def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sc
 def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | None, int | None]:
     """The sides of an outline and the number of blocks on it, where they were said."""
     side = shape.extent("side")
-    dims = shape.dims or (shape.extent("rows", "wide", "deep"), shape.extent("columns", "long"))
-    if dims[0] and dims[1]:
+    deep, wide, long = (shape.extent(*said) for said in (("rows", "deep"), ("wide", "columns"), ("long",)))
+    dims = shape.dims or tuple(n for n in (deep, wide, long) if n is not None)
+    if len(dims) == 1 and count is not None and count > 2 * dims[0] and not count % 2:
+        dims = (dims[0], count // 2 + 2 - dims[0])
+    if len(dims) == 1 and shape.kind == "rectangle":
+        raise refuse("ambiguous", "a rectangle has two sides", shape.span, "say for example '4 wide and 3 deep'")
+    if shape.kind == "square" and len(set(dims)) == 2:
+        raise refuse("contradiction", "the sides of a square are of one length", shape.span, "say 'rectangle'")
+    dims = dims * 2 if len(dims) == 1 and shape.kind == "square" else dims
+    if len(dims) == 2:
         return (dims[0], dims[1]), 2 * (dims[0] + dims[1]) - 4
     if side is not None and shape.kind == "square":
         return (side, side), 4 * side - 4

@@ -107,6 +107,7 @@ def attribute_of(spec: Spec) -> str | None:
     found = next((o for o in spec.orders if o.by == "attribute"), None)
     if found is not None:
         spec.orders.remove(found)
+        spec.patterns = [p for p in spec.patterns if p.unit not in ("pile", "stack") or p.attribute != found.attribute]
         return found.attribute
     pattern = next((p for p in spec.patterns if p.unit in ("pile", "stack")), None)
     if pattern is not None:

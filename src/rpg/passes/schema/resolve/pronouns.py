@@ -130,6 +130,9 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
                 continue
+            if ref.quant is not None and ref.quant.strict and 0 < ref.quant.low < len(ref.names):
+                raise refuse("ambiguous", f"{word.word!r} could be all of these blocks, or just so many of them",
+                             word.span, "name the blocks that you mean")  # fmt: skip
             return replace(
                 ref, quant=None, each=False, built=ref.built if len(ref.built) > 1 or _told_together(ref) else ()
             )

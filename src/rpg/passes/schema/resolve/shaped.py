@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure
 from rpg.passes.schema.resolve.arranging import arrange_blocks
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
@@ -25,8 +25,14 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             theme = refer(clause.theme.items[0], scene, scope)
             spec.intos.append(Into(structure=last, span=last.span))
             return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
+    if clause.lemma == "alphabetize":
+        spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
+        if isinstance(clause.theme, Structure) and clause.theme.det == "the":
+            again = Structure(kind=clause.theme.kind, span=clause.theme.span)
+            spec.intos.append(Into(structure=again, span=clause.theme.span))
     made_of = isinstance(clause.theme, Structure) and bool(spec.intos)
-    if made_of and clause.theme is not None and (clause.lemma == "turn into" or _known_already(clause, scene)):
+    remade = clause.lemma in ("turn into", "alphabetize") or _known_already(clause, scene)
+    if made_of and clause.theme is not None and remade:
         begun = replace(scope, start=True, given=True) if not _known_already(clause, scene) else scope
         there = refer(clause.theme, scene, begun)
         return arrange_blocks(Ref(names=there.names, plural=True), "arrange", spec, scene, scope, clause.span)

@@ -10,6 +10,7 @@ from itertools import permutations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -109,7 +110,9 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
         theme = refer(source, scene, Scope(role="member"))
     if theme is not None:
         theme = replace(theme, names=scene.fit(theme.names, len(text)))
-    pool = [scene.things[n] for n in theme.names] if theme is not None else [t for t in scene.blocks() if t.declared]
+    begun = {n for goal in scene.start_goals for n in names_in(goal)}
+    there = [t for t in scene.blocks() if t.declared or t.name in begun]
+    pool = [scene.things[n] for n in theme.names] if theme is not None else there
     names: list[str] = []
     for symbol in text:
         found = next((t for t in pool if t.label == symbol and t.name not in names), None)

@@ -86,8 +86,8 @@ VERBS = {
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild",
-    "arrange": "alphabetize space arrange align order organize organise line lay distribute spread position set "
-    "rearrange",
+    "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
+    "set rearrange",
     "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch merge "
     "combine unite segregate",
     "spell": "spell write",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.meaning import Meaning, Pattern, Spacing
 
@@ -67,12 +68,7 @@ def pattern(p: Parser, i: int) -> Results[Meaning]:
             yield Pattern(unit=unit, span=p.span(i, k)), k
     if (k := p.any_of(p.opt(i, ","), _ONE_TOWER)) and (k >= p.end or p.words[k] in (":", ",", ";")):
         yield Pattern(unit="stack", span=p.span(i, k)), k
-    for phrase in ("in a checkerboard pattern", "in a chessboard pattern", "like a checkerboard", "like a chessboard",
-        "checkerboard style",
-                   "in a checkered pattern", "checkered", "in checkerboard style", "as a checkerboard",
-                   "in checkerboard fashion"):  # fmt: skip
-        if k := p.seq(i, phrase):
-            yield Pattern(unit="checkerboard", span=p.span(i, k)), k
+    yield from _checkered(p, i)
     if k := p.any_of(i, ("one per color", "one for each color", "one tower per color", "one stack per color",
         "one tower for each color", "one stack for each color",
                          "one of each color", "one pile per color", "one per colour", "one row per color",
@@ -82,6 +78,28 @@ def pattern(p: Parser, i: int) -> Results[Meaning]:
                          "each with its own color", "each in its own color", "each in one color",
                          "each of its own color")):  # fmt: skip
         yield Pattern(unit="stack", span=p.span(i, k)), k
+
+
+_CHECKERED = (
+    *(
+        f"{lead} {board} {tail}"
+        for board in ("checkerboard", "chessboard", "checkered", "checker", "chess", "chess board", "checker board")
+        for lead, tail in (("in a", "pattern"), ("with a", "pattern"), ("as a", "pattern"), ("in", "style"),
+                           ("in", "fashion"), ("like a", "pattern"))
+    ),
+    "like a checkerboard", "like a chessboard", "like a chess board", "checkerboard style", "checkered",
+    "as a checkerboard", "as a chessboard",
+)  # fmt: skip
+
+
+def _checkered(p: Parser, i: int) -> Results[Meaning]:
+    """ "in a checkerboard pattern (of red and blue)"."""
+    if j := p.any_of(i, _CHECKERED):
+        yield Pattern(unit="checkerboard", span=p.span(i, j)), j
+        of = p.any_of(p.opt(j, ","), ("of", "in", "with", "using"))
+        for (named, either), k in colors(p, of) if of else ():
+            if len(named) == 2 and not either:
+                yield Pattern(unit="checkerboard", values=named, span=p.span(i, k)), k
 
 
 def _agree(p: Parser, i: int, k: int, unit: str) -> Results[Meaning]:

@@ -27,6 +27,8 @@ def noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
         yield shape, False, j
     if p.words[i : i + 1] in (["cube"], ["cubes"]):
         yield "cube", p.words[i] == "cubes", p.reach(i + 1)
+    if j := p.any_of(i, ("chess board", "checker board", "checkers board")):
+        yield "checkerboard", False, p.opt(j, "pattern")
     for lead in ("color gradient", "gradient", "rainbow"):
         if j := p.seq(i, lead):
             yield "gradient", False, j

@@ -99,6 +99,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         yield _Before(upright=update.get("upright"), filled=update.get("filled"), operator=OPERATORS.get(phrase)), j
     for word, j in p.standing(i, DETAILS):
         yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
+    yield from _colors_before(p, i)
     for found, j in dimensions(p, i):
         for end in dict.fromkeys((j, p.opt(j, "block", "cube", "based"))):
             yield _Before(dims=found), end
@@ -113,6 +114,19 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     rank = _RANKS.get(p.words[i]) if i < p.end else None
     if rank:
         yield _Before(marks=Marks({"rank": rank})), p.reach(i + 1)
+
+
+def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
+    """ "an alternating red-blue tower", "a red-white-blue tower": which colours, and in which order."""
+    turns = p.one(i, "alternating")
+    if i and (p.words[i - 1] in lexicon.COLOR or p.words[i - 1] == "alternating"):
+        return
+    for items, j in listed(p, turns or i):
+        joined = all(isinstance(x, Noun) and len(x.traits.colors) == 1 for x in items) and "," not in p.words[i:j]
+        if not joined or p.lex(j, lexicon.STRUCTURE) is None or (not turns and "and" in p.words[i:j]):
+            continue
+        by = "alternating" if turns else "named"
+        yield _Before(details=(OrderBy(by=by, items=items, span=p.span(i, j)),)), j
 
 
 _RANKS = {

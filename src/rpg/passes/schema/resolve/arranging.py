@@ -2,13 +2,27 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
-from rpg.language.meaning import Chain, Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Structure, Toward, Traits
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    In,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Structure,
+    Toward,
+    Traits,
+)
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
@@ -23,7 +37,7 @@ from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.reordered import moved_within, topped
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.structures import either, make, stack_built
-from rpg.passes.schema.resolve.things import plain_colors
+from rpg.passes.schema.resolve.things import bare_colors, plain_colors
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -41,11 +55,26 @@ def counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
     ):
         return replace(theme, traits=replace(theme.traits, kind=kind))
     total = next((z for z in spec.sizes if z.what in ("size", "total") and z.amount is not None), None)
+    if total is None and (several := _in_turn(theme, spec, clause.lemma)) is not None:
+        return several
     colors = plain_colors(theme)
     if total is None or len(colors) < 2:
         return theme
     spec.sizes.remove(total)
     return Noun(head="block", amount=total.amount, plural=True, traits=Traits(colors=colors), span=theme.span)
+
+
+def _in_turn(theme: Meaning, spec: Spec, lemma: str) -> Meaning | None:
+    """ "red and blue blocks alternating in a stack of four", "like a 4x4 chessboard": as many as it takes."""
+    shapes = [i.structure for i in spec.intos if isinstance(i.structure, Structure) and i.structure.members is None]
+    if len(shapes) != 1 or len(colors := bare_colors(theme)) != 2:
+        return None
+    shape = shapes[0]
+    count = math.prod(shape.dims) if shape.dims else shape.size.low if shape.size is not None else 0
+    turns = shape.kind == "checkerboard" or lemma == "alternate" or any(o.by == "alternating" for o in spec.orders)
+    if not turns or not count or (shape.size is not None and shape.size.high != shape.size.low):
+        return None
+    return Noun(head="block", amount=Amount(count, count), plural=True, traits=Traits(colors=colors), span=theme.span)
 
 
 def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:

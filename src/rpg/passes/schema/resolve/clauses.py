@@ -61,7 +61,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     built = scene.goals.pop(number, [])
     if not clause.negated:
         built, goals = [], [*built, *goals]
-    later = _thats(spec, scene, start)
+    later = _thats(clause, spec, scene, start)
     if spec.manner("xor") is not None:
         goals = not_both(goals, clause.span)
     if spec.manner("allowed") is not None and not clause.negated and not all(_forbids(x) for x in goals):
@@ -132,6 +132,10 @@ LEAVING = frozenset(
 """Verbs of moving: what they move off something is on it at the start."""
 
 
+_ORDERING = {"alphabetize": "label", "alternate": "alternating"}
+"""Verbs that say in which order."""
+
+
 def _is_off(place: Meaning) -> TypeGuard[Loc]:
     return isinstance(place, Loc) and place.rel == "off" and not place.negated
 
@@ -195,8 +199,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         raise refuse("misplaced", "blocks lie flat: none is balanced on an edge or a corner", clause.span, "say 'on'")
     if clause.lemma == "line" and not spec.intos:
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
-    if clause.lemma == "alphabetize":
-        spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
+    if clause.lemma in _ORDERING:
+        spec.orders.append(OrderBy(by=_ORDERING[clause.lemma], span=clause.word or clause.span))
     if clause.verb == "stack" and not _kind_of_shape(spec) and any(map(on_matching_patches, spec.places)):
         spec.patterns.append(Pattern(unit="stack", span=clause.span))
     shape = _kind_of_shape(spec)
@@ -351,12 +355,14 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 
-def _thats(spec: Spec, scene: Scene, start: bool) -> Goals:
+def _thats(clause: Clause, spec: Spec, scene: Scene, start: bool) -> Goals:
     """ "so that ...", "without ...": the clauses inside."""
     from rpg.passes.schema.resolve.chains import chain_goals
 
     goals: Goals = []
     for that in spec.thats:
+        if that.kind == "until" and (clause.negated or clause.verb in ("keep", "be", "touch")):
+            raise refuse("misplaced", "it is not said what holds after that", that.span, "say 'first ..., then ...'")
         if that.kind == "without":
             goals += turning.without(that, scene)
         else:

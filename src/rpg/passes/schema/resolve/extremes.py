@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from rpg.ir.order import Order
+from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import Absolute, At, Noun, OrderBy
-from rpg.passes.schema.resolve.positions import SIDES
+from rpg.passes.schema.resolve.positions import SIDES, Placed
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.world import Scene, refuse
+from rpg.passes.schema.resolve.world import Scene, Thing, refuse
 
 _OPPOSITE = {"left": "right", "front": "back", "bottom": "top"}
 _OPPOSITE |= {two: one for one, two in _OPPOSITE.items()}
@@ -45,3 +47,41 @@ def _order(item: Absolute, names: tuple[str, ...], kind: str, scene: Scene) -> O
 def _agree(one: OrderBy, two: OrderBy) -> bool:
     """Whether the same order is said from both ends."""
     return one.by == two.by and one.descending != two.descending and two.first == _OPPOSITE.get(one.first or "")
+
+
+def directed(order: Order, placed: Placed, names: tuple[str, ...], kind: str, scene: Scene) -> Order | None:
+    """ "in numeric order with 1 at the bottom": a place that fits the order one way round says which end is first.
+
+    What descends along a line is read from its usual side.
+    """
+    ranked = [(_key(order, scene.things[n]), n) for n in names]
+    keys = [key for key, _ in ranked if key is not None]
+    if len(keys) < len(names) or len(set(keys)) < len(keys):
+        return None
+    row = [n for _, n in sorted(ranked, key=lambda pair: (pair[0] is None, pair[0]), reverse=order.descending)]
+    free = scene.free_runs.pop(placed.ranks, ())
+    side = placed.first or SIDES[kind][0]
+    ways = [(side, row), (_OPPOSITE[side], row[::-1])]
+    for first, way in ways[:1] if order.descending and kind != "stack" else ways:
+        if _fits(way, placed, free):
+            for note in [note for note in scene.assumptions if note.startswith("the order is read from")]:
+                del scene.assumptions[note]
+            return order.model_copy(update={"first": first})
+    return None
+
+
+def _key(order: Order, thing: Thing) -> float | str | None:
+    """What an order compares."""
+    if order.by == "rainbow":
+        return RAINBOW.index(thing.color) if thing.color in RAINBOW else None
+    return thing.label if order.by in ("number", "label") else None
+
+
+def _fits(row: list[str], placed: Placed, free: tuple[int, ...]) -> bool:
+    """Whether every block that has a place stands there."""
+    at = 0
+    for index, rank in enumerate(placed.ranks):
+        if index not in free and set(row[at : at + len(rank)]) != set(rank):
+            return False
+        at += len(rank)
+    return True

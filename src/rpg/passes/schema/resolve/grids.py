@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from rpg.ir import structures as s
-from rpg.language.meaning import Coord, Structure
+from rpg.language.meaning import Coord, Noun, Structure, Traits
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
@@ -24,6 +24,7 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     need = rows * columns * layers
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
+    if any(p.unit == "checkerboard" for p in spec.patterns):
         shape = _two_colors(shape, spec)
     form = s.Grid(blocks=("",), rows=rows, columns=columns, layers=layers)
     shape = widened(shape, spec, theme, form, need, scene)
@@ -36,7 +37,11 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
 
 
 def _two_colors(shape: Structure, spec: Spec) -> Structure:
-    """ "a checkerboard, red and white": the two colours, not an order."""
+    """ "a checkerboard, red and white", "in a checkerboard pattern of red and white": the two colours, not an order."""
+    said = next((pattern.values for pattern in spec.patterns if pattern.values), ())
+    if said and shape.members is None:
+        items = tuple(Noun(head="any", traits=Traits(colors=(color,)), span=shape.span) for color in said)
+        return replace(shape, members=Coord(op="and", items=items, span=shape.span))
     for order in [o for o in spec.orders if len(o.items) == 2 and o.by in ("named", "given") and not o.first]:
         if shape.members is None and all(len(plain_colors(item)) == 1 for item in order.items):
             spec.orders.remove(order)
@@ -53,9 +58,10 @@ def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         return shape.dims[0], shape.dims[1], layers
     rows, columns = shape.extent("rows", "deep"), shape.extent("columns", "wide", "long")
     total = said_count(shape, theme, scene)
-    side = shape.extent("side")
+    side = shape.extent("side") or (_only_side(shape) if shape.kind == "square" else None)
     if side is not None:
         return side, side, side if shape.kind == "cube" else layers
+    _one_side_each(shape, rows, columns, total)
     if rows and columns:
         return rows, columns, layers
     if total is not None and (rows or columns) and total % (rows or columns or 1) == 0:
@@ -73,6 +79,31 @@ def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         scene.assume("the size of the grid is not said: 3 by 3")
         return 3, 3, 1
     return _fill(shape, total, scene)
+
+
+def _only_side(shape: Structure) -> int | None:
+    """ "a square three blocks wide": all its sides."""
+    said = {shape.extent(what) for what in (*_ACROSS, *_ALONG)} - {None}
+    return said.pop() if len(said) == 1 else None
+
+
+_ACROSS, _ALONG = ("columns", "wide", "long"), ("rows", "deep")
+
+
+def _one_side_each(shape: Structure, rows: int | None, columns: int | None, total: int | None) -> None:
+    """Refuse a side that is said twice ("4 wide and 2 long"), and one side where the other is open ("2 rows")."""
+    across = [size for size in shape.sizes if size.what in _ACROSS]
+    along = [size for size in shape.sizes if size.what in _ALONG]
+    for twice in (across, along):
+        if len(twice) > 1:
+            raise refuse("ambiguous", "it is not clear which of these are rows", twice[1].span,
+                         "say how many rows and how many columns")  # fmt: skip
+    if shape.kind == "square" and rows and columns and rows != columns:
+        raise refuse("contradiction", "the sides of a square are equal", shape.span, "say 'a rectangle'")
+    sizes = [size for size in shape.sizes if size.what not in ("size", "dims")]
+    if sizes and not (rows and columns) and (total is None or not (rows or columns)):
+        raise refuse("ambiguous", f"only one side of the {shape.kind} is said", sizes[0].span,
+                     "say how many rows and how many columns")  # fmt: skip
 
 
 def _fill(shape: Structure, total: int, scene: Scene) -> tuple[int, int, int]:
@@ -127,6 +158,8 @@ def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             )
         scene.assume(f"the wall is {columns} blocks wide and {layers} high")
     need = columns * layers
+    if any(p.unit == "checkerboard" for p in spec.patterns):
+        shape = _two_colors(shape, spec)
     form = s.Grid(blocks=("",), rows=1, columns=columns, layers=layers)
     shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)

@@ -15,8 +15,10 @@ from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, cost_of, parts_of
-from rpg.language.read import Sentence
+from rpg.language.read import Sentence, read_sentences
+from rpg.language.tokens import Token
 from rpg.passes.schema.ambiguity import TwoReadings, same
+from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.resolve import finish
@@ -59,9 +61,10 @@ PATIENCE = 0
 
 
 def build(
-    sentences: list[Sentence], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None
+    words: list[Token], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None
 ) -> Feasibility:
-    """The task that the sentences state, and what made it possible."""
+    """The task that the words state, and what made it possible."""
+    sentences = read_sentences(words)
     first: tuple[Refusal, tuple[Chain, ...]] | None = None
     best: tuple[int, Feasibility] | None = None
     limit: int | None = None
@@ -70,6 +73,8 @@ def build(
             break
         try:
             found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
+            if (token := unfounded(words, found.task)) is not None:
+                raise _lost(token)
         except Refusal as refusal:
             code = refusal.diagnostics[0].code
             if code in FINAL and best is None:
@@ -93,6 +98,15 @@ def build(
     raise Repairable(
         failure.diagnostics,
         [_one_order(lambda: resolve(links, chosen, text, notes, name, seed, author, lenient=True))],
+    )
+
+
+def _lost(token: Token) -> Refusal:
+    return refuse(
+        "misplaced",
+        f"this was read, but nothing in the task would come of {token.raw!r}",
+        token.span,
+        "say this part in a sentence of its own",
     )
 
 

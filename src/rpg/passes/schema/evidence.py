@@ -1,0 +1,139 @@
+"""A second account of an instruction, apart from the grammar: what words name must be found in the task.
+
+Whichever way a sentence is read, a colour that was named belongs to some object, a symbol to some cube, a number to a
+count, a length or an angle, and words that can mean one thing alone to that. A rule that loses one of them, or takes it
+for part of something else, is caught here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from pydantic import BaseModel
+
+from rpg.ir.assets import FACES, Asset, SemanticCube
+from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import Figure
+from rpg.ir.walk import atoms, names
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+UNITS = (1.0, 100.0, 1000.0, 1 / 0.0254)
+"""Lengths are told in metres, centimetres, millimetres or inches."""
+FEW = 2
+"""Numbers up to this are said in passing ("the two towers", "no two of them") and are not asked for."""
+PRONOUNS = "AI"
+_PLAIN = {
+    "alphabet alphabetic alphabetical alphabetically alphabetized": "label",
+    "alternate alternates alternating alternately alternatingly": "alternating checkerboard given",
+    "ascending descending increasing decreasing": "number size label staircase",
+    "checkerboard chessboard": "checkerboard",
+    "circle ring": "circle",
+    "equation": "equation",
+    "evenly": "evenly spacing",
+    "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored",
+    "neither nor": "not count",
+    "pyramid": "pyramid",
+    "rainbow": "rainbow",
+    "staircase stairs": "staircase",
+    "swap swapped exchange": "swapped",
+    "upside": "facing",
+}
+PLAIN = {word: frozenset(terms.split()) for words, terms in _PLAIN.items() for word in words.split()}
+"""Words whose meaning depends on no other word, with the terms of a goal one of which they come to."""
+
+
+def unfounded(words: Iterable[Token], task: TaskSchema) -> Token | None:
+    """The first word that names something of which nothing in the task comes."""
+    colors = {asset.color for asset in task.assets}
+    shown = {symbol for asset in task.assets for symbol in _symbols(asset)}
+    shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
+    numbers: set[float] | None = None
+    parts = (task.goal, *task.init.arranged, *task.patches)
+    for token in words:
+        color = lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word)
+        if color is not None and color not in colors:
+            return token
+        symbol = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper() and token.raw not in PRONOUNS
+        if symbol and token.raw not in shown:
+            return token
+        if token.word in PLAIN and not any(term in PLAIN[token.word] for part in parts for term in _terms(part)):
+            return token
+        said = _number(token)
+        if said is not None and said > FEW:
+            numbers = set(_numbers(task)) if numbers is None else numbers
+            if not any(abs(said - number) < 0.02 for number in numbers):
+                return token
+    return None
+
+
+def _number(token: Token) -> float | None:
+    if token.kind == "number":
+        return float(str(token.value))
+    return lexicon.NUMBER.get(token.word) if token.kind == "word" else None
+
+
+def _symbols(asset: Asset) -> set[str]:
+    return {symbol for face in FACES if (symbol := asset.symbol(face))} if isinstance(asset, SemanticCube) else set()
+
+
+KEYS: tuple[Callable[[Asset], object], ...] = (
+    lambda asset: asset.color,
+    lambda asset: asset.size,
+    lambda asset: (asset.color, asset.size),
+    lambda asset: (asset.color, type(asset)),
+    lambda asset: tuple(sorted(_symbols(asset))),
+    lambda asset: [symbol.isdigit() for symbol in sorted(_symbols(asset))],
+)
+"""What objects are counted by."""
+
+
+def _numbers(task: TaskSchema) -> Iterator[float]:
+    """Every count, length (in all units), angle and digit of a task."""
+    for objects in (task.assets, task.blocks, task.patches):
+        yield len(objects)
+        for key in KEYS:
+            tally = Counter(repr(key(one)) for one in objects)
+            yield from (len(tally), *tally.values())
+    # "With three distractors", "all but three": what is left out has its number too.
+    yield len(task.assets) - len(set(names(task.goal)))
+    for asset in task.assets:
+        yield from _inside(asset.size)
+        yield from map(float, re.findall(r"\d+", asset.name))
+        yield from (float(symbol) for symbol in _symbols(asset) if symbol.isdigit())
+    for part in (task.goal, *task.init.arranged, *task.init.heaps):
+        yield from _inside(part)
+
+
+def _terms(value: object) -> Iterator[str]:
+    """The kinds of all parts of a goal, the words among their values, and the flags that are set."""
+    if isinstance(value, BaseModel):
+        for name in type(value).model_fields:
+            told = getattr(value, name)
+            yield from (name,) if told is True else _terms(told) if name != "span" else ()
+    elif isinstance(value, str):
+        yield value
+    elif isinstance(value, Sequence):
+        for item in value:
+            yield from _terms(item)
+
+
+def _inside(value: object) -> Iterator[float]:
+    if isinstance(value, BaseModel):
+        low, high = getattr(value, "minimum", None), getattr(value, "maximum", None)
+        if low is not None and high is not None:
+            yield from _inside((low + high) / 2)
+        for name, field in type(value).model_fields.items():
+            told = getattr(value, name)
+            if name != "span" and told != field.default:
+                yield from _inside(told)
+    elif isinstance(value, str):
+        yield from map(float, re.findall(r"\d+", value))
+    elif isinstance(value, Sequence):
+        yield len(value)
+        for item in value:
+            yield from _inside(item)
+    elif isinstance(value, int | float) and not isinstance(value, bool):
+        yield from (abs(value) * factor for factor in UNITS)

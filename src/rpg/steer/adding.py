@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, label_list, longest, m, noun_phrase, phrases, simple
 from rpg.steer.phrases import fresh, labelled, plural_kind, things
-from rpg.steer.places import place, places
+from rpg.steer.places import given_up, place, places
 
 ADD = frozenset(
     {"add", "include", "insert", "append", "introduce", "attach", "bring", "throw", "pop", "stick", "slide", "slip"}
@@ -127,6 +127,7 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "put a green block on top" adds; "put the green block on top" moves."""
     yield from _belongs(p, i)
     yield from _taken(p, i)
+    yield from _with_on_top(p, i)
     j = p.one(i, PUT)
     if not j:
         return
@@ -135,11 +136,12 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             for spots, end in places(p, k):
                 if spots:
                     yield r.Add(theme=theme, places=spots, span=p.span(i, end)), end
-            for given_up, n in noun_phrase(p, k + 1) if p.one(k, "where") else ():
+            for lost, n in noun_phrase(p, k + 1) if p.one(k, "where") else ():
                 if end := longest(p, n, "was | is | used to be | stands | stood | sits | has been | was before"):
-                    yield r.Replace(old=given_up, new=theme, span=p.span(i, end)), end
+                    yield r.Replace(old=lost, new=theme, span=p.span(i, end)), end
         else:
             for where, end in place(p, k):
+                end = given_up(p, end)
                 yield r.Move(theme=theme, place=where, span=p.span(i, end)), end
     for where, k in place(p, j):
         for theme, end in noun_phrase(p, k):
@@ -153,13 +155,27 @@ _BELONGS = phrases(
 )
 
 
+_GIVING_WAY = frozenset({"belongs", "belong", "goes", "go", "now", "instead", "rather"})
+
+
 def _belongs(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "the blue one belongs on top"."""
     for theme, j in noun_phrase(p, i):
         k = longest(p, j, _BELONGS)
+        k = longest(p, k, "now | instead | rather") or k
         for where, end in place(p, k) if k and not fresh(theme) else ():
-            if isinstance(where, r.Spot):
-                yield r.Move(theme=theme, place=where, span=p.span(i, end), cost=1), end
+            stop = given_up(p, end)
+            if isinstance(where, r.Spot) or stop > end or _GIVING_WAY.intersection(p.words[i:end]):
+                yield r.Move(theme=theme, place=where, span=p.span(i, stop), cost=1), stop
+
+
+def _with_on_top(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "with the pink one on top", "the blue one at the bottom": where a block is in its line."""
+    j = longest(p, i, "with | and with | but with | having") or i
+    for theme, k in noun_phrase(p, j):
+        for where, end in place(p, k) if not fresh(theme) else ():
+            if isinstance(where, r.Spot) and where.whole is None and where.side != "beside":
+                yield r.Move(theme=theme, place=where, span=p.span(i, end), cost=2), end
 
 
 def _taken(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:

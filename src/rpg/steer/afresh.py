@@ -105,7 +105,16 @@ def only_known(draft: Draft, request: str, begin: int) -> None:
 
 def mentions_known(draft: Draft, request: str) -> bool:
     """Whether a sentence says "the ..." of anything that the task has."""
-    return any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
+    known = any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
+    return known or any(exists(draft.view, structure) for structure in _structures(request))
+
+
+def _structures(request: str) -> Iterator[m.Structure]:
+    """Every phrase such as "the tower", "the circle"."""
+    p = Parser(tokenize(request)[0])
+    for i in range(p.end):
+        if p.words[i] == "the":
+            yield from (found for found, _ in noun_phrase(p, i) if isinstance(found, m.Structure))
 
 
 def _definite(request: str, begin: int) -> Iterator[list[m.Noun]]:

@@ -6,14 +6,15 @@ from collections.abc import Iterator
 
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, bounds, count, dimensions, length, longest, m, phrases, simple
+from rpg.steer.phrases import old
 
-_TALL = phrases(
+TALL = phrases(
     "blocks tall | blocks high | block tall | block high | tall | high | levels | layers | levels high | "
     "layers high | steps | steps high | levels tall | cubes tall | cubes high | layers tall | stories "
     "high | stories"
 )
-_LONG = ("blocks long", "blocks wide", "long", "wide", "cubes long", "cubes wide", "in length", "blocks in length")
-_BLOCKS = (
+LONG = ("blocks long", "blocks wide", "long", "wide", "cubes long", "cubes wide", "in length", "blocks in length")
+BLOCKS = (
     "blocks",
     "cubes",
     "block",
@@ -25,6 +26,7 @@ _BLOCKS = (
     "blocks in total",
     "blocks total",
 )
+_WHAT = {"taller": "height", "higher": "height", "lower": "height", "longer": "length", "wider": "length"}
 _MORE = {"taller": 1, "higher": 1, "longer": 1, "shorter": -1, "lower": -1, "wider": 1, "bigger": 1, "smaller": -1}
 
 
@@ -32,13 +34,13 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "make it five blocks tall", "make it two blocks taller", "use four blocks"."""
     for theme, j in _subjects(p, i):
         yield from _to(p, i, j, theme)
-        yield from _by(p, i, j, theme)
+        yield from by_so_many(p, i, j, theme)
     if j := longest(
         p, i, "use | with | have | only use | use only | just use | make it with | build it with | do it with"
     ):
         j = p.opt(j, "only", "just")
         for n, k in count(p, j):
-            if end := longest(p, k, _BLOCKS):
+            if end := longest(p, k, BLOCKS):
                 end = _instead_of(p, end)
                 yield r.Recount(theme=None, amount=n, span=p.span(i, end)), end
     yield from _brought_to(p, i)
@@ -47,7 +49,7 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for phrase, by in (("extend", 1), ("lengthen", 1), ("shorten", -1), ("grow", 1)):
         j = p.seq(i, phrase)
         for theme, k in simple(p, j) if j else ():
-            for n, end in _by_so_many(p, k):
+            for n, end in _so_many(p, k):
                 yield r.Recount(theme=theme, by=by * n, span=p.span(i, end)), end
 
 
@@ -74,7 +76,7 @@ def _brought_to(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for theme, k in dict.fromkeys(starts):
         if n := longest(p, k, "to | down to | up to | back to | to only | to just | down to just | to a height of"):
             for amount, end in count(p, n):
-                stop = longest(p, end, (*_BLOCKS, *_TALL, *_LONG, "only")) or end
+                stop = longest(p, end, (*BLOCKS, *TALL, *LONG, "only")) or end
                 yield r.Recount(theme=theme, amount=amount, span=p.span(i, stop)), stop
             for dims, end in dimensions(p, n):
                 yield r.Recount(theme=theme, dims=dims, span=p.span(i, end)), end
@@ -105,25 +107,35 @@ def _plain_count(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         longest(p, i, "just | only | i need | i want | it needs | it should have | there should be | let there be") or i
     )
     for n, j in count(p, lead):
-        k = longest(p, j, _BLOCKS) or 0
+        k = longest(p, j, BLOCKS) or 0
         less = longest(p, k or j, "fewer | less | fewer blocks | less blocks")
         more = longest(p, k, "more") if k else 0
         if less or more:
-            end = longest(p, less or more, _BLOCKS) or less or more
+            end = longest(p, less or more, BLOCKS) or less or more
             yield (r.Recount(theme=None, by=-n if less else n, span=p.span(i, end), cost=1), end)
         swapped = _instead_of(p, k or j)
         if swapped > (k or j):
             yield r.Recount(theme=None, amount=n, span=p.span(i, swapped)), swapped
-        if k and (lead > i or (i and p.words[i - 1] in ("just", "only"))):
+        of_them = bool(k) and p.words[k - 1] == "them"
+        if k and (lead > i or of_them or (i and p.words[i - 1] in ("just", "only"))):
             end = longest(p, k, "in it | in the tower | in the row | in all | in total | only | will do | tall") or k
-            yield r.Recount(theme=None, amount=n, span=p.span(i, end), cost=1), end
+            yield r.Recount(theme=None, amount=n, of_them=of_them, span=p.span(i, end), cost=1), end
+
+
+_BASES = phrases(
+    "the base | its base | the bottom layer | the square | the sides | the bottom row | its bottom row | the bottom | "
+    "the lowest row | the lowest layer"
+)
+
+
+_OF = phrases("a base of | a bottom row of | a bottom layer of | a height of | a length of | a width of")
 
 
 def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
     """Phrases such as "make the tower", "it should be", "change the number of blocks to"."""
     if j := longest(p, i, "make | have | build | let | change | extend | turn"):
         for theme, k in simple(p, j):
-            if isinstance(theme, m.Structure | m.Pronoun):
+            if isinstance(theme, m.Structure | m.Pronoun) and old(theme):
                 yield (theme, longest(p, k, "to be | to | be | into | out of | from | with") or k)
         for phrase in (
             "the number of blocks",
@@ -135,8 +147,10 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
         ):
             if (k := p.seq(j, phrase)) and (end := longest(p, k, ("to", "be"))):
                 yield None, end
-        if k := longest(p, j, "the base | its base | the bottom layer | the square | the sides"):
+        if k := longest(p, j, _BASES):
             yield None, longest(p, k, "to be | to | be | into") or k
+    if k := longest(p, longest(p, i, "give it | give the pyramid | it needs | it should have | i want") or i, _OF):
+        yield None, k
     for theme, k in simple(p, i):
         if isinstance(theme, m.Structure | m.Pronoun) and (
             end := longest(p, k, "should be | must be | should have | needs to be | has | must have")
@@ -146,10 +160,12 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
 
 def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
     for n, k in count(p, j):
-        for units, what in ((_TALL, "height"), (_LONG, "length"), (_BLOCKS, "blocks")):
+        for units, what in ((TALL, "height"), (LONG, "length"), (BLOCKS, "blocks")):
             if end := longest(p, k, units):
                 end = _instead_of(p, longest(p, end, "tall | high | long | wide") or end)
                 yield (r.Recount(theme=theme, amount=n, what=what, span=p.span(i, end)), end)
+        if k == p.end or p.words[k] in _CLOSES:
+            yield r.Recount(theme=theme, amount=n, what="number", span=p.span(i, k)), k
     start = longest(p, j, ("a", "an")) or j
     for dims, k in dimensions(p, start):
         end = (
@@ -159,7 +175,11 @@ def _to(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
         yield r.Recount(theme=theme, dims=dims, span=p.span(i, end)), end
 
 
-def _by(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
+_CLOSES = frozenset({",", ".", "and", "then", "instead", "please", "now", "not", "rather"})
+"""What may follow a number that stands alone: "make it six instead"."""
+
+
+def by_so_many(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.Request, int]]:
     start = longest(p, j, "one block | a block | one level | a level | one layer | a layer | one step") or j
     amount = 1
     if start == j:
@@ -167,11 +187,13 @@ def _by(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tuple[r.
             start, amount = (longest(p, k, "blocks | levels | layers | cubes | steps | block") or k, n)
     word = p.words[start] if start < p.end else ""
     if word in _MORE and (start > j or word not in ("bigger", "smaller")):
-        for n, end in _by_so_many(p, start + 1):
-            yield (r.Recount(theme=theme, by=_MORE[word] * (amount if start > j else n), span=p.span(i, end)), end)
+        what = _WHAT.get(word, "blocks")
+        for n, end in _so_many(p, start + 1):
+            by = _MORE[word] * (amount if start > j else n)
+            yield (r.Recount(theme=theme, by=by, what=what, span=p.span(i, end)), end)
 
 
-def _by_so_many(p: Parser, i: int) -> Iterator[tuple[int, int]]:
+def _so_many(p: Parser, i: int) -> Iterator[tuple[int, int]]:
     if j := p.one(i, "by"):
         for n, k in count(p, j):
             yield (n, longest(p, k, "blocks | block | levels | cubes | level | layers | layer | more") or k)
@@ -183,7 +205,7 @@ def _instead_of(p: Parser, i: int) -> int:
     """Phrases such as "instead of three"."""
     if j := longest(p, i, ("instead of", "rather than", "not")):
         for _, k in count(p, j):
-            return longest(p, k, _BLOCKS) or k
+            return longest(p, k, BLOCKS) or k
     return i
 
 

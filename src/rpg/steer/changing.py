@@ -69,10 +69,13 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
         yield r.Restyle(theme=theme, scale=how, span=p.span(i, k), cost=cost), k
     start = p.opt(n, "all", "both", "each")
     for marks, k in adjectives(p, start):
-        if marks and not set(marks) & {"rank", "extra", "target", "matching", "empty", "shape", "long"}:
+        if marks and not set(marks) & (_NO_LOOKS if _patch(theme) else _NO_LOOKS | _OF_PATCHES):
             yield (r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost), k)
-    for (labels, _), k in label_list(p, longest(p, n, "the letter | the number | letter | number | a | an") or n, True):
-        yield (r.Restyle(theme=theme, traits=m.Traits(labels=labels), span=p.span(i, k), cost=cost + 1), k)
+    said = longest(p, n, "the letter | the number | letter | number | a | an")
+    for (labels, _), k in label_list(p, said or n, True):
+        plainly = bool(said) or not all(label.isdigit() for label in labels)
+        told = r.Restyle(theme=theme, traits=m.Traits(labels=labels), plainly=plainly, span=p.span(i, k), cost=cost + 1)
+        yield told, k
     said = longest(p, n, "spell | spell out | say | read | write") or n
     text = literal(p, said)
     if text is not None and len(text) > 1 and isinstance(theme, m.Structure | m.Pronoun):
@@ -81,8 +84,24 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
     for new, k in noun_phrase(p, n):
         if isinstance(new, m.Structure):
             yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
+        elif plural_kind(new) and isinstance(new, m.Noun) and _sized(new.traits):
+            yield r.Restyle(theme=theme, traits=new.traits, span=p.span(i, k), cost=cost), k
         elif fresh(new) or plural_kind(new):
             yield r.Replace(old=theme, new=new, span=p.span(i, k), cost=cost), k
+
+
+def _sized(traits: m.Traits) -> bool:
+    """Phrases such as "5 cm cubes": blocks by their size alone."""
+    return traits == m.Traits(edge=traits.edge, size=traits.size) and bool(traits.edge or traits.size)
+
+
+_NO_LOOKS = frozenset({"rank", "extra", "target", "matching", "empty"})
+_OF_PATCHES = frozenset({"shape", "long"})
+
+
+def _patch(theme: m.Meaning | None) -> bool:
+    """Whether a phrase may speak of a patch, which has a shape."""
+    return isinstance(theme, m.Pronoun) or (isinstance(theme, m.Noun) and theme.head in ("patch", "any"))
 
 
 _SCALES = {

@@ -8,10 +8,11 @@ from rpg.steer import requests as r
 from rpg.steer.adding import add, put, remove
 from rpg.steer.amounts import loosening, recount
 from rpg.steer.changing import arrange, change, paint, resize
+from rpg.steer.elliptic import elliptic
 from rpg.steer.grouping import group, mixture, outliers
 from rpg.steer.language import Parser, Results, longest, phrases, rule
-from rpg.steer.replacing import instead, keep, replace_with, trade
 from rpg.steer.parts import parts
+from rpg.steer.replacing import instead, keep, replace_with, trade
 from rpg.steer.sorting import reorder
 from rpg.steer.wishes import wish
 
@@ -82,4 +83,5 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from paint(p, i)
     yield from resize(p, i)
     yield from arrange(p, i)
+    yield from elliptic(p, i)
     yield from parts(p, i)

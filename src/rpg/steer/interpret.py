@@ -32,9 +32,10 @@ from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace, restyle
 from rpg.steer.operations.tune import loosen, outliers
+from rpg.steer.operations.vary import some, turn
 from rpg.steer.parse import Parsed, is_edit, parse
-from rpg.steer.refer import resolve
 from rpg.steer.parts import Part
+from rpg.steer.refer import resolve
 from rpg.steer.shape import same_structure
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
@@ -54,6 +55,8 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Outliers: outliers,
     r.Kinds: mixed,
     r.Group: group,
+    r.Some: some,
+    r.Turn: turn,
     Part: part,
 }
 KIND_OF = {"label": "letter", "number": "digit"}

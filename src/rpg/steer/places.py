@@ -74,3 +74,10 @@ def place(p: Parser, i: int) -> Results[Place]:
         for word in ("after", "before"):
             for landmark, k in noun_phrase(p, at + 1) if p.one(at, word) else ():
                 yield m.Loc(rel=word, landmark=landmark, span=p.span(at, k)), k
+
+
+def given_up(p: Parser, i: int) -> int:
+    """The position after a place that is given up: "instead of to the left of it", ", not on the blue one"."""
+    j = longest(p, i, ", instead of | instead of | rather than | , rather than | , and not | and not | , not | not")
+    ends = [k for _, k in place(p, j)] + [k for _, k in noun_phrase(p, j)] if j else []
+    return max(ends, default=i)

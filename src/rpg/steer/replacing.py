@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TypeGuard
 
+from rpg.core.diagnostics import Span
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, adjectives, longest, m, noun_phrase, phrases, simple
 from rpg.steer.phrases import fresh, plural_kind, subjects, things
@@ -40,6 +41,15 @@ def replace_with(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                         yield r.Replace(old=old, new=new, span=p.span(i, end)), end
 
 
+def _in_place_of(old: m.Meaning | None, new: m.Meaning, span: Span) -> r.Request:
+    """One thing instead of another; a colour instead of a colour changes every block that has it."""
+    if old is not None and _only_a_color(old):
+        old = replace(old, det="all", plural=True)
+        if _only_a_color(new):
+            return r.Restyle(theme=old, traits=new.traits, span=span)
+    return r.Replace(old=old, new=new, span=span)
+
+
 def _only_a_color(phrase: m.Meaning) -> TypeGuard[m.Noun]:
     """Phrases such as "swap red for pink": a block of that colour."""
     if not isinstance(phrase, m.Noun) or phrase.det != "bare" or phrase.head != "any":
@@ -62,7 +72,7 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for phrase in ("instead of", "in place of", "rather than", "in lieu of", "and not", "not"):
             if n := p.seq(k, phrase):
                 for old, end in _old(p, n):
-                    yield r.Replace(old=old, new=new, span=p.span(i, end)), end
+                    yield _in_place_of(old, new, p.span(i, end)), end
         if (end := p.one(k, "instead")) and j > i:
             yield r.Replace(old=None, new=new, span=p.span(i, end), cost=1), end
         if (

@@ -55,17 +55,19 @@ class Replace(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Restyle(Request):
-    """Objects get another colour, symbol or size. `scale`: bigger (> 1) or smaller."""
+    """Objects get another colour, symbol or size. `scale`: bigger (> 1) or smaller. `plainly`: what was said can be
+    nothing but that; a mere number could also be how many blocks there are."""
 
     theme: m.Meaning | None
     traits: m.Traits = NO_TRAITS
     scale: float | None = None
+    plainly: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Recount(Request):
     """A structure gets another number of blocks, or other dimensions. `by`: so many more (or fewer); `times`: so many
-    times as many."""
+    times as many. `what`: "blocks", "height", "length", or "number" where only a number was said."""
 
     theme: m.Meaning | None
     amount: int | None = None
@@ -73,6 +75,11 @@ class Recount(Request):
     by: int | None = None
     times: float | None = None
     what: str = "blocks"
+    of_them: bool = False
+
+    def fewer_of(self, there: int) -> bool:
+        """Whether "two of them" are some of those that are there, rather than how many there should be."""
+        return self.of_them and self.amount is not None and self.amount < there
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -127,6 +134,22 @@ class Loosen(Request):
     factor: float | None = None
     value: float | None = None
     low: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Some(Request):
+    """What was asked of all is asked of so many. `bound`: "exactly", "at_least", "at_most"."""
+
+    bound: str
+    amount: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Turn(Request):
+    """A relation or a region points another way: `to` instead of `old`, among "left", "right", "front", "behind"."""
+
+    to: str
+    old: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -95,7 +95,9 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             "do it in reverse order | in reverse order | the other way around | the other way "
             "round | make it the other way around | do it the other way around | make it the "
             "other way round | upside down | in reverse | turn it upside down | in the opposite "
-            "order | put them in reverse order | the opposite order | use the opposite order | "
+            "order | put them in reverse order | the opposite order | opposite order | reverse order | "
+            "other way round | other way around | in the opposite direction | the order the other way round | "
+            "use the opposite order | "
             "use the reverse order | backwards | reversed | turned around | in the other order",
         ):  # fmt: skip
         yield r.Reorder(how="reverse", span=p.span(i, j)), j

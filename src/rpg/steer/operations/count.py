@@ -5,21 +5,27 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.blocks.traits import Traits
+from rpg.core.diagnostics import Span
 from rpg.ir.assets import Asset, Block
 from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetField
 from rpg.ir.order import Pattern
-from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Spells, Staircase
+from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
+from rpg.steer.operations.grow import grow, of_each_look
 from rpg.steer.operations.lines import insert
-from rpg.steer.operations.make import describe, free_name, unused_colors, unused_labels
+from rpg.steer.operations.make import describe, named, unused_colors, unused_labels
 from rpg.steer.refer import resolve
 from rpg.steer.view import Line, Shape
 
 
 def recount(draft: Draft, request: r.Recount) -> None:
     """Another number of blocks: lines grow at their ends, figures by their dimensions."""
+    if request.what == "each":
+        draft.aim("TWEAK")
+        of_each_look(draft, request)
+        return
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     line = found.line if found and found.whole else draft.view.main_line()
     figure = found.figure if found and found.whole else draft.view.main_figure()
@@ -32,10 +38,25 @@ def recount(draft: Draft, request: r.Recount) -> None:
         _figure(draft, figure, request)
     elif line is not None and not request.dims:
         _line(draft, line, request)
+    elif request.what in ("blocks", "number") and not request.dims and request.times is None:
+        _loose(draft, found.names if found else draft.view.focus or draft.view.busy, request)
     else:
         raise draft.refusal(
             "edit-unclear", "there is no structure whose size this could be", request.span, "say what is to be built"
         )
+
+
+def _loose(draft: Draft, names: Sequence[str], request: r.Recount) -> None:
+    """Another number of look-alikes that form nothing: those on a patch, in a region, in a group."""
+    looks = {draft.view.world.look[name] for name in names if name in draft.view.world.blocks}
+    alike = [name for name in draft.view.busy if draft.view.world.look[name] in looks]
+    wanted = request.amount if request.amount is not None else len(alike) + (request.by or 0)
+    if len(looks) != 1 or wanted < 1 or request.fewer_of(len(alike)):
+        told, hint = "there is no structure whose size this could be", "say what is to be built, or which blocks"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    if wanted == len(alike):
+        raise draft.refusal("nothing-to-do", f"there are {wanted} already", request.span)
+    grow(draft, alike, wanted, request.span)
 
 
 def _line(draft: Draft, line: Line, request: r.Recount) -> None:
@@ -46,6 +67,9 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
             request.span,
             "change the word instead",
         )
+    if request.what == "number" and any(Traits(draft.view.world).symbol(name).isdigit() for name in line.members):
+        told, hint = "this may be how many blocks or what they show", "say 'five blocks' or 'the number 5'"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     now = len(line.members)
     wanted = request.amount if request.amount is not None else now + (request.by or 0)
     if request.times is not None:
@@ -66,7 +90,15 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
             draft.do(AddAsset(asset=asset), request.span)
             same = draft.view.line_of(line.members)
             assert same is not None
-            insert(draft, same, len(same.members), asset.name, request.span)
+            join_line(draft, same, asset.name, request.span)
+
+
+def join_line(draft: Draft, line: Line, name: str, span: Span) -> None:
+    """One more block in a line: anywhere where its order is free, else at its end."""
+    if isinstance(line.node, Stack | Row) and line.node.order.by == "any" and not line.ordered:
+        draft.do(SetField(at=line.path, field="blocks", value=(*line.members, name)), span)
+    else:
+        insert(draft, line, len(line.members), name, span)
 
 
 def like(draft: Draft, members: Sequence[str], number: int) -> list[Asset]:
@@ -84,17 +116,6 @@ def like(draft: Draft, members: Sequence[str], number: int) -> list[Asset]:
         blocks = describe(draft, m.Traits(colors=tuple(unused_colors(draft, number))), number)
         draft.assume("new blocks have colours that the task did not have yet")
     return named(draft, [block.model_copy(update={"size": model.size, "origin": None}) for block in blocks])
-
-
-def named(draft: Draft, blocks: Sequence[Block]) -> list[Asset]:
-    """Blocks with free names."""
-    taken = {asset.name for asset in draft.schema.assets}
-    found: list[Asset] = []
-    for block in blocks:
-        name = free_name(block, taken)
-        taken.add(name)
-        found.append(block.model_copy(update={"name": name}))
-    return found
 
 
 def _figure(draft: Draft, figure: Shape, request: r.Recount) -> None:
@@ -135,16 +156,20 @@ def _dimensions(draft: Draft, figure: Shape, request: r.Recount) -> dict[str, ob
             if len(dims) == 2:
                 wall = node.rows == 1 and node.layers > 1
                 return {"columns": dims[0], "layers": dims[1]} if wall else {"rows": dims[0], "columns": dims[1]}
-            if request.what == "height" or step:
+            if request.what == "height" or (step and request.what != "length"):
                 return {"layers": request.amount or node.layers + step}
+            if step:
+                return {"columns": node.columns + step}
             return {"columns": request.amount} if request.what == "length" and request.amount else None
         case Pyramid():
             if len(dims) == 2:
                 return {"base": dims}
             size = request.amount or node.base[0] + step
-            return {"base": (size, size if node.base[1] > 1 else 1)} if request.what != "blocks" or step else None
+            told = request.what not in ("blocks", "number") or step
+            return {"base": (size, size if node.base[1] > 1 else 1)} if told else None
         case Staircase():
-            return {"steps": request.amount or node.steps + step} if not dims and request.what != "blocks" else None
+            told = not dims and request.what not in ("blocks", "number")
+            return {"steps": request.amount or node.steps + step} if told else None
         case Figure():
             if len(dims) == 2 and node.shape in ("square", "rectangle"):
                 return {"sides": dims}

@@ -136,6 +136,17 @@ def free_name(block: Block, taken: Iterable[str]) -> str:
     return _free(f"{size}{block.color}_block", set(taken))
 
 
+def named(draft: Draft, blocks: Sequence[Block]) -> list[Asset]:
+    """Blocks with free names."""
+    taken = {asset.name for asset in draft.schema.assets}
+    found: list[Asset] = []
+    for block in blocks:
+        name = free_name(block, taken)
+        taken.add(name)
+        found.append(block.model_copy(update={"name": name}))
+    return found
+
+
 def _free(name: str, taken: set[str]) -> str:
     candidate, number = name, 2
     while candidate in taken:

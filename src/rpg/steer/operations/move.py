@@ -13,13 +13,13 @@ from rpg.ir.shrink import close, without
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
-from rpg.steer.operations.add import put, stand_on
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.order import put_in_order
+from rpg.steer.operations.place import put, stand_on
 from rpg.steer.operations.relate import relation
 from rpg.steer.phrases import fresh
 from rpg.steer.refer import Found, exists, resolve
-from rpg.steer.shape import conjuncts
+from rpg.steer.shape import conjuncts, structures
 from rpg.steer.view import Line
 
 
@@ -108,6 +108,8 @@ def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found
                 "edit-unclear", "this place cannot be asked for here", request.span, "say the whole goal"
             )
         draft.do(SetGoal(goal=new[0] if len(new) == 1 else g.All(goals=new)), request.span)
+        if ("stack" in structures(before)) != ("stack" in structures(draft.schema.goal)):
+            draft.aim("PIVOT")
     draft.look_at(tuple(names))
 
 

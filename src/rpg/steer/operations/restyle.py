@@ -25,6 +25,15 @@ def restyle(draft: Draft, request: r.Restyle) -> None:
     names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
     names = tuple(name for name in names if name not in draft.kept)
     traits = request.traits
+    several = len(names) > 1 and len(traits.labels) == 1
+    if several and isinstance(request.theme, m.Pronoun) and request.theme.word == "it":
+        told, hint = f"'it' could be any of {len(names)} blocks", "say which block, or 'them'"
+        raise draft.refusal("ambiguous-object", told, request.span, hint)
+    if not request.plainly and (several or not all(Traits(draft.view.world).symbol(name) for name in names)):
+        told, hint = "this may be how many blocks or what they show", "say 'five blocks' or 'the number 5'"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    if (traits.shape or traits.long) and not set(names) <= set(draft.view.world.patches):
+        raise draft.refusal("edit-unclear", "only a patch has a shape", request.span, "say a colour or a size")
     if traits.kind in ("letter", "digit", "plain", "symbol") and not traits.labels and not traits.colors:
         convert(draft, names, traits.kind, request.span)
         return

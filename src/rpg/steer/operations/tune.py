@@ -24,6 +24,9 @@ def loosen(draft: Draft, request: r.Loosen) -> None:
     """Change what the request names, wherever the goal has it."""
     draft.aim("TWEAK")
     draft.note("tune", {"what": request.what, "factor": request.factor, "value_m": request.value})
+    if request.what == "distance":
+        _stated(draft, request)
+        return
     change = {"tolerance": _tolerance, "even": _even, "touching": _touching}.get(request.what, _gaps)
     if not change(draft, request):
         what = {"tolerance": "tolerance", "gap": "gap", "spacing": "spacing"}.get(request.what, "spacing")
@@ -33,6 +36,19 @@ def loosen(draft: Draft, request: r.Loosen) -> None:
             request.span,
             "a row has a spacing; a stack of named blocks has a tolerance",
         )
+
+
+def _stated(draft: Draft, request: r.Loosen) -> None:
+    """A distance that the goal states is another one."""
+    stated = [atom for _, atom in draft.view.atoms if _states(atom)]
+    if len(stated) != 1:
+        told = "the goal states no distance" if not stated else "the goal states more than one distance"
+        raise draft.refusal("edit-unclear", told, request.span, "say between which blocks, and how far apart")
+    _gaps(draft, request, only=stated[0])
+
+
+def _states(atom: g.Goal) -> bool:
+    return isinstance(atom, rel.Distance) or (isinstance(atom, Row) and (atom.spacing or atom.gap) is not None)
 
 
 def _tolerance(draft: Draft, request: r.Loosen) -> bool:
@@ -86,9 +102,11 @@ def _touching(draft: Draft, request: r.Loosen) -> bool:
     return done
 
 
-def _gaps(draft: Draft, request: r.Loosen) -> bool:
+def _gaps(draft: Draft, request: r.Loosen, only: g.Goal | None = None) -> bool:
     done = False
     for path, atom in draft.view.atoms:
+        if only is not None and atom != only:
+            continue
         match atom:
             case Row():
                 done |= _row(draft, path, atom, request)
@@ -136,8 +154,12 @@ def _row(draft: Draft, path: Path, atom: Row, request: r.Loosen) -> bool:
 
 def _distance(draft: Draft, path: Path, atom: rel.Distance, request: r.Loosen) -> bool:
     if request.value is not None:
-        _set(draft, path, "minimum", request.low)
-        return _set(draft, path, "maximum", request.value)
+        low, high = request.low, request.value
+        if low is None and atom.minimum is not None and atom.maximum is not None:
+            half = (atom.maximum - atom.minimum) / 2
+            low, high = round(high - half, 6), round(high + half, 6)
+        _set(draft, path, "minimum", low)
+        return _set(draft, path, "maximum", high)
     for field in ("minimum", "maximum"):
         value = getattr(atom, field)
         if value is not None:

@@ -1,0 +1,113 @@
+"""Requests without a verb: "four steps", "one layer higher", "all blue", "the other way round", "in the far corner"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.steer import requests as r
+from rpg.steer.amounts import BLOCKS, LONG, TALL, by_so_many
+from rpg.steer.language import Parser, colors, count, length, longest, m
+from rpg.steer.places import place
+
+_ALL = "all | everything | all of it | all of them | everything in | all in | all of them in | both | both in | each in"
+_EACH = (
+    "of each color | of each | of every color | of each kind | for each color | in each color | blocks of each color | "
+    "per color | of both colors | of either color"
+)
+
+
+def elliptic(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """What only says how it is to be, with nothing but small words before it."""
+    yield from _of_each(p, i)
+    yield from _some(p, i)
+    yield from turned(p, i)
+    yield from _distance(p, i)
+    if i and p.words[i - 1] == "and":
+        return
+    yield from _counted(p, i)
+    yield from _colored(p, i)
+    yield from _placed(p, i)
+
+
+def _counted(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "four steps", "five high", "exactly three blocks wide", "one layer higher"."""
+    lead = longest(p, i, "only | just | exactly") or i
+    for n, j in count(p, lead):
+        for units, what in ((TALL, "height"), (LONG, "length"), (BLOCKS, "blocks")):
+            end = longest(p, j, units)
+            if end and p.words[end - 1] != "them":
+                yield r.Recount(theme=None, amount=n, what=what, span=p.span(i, end), cost=3), end
+    yield from by_so_many(p, i, i, None)
+
+
+def _of_each(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "two of each colour", "only use three of each"."""
+    lead = longest(p, i, "use | have | take | with | make it | only use | just use | let there be | use only") or i
+    lead = longest(p, lead, "only | just | exactly") or lead
+    for n, j in count(p, lead):
+        if end := longest(p, j, _EACH):
+            yield r.Recount(theme=None, amount=n, what="each", span=p.span(i, end)), end
+
+
+_BOUNDS = {"exactly": "exactly", "only": "exactly", "at least": "at_least", "at most": "at_most"}
+
+
+def _distance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "make it 15 cm", "20 cm instead": the distance that the goal states."""
+    start = longest(p, i, "make it | change it to | it should be | make that | change that to | let it be") or i
+    for metres, j in length(p, start):
+        end = longest(p, j, "instead | apart | away | instead of that") or j
+        yield r.Loosen(what="distance", value=metres, span=p.span(i, end), cost=3), end
+
+
+def _some(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "exactly three of them", "at least two of them"."""
+    start = longest(p, i, "only | just | make it | it is enough if | it is enough that") or i
+    for phrase, bound in _BOUNDS.items():
+        j = p.seq(start, phrase)
+        for n, k in count(p, j) if j else ():
+            if end := longest(p, k, "of them | of the blocks | of those | of these | of the cubes"):
+                yield r.Some(bound=bound, amount=n, span=p.span(i, end)), end
+
+
+def _colored(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    if j := longest(p, i, _ALL):
+        everything = m.Pronoun(word="them", span=p.span(i, j))
+        for (listed, either), end in colors(p, j):
+            traits = m.Traits(colors=listed, either=either)
+            yield r.Restyle(theme=everything, traits=traits, span=p.span(i, end), cost=2), end
+
+
+def _placed(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """A place alone: where what was spoken of last has to be."""
+    for where, j in place(p, i):
+        if isinstance(where, m.In | m.Loc) and not _of_itself(where):
+            yield r.Move(theme=m.Pronoun(word="it", span=p.span(i, i + 1)), place=where, span=p.span(i, j), cost=4), j
+
+
+def _of_itself(where: m.Meaning) -> bool:
+    return isinstance(getattr(where, "landmark", None), m.Pronoun)
+
+
+_WAYS = {
+    "to the left": "left", "on the left": "left", "left": "left", "to the right": "right", "on the right": "right",
+    "right": "right", "in front": "front", "in the front": "front", "before": "front", "behind": "behind",
+    "in the back": "behind", "at the back": "behind",
+}  # fmt: skip
+
+
+def _way(p: Parser, i: int) -> Iterator[tuple[str, int]]:
+    """A direction, of whatever it was: "to the left", "behind it"."""
+    for phrase, way in _WAYS.items():
+        if j := p.seq(i, phrase):
+            yield way, longest(p, j, "of it | of that | it | of them") or j
+
+
+def turned(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "to the right instead of to the left", "behind it, not in front of it"."""
+    start = longest(p, i, "it should be | it must be | make it | put it | i want it | it has to be") or i
+    for to, j in _way(p, start):
+        k = longest(p, j, ", not | not | instead of | rather than | , and not | and not | , instead of | , rather than")
+        for old, end in _way(p, k) if k else ():
+            if to != old:
+                yield r.Turn(to=to, old=old, span=p.span(i, end)), end

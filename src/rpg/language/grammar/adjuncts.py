@@ -46,7 +46,7 @@ _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "for
          "shaped like", "in the pattern of", "arranged like", "along")  # fmt: skip
 
 
-_USING = ("using", "with", "from", "out of", "by using", "made of", "made from", "made out of", "consisting of",
+_USING = ("using", "with", "from", "among", "out of", "by using", "made of", "made from", "made out of", "consisting of",
     "composed of", "built from",
           "made up of", "use", "made with")  # fmt: skip
 
@@ -168,11 +168,14 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     j = p.any_of(i, (", so that", "so that", "such that", "in such a way that", "so as", ", such that",
         "making sure that", "making sure", "ensuring that", "ensuring",
                      "where", ", where", "in a way that", "and make sure that", "and ensure that",
-                     "in which", "on which", "so", "until", ", making sure", ", ensuring that", ", ensuring",
+                     "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring",
                      "while making sure", "while ensuring"))  # fmt: skip
     if j:
         for clauses, k in chain(p, j):
             yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
+    if j := p.one(i, "until"):
+        for clauses, k in chain(p, j):
+            yield That(kind="until", clauses=clauses, span=p.span(i, k)), k
     comma = p.opt(i, ",")
     if j := p.any_of(comma, ("that read", "that reads", "that spell", "that spells", "to spell", "to read",
         "which spell", "which spells", "that say", "that says", "to say", "spelling", "so it reads",

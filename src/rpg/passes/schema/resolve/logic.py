@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -29,6 +29,14 @@ def negate(goal: g.Goal, negated: bool, span: Span) -> g.Goal:
 
 
 def negation(goals: Atoms, span: Span) -> Atoms:
-    """None of `goals`: each is denied, those inside a conjunction too."""
-    flat = [x for goal in goals for x in (goal.goals if isinstance(goal, g.All) else (goal,))]
+    """None of `goals`: each is denied, those inside a conjunction or an alternative too."""
+    flat = [x for goal in goals for x in _flat(goal)]
     return [x.goal if isinstance(x, g.Not) else g.Not(goal=x, span=span) for x in flat]
+
+
+def _flat(goal: g.Goal) -> Iterator[g.Goal]:
+    if isinstance(goal, g.All | g.Any):
+        for part in goal.goals:
+            yield from _flat(part)
+    else:
+        yield goal

@@ -65,6 +65,22 @@ def count(names: tuple[str, ...], quant: Amount, atom: Callable[[Operand], g.Goa
     return g.Count(over=names, at_least=quant.low, at_most=quant.high, goal=atom((EACH,)), span=span)
 
 
+def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
+    """ "next to the blue and the green block": next to each of them; several that look alike are one landmark, unless
+    all of them are said to be, or to be touched.
+    """
+    if loc.rel not in (*LEVEL, "distance") or loc.rel == "apart" or mark.op != "and" or mark.each or mark.patch:
+        return [mark]
+    if len(mark.parts) > 1 or mark.built:
+        return list(mark.parts) or [mark]
+    if mark.det in ("all", "both") or loc.rel == "touching":
+        return [Ref(names=(name,)) for name in mark.names]
+    looks: dict[tuple[str | None, ...], list[str]] = {}
+    for thing in (scene.things[name] for name in mark.names if name != EACH):
+        looks.setdefault((thing.color, thing.label, thing.size), []).append(thing.name)
+    return [Ref(names=tuple(names)) for names in looks.values()] if len(looks) > 1 else [mark]
+
+
 def foot(ref: Ref) -> Operand:
     """The operand for a relation on the table: a tower's lowest block, a structure's blocks, the block itself."""
     if len(ref.built) == 1 and ref.built[0].kind == "stack":

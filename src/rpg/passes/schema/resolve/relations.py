@@ -15,7 +15,17 @@ from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.corners import corners
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import reciprocal
-from rpg.passes.schema.resolve.operands import DIRECTIONS, LEVEL, base_of, count, crown, foot, measure, spread
+from rpg.passes.schema.resolve.operands import (
+    DIRECTIONS,
+    LEVEL,
+    base_of,
+    count,
+    crown,
+    foot,
+    measure,
+    one_by_one,
+    spread,
+)
 from rpg.passes.schema.resolve.patches import (
     indefinite,
     matching_patches,
@@ -204,7 +214,10 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
     if mark.quant is not None:
         quant = mark.quant
         return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
-    return _relate(theme, mark, loc, scene, span)
+    marks = one_by_one(mark, loc, scene)
+    if len(marks) > 1 and (theme.op in ("or", "xor") or (theme.quant is not None and theme.quant.high != 0)):
+        raise refuse("ambiguous", "it is not clear which of them is meant by each", loc.span, "use two sentences")
+    return conj([_relate(theme, part, loc, scene, span) for part in marks], span)
 
 
 def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Absolute, Amount, At, Noun, OrderBy, Places, Size, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, At, Loc, Noun, OrderBy, Places, Size, Structure, Traits
 from rpg.passes.schema.resolve.members import declared
 from rpg.passes.schema.resolve.operands import foot
 from rpg.passes.schema.resolve.spec import Spec
@@ -70,6 +70,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     ):
         raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
                      f"name each {shape.kind} by itself")  # fmt: skip
+    _one_gap(shape, spec)
     looks, axis = _looks(spec, count)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     shape = _fresh(shape, scene)
@@ -79,8 +80,8 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     for index in range(count):
         color = _color(shape, spec, theme, looks, scene)
         single = _single(shape, looks[index], color)
-        own = copy(spec)
-        own.usings, own.places = list(spec.usings), []
+        own = _copied(spec)
+        own.places = []
         more, atoms = maker(single, own, lots[index], scene, scope)
         built += more
         goals += atoms
@@ -90,7 +91,9 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     if len(set(members)) < len(members):
         raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
                      f"say how many blocks each {shape.kind} has")  # fmt: skip
-    spec.orders, spec.patterns, spec.spacings, spec.toward, spec.usings = [], [], [], [], []
+    spec.orders, spec.patterns, spec.spacings, spec.toward, spec.usings = (
+        own.orders, own.patterns, own.spacings, own.toward, [],
+    )  # fmt: skip
     spec.absolutes = own.absolutes
     if axis is not None:
         ends = ("left", "right") if axis == "y" else ("front", "back")
@@ -101,6 +104,23 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
         goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
     return built, goals
+
+
+def _one_gap(shape: Structure, spec: Spec) -> None:
+    """ "two rows of three blocks with a gap of 5 cm": between the rows or between the blocks?"""
+    gaps = [p for p in spec.places if isinstance(p, Loc) and p.rel == "distance" and p.measure == "faces"]
+    if gaps and shape.kind in ("row", "line", "column"):
+        raise refuse("ambiguous", f"the gap could be between the {shape.kind}s or between their blocks", gaps[0].span,
+                     f"build each {shape.kind} in a sentence of its own")  # fmt: skip
+
+
+def _copied(spec: Spec) -> Spec:
+    """The same words for each: what one of them uses is there for the next one too."""
+    own = copy(spec)
+    for name, value in vars(own).items():
+        if isinstance(value, list):
+            setattr(own, name, list(value))
+    return own
 
 
 def _fresh(shape: Structure, scene: Scene) -> Structure:

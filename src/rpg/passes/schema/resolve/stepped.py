@@ -18,11 +18,13 @@ def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     """ "a pyramid with a 3x3 base", "a pyramid of six blocks"."""
     plain(shape)
     base = _base(shape, spec, theme, scene)
+    layers = min(base) if base[1] > 1 else base[0]
+    if any(shape.extent(what) not in (None, layers) for what in ("layers", "high")):
+        raise refuse("contradiction", f"such a pyramid has {layers} layers", shape.span, f"say {layers} layers")
     need = pyramid_size(base)
     form = s.Pyramid(blocks=("",), base=base)
     shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
-    layers = min(base) if base[1] > 1 else base[0]
     pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope, form)
     node = s.Pyramid(blocks=names, base=base, pattern=pattern, readable=readable, span=shape.span)
     return made("pyramid", node, names, shape.span, scene)

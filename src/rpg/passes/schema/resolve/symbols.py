@@ -12,6 +12,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of
+from rpg.passes.schema.resolve.extents import plain
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import create
@@ -39,6 +40,8 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     names = _cubes(text, spec, theme, scene, scope, shape.span)
     details = [x for into in spec.intos if isinstance(into.structure, Structure) for x in into.structure.details]
     upright = _along(spec)
+    for way in (t for t in spec.toward if t.axis == "x" or t.first in ("front", "back")):
+        raise refuse("misplaced", "a word is read from left to right, or down a tower", way.span, "leave this out")
     backward = spec.manner("backwards") is not None or spec.first("right", "bottom") is not None
     spec.toward = []
     spec.orders = [o for o in spec.orders if o.by not in ("any", "in_order")]
@@ -69,8 +72,12 @@ def _along(spec: Spec) -> bool:
         kind = getattr(into.structure, "kind", "")
         if upright and kind in ("row", "line"):
             raise refuse("contradiction", "a row does not stand upright", into.span, "say 'in a tower'")
+        stands, several = getattr(into.structure, "upright", None), getattr(into.structure, "plural", False)
+        if several or (kind == "column" and not stands) or (kind in ("row", "line") and stands):
+            raise refuse("misplaced", "a word or an equation is read along one row, or down one tower", into.span,
+                         "say 'in a row' or 'in a tower'")  # fmt: skip
         if kind in ("stack", "row", "line", "column"):
-            if kind == "stack" or (kind == "column" and getattr(into.structure, "upright", None)):
+            if kind in ("stack", "column"):
                 upright = True
             spec.intos.remove(into)
     for place in list(spec.places):
@@ -164,6 +171,7 @@ def _label(thing: Thing, symbol: str) -> None:
 
 def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "2+3=5", "a correct equation"."""
+    plain(shape)
     text = shape.letter if shape.letter and len(shape.letter) > 1 else None
     chosen = text or _default_equation(shape.letter)
     check_equation(chosen, shape.span)

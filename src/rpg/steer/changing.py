@@ -83,7 +83,8 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
         yield (r.Reshape(structure=word, theme=theme, span=p.span(i, said + 1), cost=cost), said + 1)
     for new, k in noun_phrase(p, n):
         if isinstance(new, m.Structure):
-            yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
+            if new.kind != "equation":
+                yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
         elif plural_kind(new) and isinstance(new, m.Noun) and _sized(new.traits):
             yield r.Restyle(theme=theme, traits=new.traits, span=p.span(i, k), cost=cost), k
         elif fresh(new) or plural_kind(new):

@@ -14,6 +14,7 @@ from rpg.steer.language import Parser, Results, longest, phrases, rule
 from rpg.steer.parts import parts
 from rpg.steer.replacing import instead, keep, replace_with, trade
 from rpg.steer.sorting import reorder
+from rpg.steer.symbols import symbols
 from rpg.steer.wishes import wish
 
 ALSO = ("too", "as well", "also", "instead", "again", "please", "now", "there", "then")
@@ -85,3 +86,4 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from arrange(p, i)
     yield from elliptic(p, i)
     yield from parts(p, i)
+    yield from symbols(p, i)

@@ -31,12 +31,14 @@ from rpg.steer.operations.parts import part
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace, restyle
+from rpg.steer.operations.symbols import carry_on, equate
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.operations.vary import some, turn
 from rpg.steer.parse import Parsed, is_edit, parse
 from rpg.steer.parts import Part
 from rpg.steer.refer import resolve
 from rpg.steer.shape import same_structure
+from rpg.steer.symbols import Continue, Equate
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -58,6 +60,8 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Some: some,
     r.Turn: turn,
     Part: part,
+    Equate: equate,
+    Continue: carry_on,
 }
 KIND_OF = {"label": "letter", "number": "digit"}
 TRIES = 12

@@ -55,6 +55,7 @@ def test_what_was_lost_is_found(less: str, said: str, lost: str) -> None:
         "sort the letters A to F by vowel and consonant",
         "put the four blocks inside the green circle",
         "move the red block at least 15 cm",
+        "move the red block by at least 5 cm",
     ],
 )
 def test_what_was_said_is_found(said: str) -> None:

@@ -24,6 +24,8 @@ UNITS = (1.0, 100.0, 1000.0, 1 / 0.0254)
 """Lengths are told in metres, centimetres, millimetres or inches."""
 FEW = 2
 """Numbers up to this are said in passing ("the two towers", "no two of them") and are not asked for."""
+LENGTHS = ("at_least", "distance")
+"""Fields of goals that are said as often as not; of other fields only values that are not the default are."""
 PRONOUNS = "AI"
 _PLAIN = {
     "alphabet alphabetic alphabetical alphabetically alphabetized": "label",
@@ -127,7 +129,7 @@ def _inside(value: object) -> Iterator[float]:
             yield from _inside((low + high) / 2)
         for name, field in type(value).model_fields.items():
             told = getattr(value, name)
-            if name != "span" and told != field.default:
+            if name != "span" and (told != field.default or name in LENGTHS):
                 yield from _inside(told)
     elif isinstance(value, str):
         yield from map(float, re.findall(r"\d+", value))

@@ -9,11 +9,12 @@ from rpg.blocks.english import relations, structures
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import goal as g
-from rpg.ir.node import EACH
 from rpg.ir.walk import names, rename
 
 CLAUSES: dict[str, Callable[[Any, Speaker], str]] = {**relations.TABLE, **structures.TABLE}
 """A clause for each kind of atom."""
+ANY = "any"
+"""Stands for the block that alternatives differ in."""
 ORDINALS = ("First", "Then", "After that", "Next")
 
 
@@ -50,7 +51,7 @@ def _any_of(goal: g.Any) -> g.Count | None:
             fits = [n for n in names(other) if n not in over and rename(first, {name: n}) == other]
             over += fits[:1]
         if len(over) == len(goal.goals) > 1 and not set(over[1:]) & set(names(first)):
-            return g.Count(over=tuple(over), at_least=1, goal=rename(first, {name: EACH}))
+            return g.Count(over=tuple(over), var=ANY, at_least=1, goal=rename(first, {name: ANY}))
     return None
 
 
@@ -101,8 +102,9 @@ def _counted(goal: g.Count, say: Speaker) -> str:
         many = f"at most {number(high)}"
     else:
         many = f"between {number(low)} and {number(high)}"
-    say.aliases[goal.var] = f"{many} of {say.the(goal.over)}"
-    if many != "exactly one":
+    one = say.like(goal.over[:1])[0] if goal.var == ANY and say.aliases and say.alike(goal.over) else ""
+    say.aliases[goal.var] = one or f"{many} of {say.the(goal.over)}"
+    if many != "exactly one" and not one:
         say.plural.add(goal.var)
     text = spoken(goal.goal, say)
     say.plural.discard(goal.var)

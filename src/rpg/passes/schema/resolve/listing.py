@@ -28,6 +28,8 @@ def listed(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         bare = replace(noun.traits, labels=(), open_ended=False)
         traits = replace(bare, labels=(value,)) if key == "labels" else replace(bare, colors=(value,))
         have = matching(replace(traits, scheme=None), scene, patch)
+        if count is None and any(t.declared for t in have):
+            share = None
         if share is not None and share > 1:
             one = replace(noun, traits=traits, amount=Amount(share, share), plural=True, det="the" if have else "bare")
         else:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.core.diagnostics import Refusal
 from rpg.language.grammar.retold import retold
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
 from rpg.passes.schema.resolve.listing import fewer_than, listed, quantified
@@ -159,6 +160,8 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
 
 
 def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    if noun.part_of is None and _elliptical(noun, scene, scope):
+        return _of_them(noun, scene, scope)
     if noun.part_of is not None:
         return _partitive(noun, scene, scope)
     if noun.traits.extra:
@@ -177,6 +180,22 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if noun.det in ("other", "another"):
         return _besides(noun, scene, scope, patch)
     return _plain(noun, scene, scope, patch)
+
+
+def _elliptical(noun: Noun, scene: Scene, scope: Scope) -> bool:
+    """ "at least two", "exactly one" without a noun: of the blocks that were spoken of, never further ones."""
+    bare = noun.head == "any" and noun.traits == Traits() and noun.det in ("bare", "some") and not scope.like_patch
+    return bare and noun.amount is not None and noun.amount.strict and bool(scene.blocks())
+
+
+def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    try:
+        return _partitive(replace(noun, part_of=Pronoun(word="them", span=noun.span)), scene, scope)
+    except Refusal as refusal:
+        if refusal.diagnostics[0].code == "too-many-asked":
+            raise
+        hint = "say for example 'two of the three red blocks'"
+        raise refuse("ambiguous", "it is not said of which blocks so many are meant", noun.span, hint) from None
 
 
 def _besides(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:

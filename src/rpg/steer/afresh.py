@@ -32,7 +32,7 @@ _FRESH = re.compile(
     r"\s*(?:[:.,;!-]|and|with|then)*\s+(?:(?:and|then|instead|now)\s+)?",
     re.IGNORECASE,
 )
-_COMPARED = re.compile(r"[\s,]+(?:instead|again)[\s.!]*$", re.IGNORECASE)
+_COMPARED = re.compile(r"[\s,]+(?:instead|again)[\s.!?]*$", re.IGNORECASE)
 _ADDS = re.compile(
     r"\b(?:also|too|as well|must|should|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning"
     r"|still|in addition)\b",

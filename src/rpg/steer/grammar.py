@@ -15,9 +15,17 @@ from rpg.steer.parts import parts
 from rpg.steer.replacing import instead, keep, replace_with, trade
 from rpg.steer.sorting import reorder
 from rpg.steer.symbols import symbols
+from rpg.steer.terse import terse
 from rpg.steer.wishes import wish
 
 ALSO = ("too", "as well", "also", "instead", "again", "please", "now", "there", "then")
+
+
+_CLOSING = phrases(
+    "for me | if you can | if possible | rather | , rather | , please | , too | , instead | , though | though | "
+    ", now | after all | , i mean | i mean | thanks | , thanks | thank you | , thank you | would be nice | "
+    "would be great | if you do not mind | , if possible | , if you can | , again"
+)
 
 
 @rule
@@ -59,7 +67,7 @@ def skip(p: Parser, i: int) -> int:
 def tail(p: Parser, i: int) -> int:
     while True:
         j = longest(p, i, ALSO) or i
-        j = longest(p, j, ("for me", "if you can", "if possible")) or j
+        j = longest(p, j, _CLOSING) or j
         if j == i:
             return i
         i = j
@@ -87,3 +95,4 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from elliptic(p, i)
     yield from parts(p, i)
     yield from symbols(p, i)
+    yield from terse(p, i)

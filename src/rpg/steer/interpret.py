@@ -32,6 +32,7 @@ from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace, restyle
 from rpg.steer.operations.symbols import carry_on, equate
+from rpg.steer.operations.terse import bound, pile_up, tint
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.operations.vary import some, turn
 from rpg.steer.parse import Parsed, is_edit, parse
@@ -39,6 +40,7 @@ from rpg.steer.parts import Part
 from rpg.steer.refer import resolve
 from rpg.steer.shape import same_structure
 from rpg.steer.symbols import Continue, Equate
+from rpg.steer.terse import Bound, PileUp, Tint
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -61,6 +63,9 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Turn: turn,
     Part: part,
     Equate: equate,
+    Tint: tint,
+    Bound: bound,
+    PileUp: pile_up,
     Continue: carry_on,
 }
 KIND_OF = {"label": "letter", "number": "digit"}
@@ -218,6 +223,8 @@ def _otherwise(
             reasons += refusal.diagnostics
     more = mentions_known(Draft(history.current.schema, history.current.focus), request)
     steps = (_clause,) if edits or Fresh.adds(request) else (_clause, _standalone) if more else (_standalone, _clause)
+    if by_itself(request) != request and not request.rstrip(" .!?").lower().endswith("again"):
+        steps = (_standalone,)
     for step in steps:
         try:
             return step(request, history, read)

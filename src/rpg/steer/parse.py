@@ -57,20 +57,32 @@ def _plainly(tokens: list[Token]) -> list[Token]:
 _EVERYTHING = ("the whole thing", "the entire thing", "the whole lot", "the whole structure", "the entire structure")
 
 
+_WHOLE = frozenset({"whole", "entire", "complete"})
 _BELOW = frozenset({"of", "under", "beneath", "below", "underneath"})
 
 
 def _as_one(tokens: list[Token]) -> list[Token]:
     """Words for all that is built, as the one word that stands for it."""
     found: list[Token] = []
+    wholes: list[int] = []
     for token in tokens:
         below = token.word == "everything" and bool(found) and found[-1].word in _BELOW
         found.append(replace(token, word="them") if below else token)
+        if token.word in _WHOLE and len(found) > 1 and found[-2].word in ("the", "its"):
+            wholes.append(len(found) - 1)
         words = " ".join(each.word for each in found[-3:])
         if len(found) > 2 and words in _EVERYTHING:
             first, last = found[-3], found[-1]
             found[-3:] = [replace(first, word="them", span=(first.span[0], last.span[1]))]
-    return found
+            wholes = [k for k in wholes if k < len(found)]
+        elif " ".join(each.word for each in found[-2:]) == "it all" and below_or_on(found[:-2]):
+            found[-2:] = [replace(found[-2], word="them", span=(found[-2].span[0], token.span[1]))]
+    return [token for k, token in enumerate(found) if k not in wholes or k + 1 == len(found)]
+
+
+def below_or_on(tokens: list[Token]) -> bool:
+    """Whether what follows is what something is put on, or under."""
+    return bool(tokens) and tokens[-1].word in _BELOW | {"on"}
 
 
 _EDITS = phrases(

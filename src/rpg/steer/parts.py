@@ -33,7 +33,8 @@ def parts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     j = longest(p, i, _LEADS) or i
     for found, k in part_statement(p, j):
         place = found.adjuncts[0]
-        if isinstance(found.theme, m.Noun) and isinstance(place, PLACE):
+        rest = isinstance(place, m.Places) and place.side == "rest"
+        if isinstance(found.theme, m.Noun) and isinstance(place, PLACE) and not rest:
             yield Part(place=place, look=found.theme, span=p.span(i, k), cost=1), k
     for place, k in _block_at(p, j):
         for look, end in noun_phrase(p, longest(p, k, _IS) or k):

@@ -173,6 +173,8 @@ def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
     check_picked(phrase)
     pool: Sequence[str] = tuple(view.world.patches if phrase.head == "patch" else view.world.blocks)
     found = tuple(name for name in pool if matches(view, name, phrase.traits))
+    if not found and phrase.head == "any" and phrase.traits.colors:
+        found = tuple(name for name in view.world.patches if matches(view, name, phrase.traits))
     for condition in phrase.conditions:
         found = tuple(name for name in found if _placed(view, name, condition))
     if phrase.traits.extra:

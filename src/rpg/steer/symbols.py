@@ -27,9 +27,10 @@ class Continue(r.Request):
 
 _EQUATE = (
     "change it to | change it into | change that to | turn it into | make it | make that | make | use | i want | "
-    "let it be | let it read | let it say | it should be | it should say | it should read | show | write | spell | do | "
-    "with | have | change the equation to | the equation should be | make the equation | use the equation | switch to | "
-    "try | replace it with | replace it by | replace the equation with | replace the equation by | let it show"
+    "let it be | let it read | let it say | it should be | it should say | it should read | show | write | spell | "
+    "do | with | have | change the equation to | the equation should be | make the equation | use the equation | "
+    "switch to | try | replace it with | replace it by | replace the equation with | replace the equation by | "
+    "let it show"
 )
 _CONTINUE = (
     "continue | go on | carry on | keep going | go | count | count on | count up | count down | extend it | "

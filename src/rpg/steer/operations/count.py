@@ -70,6 +70,9 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
     if request.what == "number" and any(Traits(draft.view.world).symbol(name).isdigit() for name in line.members):
         told, hint = "this may be how many blocks or what they show", "say 'five blocks' or 'the number 5'"
         raise draft.refusal("edit-unclear", told, request.span, hint)
+    if request.what == "number" and line.node is None and line.kind != "tower":
+        told, hint = "there is no structure whose size this could be", "say what is to be built, or which blocks"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     now = len(line.members)
     wanted = request.amount if request.amount is not None else now + (request.by or 0)
     if request.times is not None:

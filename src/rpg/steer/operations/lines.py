@@ -55,13 +55,20 @@ def _free_groups(line: Line) -> tuple[tuple[str, ...], ...]:
 
 
 def pin(draft: Draft, names: Sequence[str], span: Span) -> None:
-    """Blocks that a phrase picked by their place keep it, though they looked like the others of their line."""
+    """Blocks that a phrase picked by their place keep it, though they looked like others of their line."""
     line = draft.view.line_of(names)
-    if line is None or not isinstance(line.node, Stack | Row) or line.node.order.by != "any" or not line.ordered:
+    if line is None or not isinstance(line.node, Stack | Row) or not line.ordered:
         return
+    order = line.node.order
+    if order.by not in ("any", "given"):
+        return
+    rank = {name: index for index, ranked in enumerate(order.ranks) for name in ranked}
     chosen = set(names)
-    groups = [tuple(members) for _, members in groupby(line.members, key=lambda name: name in chosen)]
-    if len(groups) > 1:
+    groups = [
+        tuple(members)
+        for _, members in groupby(line.members, key=lambda name: (rank.get(name, 0), name in chosen))
+    ]
+    if len(groups) > max(1, len(order.ranks)):
         draft.do(ChangeCondition(at=line.path, to=_with_ranks(line, line.members, groups)), span)
 
 

@@ -1,4 +1,5 @@
-"""How the blocks at a place of a figure look: its layers, rows and columns, its corners, its edge, its middle."""
+"""How the blocks at a place of a figure look: its layers, rows and columns, its corners, its edge, its middle; and
+those at a place of a line: its ends, its middle, the second from the left."""
 
 from __future__ import annotations
 
@@ -8,17 +9,18 @@ from itertools import groupby
 from rpg.blocks.figures import Cell, ideals, upright
 from rpg.blocks.predicates.pattern import reading_order
 from rpg.core.diagnostics import Refusal
-from rpg.ir.assets import Asset
+from rpg.ir.assets import Asset, Block, SemanticCube
 from rpg.ir.edits import SetField
 from rpg.ir.order import Order, Pattern
 from rpg.ir.structures import Cells, Figure, Grid, Pyramid, Staircase
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.guard import check_new
+from rpg.steer.operations.lines import pin
 from rpg.steer.operations.make import describe
 from rpg.steer.operations.restyle import exchange
 from rpg.steer.parts import PLACE, Part
-from rpg.steer.view import Shape
+from rpg.steer.view import BEGINS, ENDS, Shape
 
 _FIRST = {"row": ("back", "front"), "column": ("left", "right"), "layer": ("bottom", "top")}
 _ALIAS = {"top": "back", "bottom": "front"}
@@ -26,47 +28,87 @@ _ALIAS = {"top": "back", "bottom": "front"}
 
 
 def part(draft: Draft, request: Part) -> None:
-    """Blocks at a place of the figure get another look; what stands elsewhere in it stays where it is."""
+    """Blocks at a place get another look; what stands elsewhere stays where it is."""
+    check_new(request.look)
     figure = _figure(draft)
     if figure is None:
-        raise draft.refusal(
-            "edit-unclear", "it is not settled which block this is", request.place.span, "name its colour or letter"
-        )
+        _restyled(draft, _in_line(draft, request), request)
+        return
     node = figure.node
     assert isinstance(node, Cells)
     places = _places(node, request.place, len(figure.members))
     if not places:
         told, hint = "the structure has no such part", "name one of its layers, rows or corners, or its middle"
         raise draft.refusal("no-such-object", told, request.place.span, hint)
-    check_new(request.look)
-    amount = request.look.amount
-    if amount is not None and amount.low != len(places) and not (amount.low == 1 and request.look.det == "a"):
-        told = f"this part has {len(places)} places, not {amount.low}"
-        raise draft.refusal("count-mismatch", told, request.look.span, f"say {len(places)}")
     standing = _standing(draft, figure, node, request)
-    chosen = [standing[k] for k in places]
-    new: dict[str, Asset] = {}
-    for name, block in zip(chosen, describe(draft, request.look.traits, len(chosen)), strict=True):
-        new[name] = block.model_copy(update={"name": name, "size": draft.view.world.edge[name]})
-    draft.aim("TWEAK" if _plain(draft, chosen) and not request.look.traits.labels else "MODIFY")
-    draft.note("part", {"blocks": chosen})
-    names = exchange(draft, new, request.span)
+    names = _restyled(draft, [standing[k] for k in places], request)
     members = [names.get(name, name) for name in standing]
     looks = draft.view.world.look
     ranks = tuple(tuple(run) for _, run in groupby(members, key=lambda name: looks[name]))
     pattern = Pattern(kind="reading", order=Order(by="given", ranks=ranks)) if len(ranks) > 1 else None
     draft.do(SetField(at=figure.path, field="pattern", value=pattern and pattern.model_dump()), request.span)
+
+
+def _restyled(draft: Draft, chosen: Sequence[str], request: Part) -> dict[str, str]:
+    """Give blocks the look that the request names. Old name -> new name."""
+    amount = request.look.amount
+    if amount is not None and amount.low != len(chosen) and not (amount.low == 1 and request.look.det == "a"):
+        told = f"this part has {len(chosen)} places, not {amount.low}"
+        raise draft.refusal("count-mismatch", told, request.look.span, f"say {len(chosen)}")
+    new: dict[str, Asset] = {}
+    for name, block in zip(chosen, describe(draft, request.look.traits, len(chosen)), strict=True):
+        new[name] = block.model_copy(update={"name": name, "size": draft.view.world.edge[name]})
+    if not request.look.traits.labels:
+        labels = {name: draft.view.world.blocks[name] for name in chosen}
+        new = {n: _coloured(labels[n], block) for n, block in new.items()}
+    draft.aim("MODIFY" if request.look.traits.labels else "TWEAK")
+    draft.note("part", {"blocks": list(chosen)})
+    names = exchange(draft, new, request.span)
     draft.look_at(tuple(names.values()))
+    return names
 
 
-def _plain(draft: Draft, names: Sequence[str]) -> bool:
-    return all(draft.view.world.blocks[name].type == "ColoredCube" for name in names)
+def _coloured(old: Block, new: Asset) -> Asset:
+    """A cube with a symbol keeps it where only a colour was said."""
+    return old.model_copy(update={"color": new.color}) if isinstance(old, SemanticCube) else new
+
+
+def _in_line(draft: Draft, request: Part) -> list[str]:
+    """The blocks at a place of the tower or the row that was spoken of last."""
+    line, place = draft.view.main_line(), request.place
+    if line is None or not line.ordered:
+        raise draft.refusal(
+            "edit-unclear", "it is not settled which block this is", place.span, "name its colour or letter"
+        )
+    total = len(line.members)
+    several = place.several if isinstance(place, m.Places) else None
+    if isinstance(place, m.Places) and place.unit not in ("block", "layer", "cell", ""):
+        raise draft.refusal("no-such-object", f"a {line.kind} has no {place.unit}s", place.span, "name its ends")
+    begin = BEGINS[line.kind]
+    number, index = several or 1, (place.index or 1) - 1
+    inside = {
+        begin: range(index, index + number), "first": range(index, index + number),
+        ENDS[begin]: range(total - index - number, total - index),
+        "last": range(total - index - number, total - index),
+        "ends": (0, total - 1), "outer": (0, total - 1), "inner": range(1, total - 1),
+        "middle": range((total - number) // 2, (total + number) // 2) if (total - number) % 2 == 0 else (),
+    }.get(place.side, ())  # fmt: skip
+    found = [line.members[k] for k in inside if 0 <= k < total]
+    if not found or len(found) != len(inside):
+        told, hint = f"a {line.kind} of {total} has no such place", f"say {begin}, {ENDS[begin]}, or a number"
+        raise draft.refusal("no-such-object", told, place.span, hint)
+    pin(draft, found, request.span)
+    return found
 
 
 def _figure(draft: Draft) -> Shape | None:
+    """The figure that was spoken of last; none where that was a line, or where there is none."""
     shapes = [shape for shape in draft.view.figures if isinstance(shape.node, Cells)]
     recent = [shape for shape in shapes if set(shape.members) & set(draft.view.focus)]
-    return (recent or shapes or [None])[-1]  # type: ignore[list-item]
+    line = draft.view.main_line()
+    if not shapes or (not recent and line is not None and set(line.members) & set(draft.view.focus)):
+        return None
+    return (recent or shapes)[-1]
 
 
 def _standing(draft: Draft, figure: Shape, node: Cells, request: Part) -> list[str]:

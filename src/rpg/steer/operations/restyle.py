@@ -137,11 +137,12 @@ def _patch(patch: GoalPatch, traits: m.Traits, scale: float | None, color: str |
 
 def exchange(draft: Draft, new: Mapping[str, Asset], span: Span | None) -> dict[str, str]:
     """Give objects their new looks, and the names that fit them; words on cubes follow. Old name -> new name."""
-    taken = {asset.name for asset in draft.schema.assets} - set(new)
+    same = {name for name, asset in new.items() if _same_words(draft, name, asset)}
+    taken = {asset.name for asset in draft.schema.assets} - set(new) | same
     exchanges: list[Exchange] = []
     names: dict[str, str] = {}
     for name, asset in new.items():
-        called = name if _same_words(draft, name, asset) else _called(asset, taken)
+        called = name if name in same else _called(asset, taken)
         taken.add(called)
         names[name] = called
         exchanges.append(Exchange(name=name, asset=asset.model_copy(update={"name": called})))
@@ -201,10 +202,16 @@ def replace(draft: Draft, request: r.Replace) -> None:
     new = request.new
     if isinstance(new, m.Noun) and (new.head == "patch" or all(name in draft.view.world.patches for name in old)):
         _replace_patches(draft, old, new, request.span)
-    elif isinstance(new, m.Noun) and (new.amount.low if new.amount else len(old)) == len(old):
+    elif isinstance(new, m.Noun) and (_one_each(request) or (new.amount.low if new.amount else len(old)) == len(old)):
         _replace_each(draft, old, new, request.span)
     else:
         _replace_by_several(draft, old, request)
+
+
+def _one_each(request: r.Replace) -> bool:
+    """Phrases such as "replace every letter with a red cube"."""
+    old, new = request.old, request.new
+    return isinstance(old, m.Noun) and old.det == "each" and isinstance(new, m.Noun) and new.det == "a"
 
 
 def _replace_each(draft: Draft, old: Sequence[str], new: m.Noun, span: Span) -> None:

@@ -64,6 +64,11 @@ def _tolerance(draft: Draft, request: r.Loosen) -> bool:
         for field in METRES.get(atom.kind, ()):
             value = request.value if request.value is not None else getattr(atom, field) * (request.factor or 1.0)
             done |= _set(draft, path, field, round(value, 6))
+        if isinstance(atom, rel.Distance) and atom.minimum is not None and atom.maximum is not None:
+            middle, half = (atom.minimum + atom.maximum) / 2, (atom.maximum - atom.minimum) / 2
+            half = request.value if request.value is not None else half * (request.factor or 1.0)
+            _set(draft, path, "minimum", round(max(0.0, middle - half), 6))
+            done |= _set(draft, path, "maximum", round(middle + half, 6))
         if isinstance(atom, Row) and (atom.spacing is not None or atom.gap is not None):
             value = request.value if request.value is not None else atom.tolerance * (request.factor or 1.0)
             done |= _set(draft, path, "tolerance", round(value, 6))

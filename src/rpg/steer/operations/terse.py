@@ -1,0 +1,79 @@
+"""Requests that say only what is to be otherwise, and leave the rest as it is."""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.ir.edits import ChangeCondition, DropCondition, SetGoal
+from rpg.ir.relations import OnPatch
+from rpg.ir.structures import Row, Stack
+from rpg.ir.walk import transform
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+from rpg.steer.language import m
+from rpg.steer.operations.reshape import reshape
+from rpg.steer.operations.restyle import restyle
+from rpg.steer.operations.vary import some
+from rpg.steer.terse import Bound, PileUp, Tint
+
+
+def tint(draft: Draft, request: Tint) -> None:
+    """A colour for what was spoken of last; without that, for blocks that have one look."""
+    view = draft.view
+    names = view.focus or view.busy
+    if len({view.world.look[name] for name in names if name in view.world.blocks}) != 1:
+        told, hint = "it is not said which blocks get this colour", "name them: make the red block white"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    draft.look_at(names)
+    theme = m.Pronoun(word="it" if len(names) == 1 else "them", span=request.span)
+    restyle(draft, r.Restyle(theme=theme, traits=m.Traits(colors=(request.color,)), span=request.span))
+
+
+def bound(draft: Draft, request: Bound) -> None:
+    """Another number in the only count of the goal; where nothing is counted yet, of all that a condition is about."""
+    found: list[g.Count] = []
+
+    def counting(node: g.Goal) -> g.Goal:
+        if isinstance(node, g.Count):
+            found.append(node)
+        return node
+
+    transform(draft.schema.goal, counting)
+    if not found and request.bound == "as_now":
+        raise draft.refusal(
+            "edit-unclear", "nothing is counted here", request.span, "say which blocks, and what of them"
+        )
+    if not found:
+        some(draft, r.Some(bound=request.bound, amount=request.amount, span=request.span))
+        return
+    if len(found) > 1 or not 0 < request.amount <= len(found[0].over):
+        told = (
+            f"there are {len(found[0].over)} blocks that are counted" if len(found) == 1 else "more than one is counted"
+        )
+        raise draft.refusal("edit-unclear", told, request.span, "say of which blocks, and how many")
+    least = request.bound in ("exactly", "at_least") or (request.bound == "as_now" and found[0].at_least > 0)
+    most = request.bound in ("exactly", "at_most") or (request.bound == "as_now" and found[0].at_most is not None)
+    low, high = request.amount if least else 0, request.amount if most else None
+    new = found[0].model_copy(update={"at_least": low, "at_most": high})
+    if new == found[0]:
+        raise draft.refusal("nothing-to-do", "it is so many already", request.span)
+    draft.aim("TWEAK")
+    draft.note("count", {request.bound: request.amount})
+    draft.do(SetGoal(goal=transform(draft.schema.goal, lambda node: new if node == found[0] else node)), request.span)
+
+
+def pile_up(draft: Draft, request: PileUp) -> None:
+    """Blocks on a patch are stacked there; others that form something together form a stack instead."""
+    on = [(path, a) for path, a in draft.view.atoms if isinstance(a, OnPatch) and isinstance(a.a, tuple) and a.a[1:]]
+    if not on:
+        wanted = m.Structure(kind="stack", span=request.span)
+        reshape(draft, r.Reshape(structure=wanted, theme=m.Pronoun(word="them", span=request.span), span=request.span))
+        return
+    draft.aim("MODIFY")
+    draft.note("structure", {"to": "stack"})
+    for path, atom in on:
+        assert isinstance(atom.a, tuple)
+        draft.do(ChangeCondition(at=path, to=Stack(blocks=atom.a, patch=atom.patch)), request.span)
+    stacked = [set(atom.a) for _, atom in on if isinstance(atom.a, tuple)]
+    for path, other in reversed(draft.view.atoms):
+        if isinstance(other, Row) and any(set(other.blocks) <= each for each in stacked):
+            draft.do(DropCondition(at=path), request.span)

@@ -1,0 +1,143 @@
+"""Requests that say only what is to be otherwise: "green on top", "six", "3x2", "black", "a T instead of the plus"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from rpg.steer import requests as r
+from rpg.steer.language import Parser, colors, count, dimensions, literal, longest, m, noun_phrase
+from rpg.steer.phrases import fresh
+from rpg.steer.places import place
+
+_GOES = (
+    "goes | go | should go | must go | has to go | needs to go | belongs | comes | should come | should be | must be | "
+    "sits | should sit | stands | should stand | is to be | is to go | also goes | will go | lies | should lie | "
+    "should be placed | is placed | gets placed | should be put | has to be | can go | could go | may go"
+)
+_LEADS = (
+    "do | make | make it | build | build it as | form | have | try | i want | turn it into | change it to | use | "
+    "change it into | it should be | let it be | arrange them in | arrange them as | make them | put them in | "
+    "let us do | let us have | go for"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tint(r.Request):
+    """A colour alone: of what was spoken of last, or of blocks that all look alike."""
+
+    color: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bound(r.Request):
+    """How many of those that are counted: "exactly", "at_least", "at_most" so many; "as_now": what it is now."""
+
+    bound: str
+    amount: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PileUp(r.Request):
+    """Blocks that lie together form a stack where they are."""
+
+
+def terse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Every such request; what else it could be comes first."""
+    yield from _on(p, i)
+    yield from _rather(p, i)
+    if not (i and p.words[i - 1] == "and"):
+        yield from _alone(p, i)
+    yield from _stacked(p, i)
+
+
+def _on(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "green on top", "a 4 goes on top", "4 underneath": something new at a place."""
+    for theme, j in noun_phrase(p, i):
+        if not isinstance(theme, m.Noun) or theme.head == "patch":
+            continue
+        named = theme.det == "bare" and not theme.plural and theme.part_of is None and theme.amount is None
+        one = max(len(theme.traits.colors), len(theme.traits.labels)) == 1 and not theme.conditions
+        if not (fresh(theme) and theme.det == "a") and not (named and one):
+            continue
+        k = longest(p, j, _GOES) or j
+        for where, end in place(p, k):
+            if k > j or isinstance(where, r.Spot) or named:
+                new = replace(theme, det="a", amount=m.Amount(1, 1)) if named else theme
+                yield r.Add(theme=new, places=(where,), span=p.span(i, end), cost=5), end
+
+
+def _rather(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "do a T instead of the plus", "make it a square rather than a circle"."""
+    start = longest(p, i, _LEADS) or i
+    for shape, j in noun_phrase(p, start):
+        n = longest(p, j, "instead of | rather than | in place of | and not | , not | not")
+        for given_up, end in noun_phrase(p, n) if n and isinstance(shape, m.Structure) else ():
+            if isinstance(given_up, m.Structure) and isinstance(shape, m.Structure) and _plainly(given_up):
+                theme = replace(given_up, det="the")
+                yield r.Reshape(structure=shape, theme=theme, span=p.span(i, end), cost=1), end
+
+
+def _plainly(given_up: m.Structure) -> bool:
+    """Whether a structure is only named: what is said after it is of the new one."""
+    return given_up.members is None and not given_up.details and given_up.traits == r.NO_TRAITS
+
+
+_BOUNDS = {"exactly": "exactly", "only": "exactly", "just": "exactly", "at least": "at_least", "at most": "at_most"}
+
+
+def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """A number, dimensions, a colour or a word with nothing else in the sentence."""
+    start = longest(p, i, "make it | make that | say | only | just | in") or i
+    for n, j in count(p, start):
+        if j == p.end or p.words[j] in (",", ".", "please", "now", "instead", "rather"):
+            yield r.Recount(theme=None, amount=n, what="number", span=p.span(i, j), cost=4), j
+    for dims, j in dimensions(p, start):
+        yield r.Recount(theme=None, dims=dims, span=p.span(i, j), cost=4), j
+    for n, j in count(p, start):
+        if end := longest(p, j, "of them | of those | of these"):
+            yield Bound(bound="as_now", amount=n, span=p.span(i, end)), end
+    for phrase, bound in _BOUNDS.items():
+        k = p.seq(i, phrase)
+        for n, j in count(p, k) if k else ():
+            end = longest(p, j, "of them | of those | of these | of the blocks | blocks | block") or j
+            yield Bound(bound=bound, amount=n, span=p.span(i, end), cost=2), end
+    for (listed, _), j in colors(p, start):
+        if len(listed) == 1:
+            yield Tint(color=listed[0], span=p.span(i, j), cost=5), j
+    text = literal(p, i)
+    if text is not None and len(text) > 1 and text.isalpha():
+        word = m.Structure(kind="word", letter=text.upper(), span=p.span(i, i + 1))
+        yield r.Reshape(structure=word, span=p.span(i, i + 1), cost=5), i + 1
+
+
+_PILED = (
+    "stacked | in a stack | as a stack | stack them there | stacked up | stacked on each other | "
+    "on top of each other | on top of one another | in a pile on top of each other | in one stack | as one stack"
+)
+
+
+def _stacked(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "stacked", "on every mat they should be stacked"."""
+    start = longest(p, i, _ON_EACH) or i
+    start = p.opt(start, ",")
+    start = (
+        longest(
+            p,
+            start,
+            "they should be | they must be | they should lie | they have to be | the blocks should be | have them | "
+            "the blocks must be | make them | i want them | but | all | it should be | let them be | should be",
+        )
+        or start
+    )
+    j = longest(p, start, _PILED)
+    if j and (end := longest(p, j, _ON_EACH) or j):
+        yield PileUp(span=p.span(i, end), cost=1), end
+
+
+_ON_EACH = tuple(
+    f"{on} {each} {mat}"
+    for on in ("on", "at")
+    for each in ("every", "each", "the", "both", "all", "all the")
+    for mat in ("mat", "patch", "mats", "patches", "target", "targets", "area", "zone", "pad", "pads", "spot")
+)

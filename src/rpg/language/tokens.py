@@ -138,6 +138,10 @@ def _word(raw: str, span: Span) -> list[Token]:
     return [Token("word", AMERICAN.get(lower, lower), raw, span)]
 
 
+_LISTING = frozenset({",", "and", "+", "*", "/", "="})
+"""What a sign stands between in a list of symbols, where a dash never does."""
+
+
 def _ordinals(tokens: list[Token]) -> list[Token]:
     """Join "1" "st"; drop hyphens between words, and signs that are dashes."""
     out: list[Token] = []
@@ -151,7 +155,12 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
             if _is_range(before, after):
                 out.append(replace(token, kind="word", word="to"))
         elif (
-            token.word == "-" and before and after and token.span[0] > before.span[1] and after.span[0] > token.span[1]
+            token.word == "-"
+            and before
+            and after
+            and token.span[0] > before.span[1]
+            and after.span[0] > token.span[1]
+            and not (after.word in _LISTING and (before.word in _LISTING or before.kind == "number"))
         ):
             out.append(replace(token, kind="punct", word=","))
         else:

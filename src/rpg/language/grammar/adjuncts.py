@@ -46,9 +46,10 @@ _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "for
          "shaped like", "in the pattern of", "arranged like", "along")  # fmt: skip
 
 
-_USING = ("using", "with", "from", "among", "out of", "by using", "made of", "made from", "made out of", "consisting of",
-    "composed of", "built from",
-          "made up of", "use", "made with")  # fmt: skip
+_USING = (
+    "using", "with", "from", "among", "out of", "by using", "made of", "made from", "made out of", "consisting of",
+    "composed of", "built from", "made up of", "use", "made with",
+)  # fmt: skip
 
 
 LATER = 50.0

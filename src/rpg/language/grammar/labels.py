@@ -8,6 +8,9 @@ from rpg.language.grammar.core import Parser, Results, rule
 
 _AND = frozenset({"and", "&", "plus"})
 _SIGN_WORDS = {"plus": "+", "minus": "-", "times": "*", "equals": "=", "equal": "=", "divide": "/", "divided": "/"}
+_GOES_ON = frozenset({",", "and", "&", "equals", "minus", "times", "="})
+"""What a list goes on with behind "plus", where that is a sign of its own."""
+_CUBES = frozenset({"block", "cube", "brick", "box", "sign", "symbol"})
 _TO = frozenset({"to", "through", "thru", "until", "till"})
 _TOWARD = ("to", "through", "thru", "until", "till", "up to", "down to")
 
@@ -63,6 +66,7 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
         first in "+-*/="
         and p.words[i] in ("plus", "times", "minus", "equals", "equal", "divided", "divide")
         and not spoken
+        and p.words[i + 1] not in _CUBES
     ):
         return
     if (j := p.one(i + 1, _TO)) and (last := symbol(p, j, spoken)) and (run := _between(first, last)):
@@ -71,7 +75,7 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
     labels, at = [first], i + 1
     while True:
         j = p.opt(at, ",")
-        j = p.opt(j, *_AND)
+        j = j if p.words[j] == "plus" and p.words[j + 1] in _GOES_ON else p.opt(j, *_AND)
         if p.one(j, "…") and j > at - 1:
             readings.append(((tuple(labels), True), j + 1))
             break

@@ -12,7 +12,7 @@ from rpg.language.grammar.adjectives import Marks, adjectives, clash, color, mer
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.joined import all_but, apposed, more
-from rpg.language.grammar.labels import label_list
+from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.pronouns import pronoun
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
 
@@ -65,6 +65,7 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
         yield from noun_phrase(p, j)
     if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
         yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
+    yield from _letters_of(p, i)
     for found, j in amounts.quantity(p, i):
         if found.partitive:
             yield from _partitive(p, i, j, found)
@@ -73,6 +74,16 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
     yield from _noun(p, i, i, _SINGLE)
     if of := p.one(i, "of"):
         yield from _of_these(p, i, of)
+
+
+def _letters_of(p: Parser, i: int) -> Results[Meaning]:
+    """ "the letters of the word LAMP": those letters, in no order yet."""
+    j = p.any_of(i, ("the letters of", "letters of", "all letters of", "all the letters of", "the letters in"))
+    k = p.any_of(j, ("the word", "the name", "word")) or j if j else 0
+    text = literal(p, k) if k else None
+    if text is not None and len(text) > 1 and text.isalpha():
+        marks = Traits(labels=tuple(text), kind="letter")
+        yield Noun(head="block", det="the", plural=True, traits=marks, span=p.span(i, k + 1)), k + 1
 
 
 def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:

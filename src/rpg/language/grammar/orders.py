@@ -5,12 +5,14 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.alternation import alternation
 from rpg.language.grammar.amounts import makes_number
+from rpg.language.grammar.classes import classes
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.lists import listed, ranks
 from rpg.language.grammar.order_phrases import NAMED
 from rpg.language.grammar.patterns import pattern, spacing
 from rpg.language.grammar.sides import toward
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Meaning, Noun, OrderBy, Toward, Traits
 
 _LEADS = frozenset(
@@ -36,6 +38,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
         yield from toward(p, start)
         yield from _explicit(p, start)
         yield from _run(p, start)
+        yield from _grown(p, start)
         yield from _by_attribute(p, start, j > i)
         yield from temporal(p, start)
     yield from pattern(p, i)
@@ -120,6 +123,37 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
     yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in ranks(p, j))
 
 
+_GROWING = Patterns(
+    "from the? smallest|lowest|least|small|low number|digit|one|block|cube? to the? "
+    "largest|highest|biggest|greatest|large|big|high number|numbers|digit|digits|one|block|cube?",
+    "so_that|so|such_that the|it|they tower|row|stack|line|column|numbers|digits|blocks|cubes? "
+    "count|counts|go|goes|run|runs|increase|increases up|upward|upwards?",
+    "counting|increasing up|upward|upwards",
+)
+_SHRINKING = Patterns(
+    "from the? largest|highest|biggest|greatest|large|big|high number|digit|one|block|cube? to the? "
+    "smallest|lowest|least|small|low number|numbers|digit|digits|one|block|cube?",
+    "so_that|so|such_that the|it|they tower|row|stack|line|column|numbers|digits|blocks|cubes? "
+    "count|counts|go|goes|run|runs|decrease|decreases down|downward|downwards?",
+    "counting|decreasing down|downward|downwards",
+)
+"""Numbers, or sizes, that grow or shrink along a line; what counts up a tower begins at its bottom."""
+
+
+def _grown(p: Parser, i: int) -> Results[Meaning]:
+    for patterns, descending in ((_GROWING, False), (_SHRINKING, True)):
+        for j in patterns.matches(p, i):
+            counted = p.words[j - 1].startswith(("up", "down"))
+            number = counted or p.words[j - 1] in ("number", "numbers", "digit", "digits")
+            by = "number" if number else "ascending"
+            if counted and descending:
+                yield OrderBy(by="countdown", descending=True, span=p.span(i, j)), j
+            elif counted:
+                yield OrderBy(by=by, first="bottom", span=p.span(i, j)), j
+            elif p.words[i] == "from":
+                yield OrderBy(by=by, descending=descending, span=p.span(i, j)), j
+
+
 def _run(p: Parser, i: int) -> Results[Meaning]:
     """ "from 1 to 5", "from E down to A": those symbols, in that order."""
     j = p.one(i, "from")
@@ -127,23 +161,6 @@ def _run(p: Parser, i: int) -> Results[Meaning]:
         if labels[-1].isalpha() or not makes_number(p, k):
             items = tuple(Noun(head="any", traits=Traits(labels=(x,)), span=p.span(j, k)) for x in labels)
             yield OrderBy(by="run", items=items, span=p.span(i, k)), k
-
-
-_INTO_ATTRIBUTES = {
-    f"into {one} and {two}": attribute
-    for firsts_, seconds, attribute in (
-        (("vowels", "vowel"), ("consonants", "consonant"), "vowel"), (("consonants",), ("vowels",), "vowel"),
-        (("odd", "odds", "odd numbers", "odd ones"), ("even", "evens", "even numbers", "even ones"), "parity"),
-        (("even", "evens", "even numbers", "even ones"), ("odd", "odds", "odd numbers", "odd ones"), "parity"),
-        (("letters",), ("numbers", "digits"), "kind"), (("numbers", "digits"), ("letters",), "kind"),
-        (("an odd group",), ("an even group",), "parity"), (("an even group",), ("an odd group",), "parity"),
-        (("a vowel group", "a group of vowels"), ("a consonant group", "a group of consonants"), "vowel"),
-        (("a group of letters",), ("a group of numbers", "a group of digits"), "kind"),
-        (("an odd pile",), ("an even pile",), "parity"),
-    )
-    for one in firsts_
-    for two in seconds
-}  # fmt: skip
 
 
 _ATTRIBUTES = {
@@ -191,8 +208,7 @@ def _toward_list(p: Parser, i: int) -> Results[Meaning]:
 
 def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
     """ "by colour", "according to size", "by even and odd", "into vowels and consonants"."""
-    for phrase, k in p.standing(i, _INTO_ATTRIBUTES):
-        yield OrderBy(by="attribute", attribute=_INTO_ATTRIBUTES[phrase], span=p.span(i, k)), k
+    yield from classes(p, i)
     j = p.any_of(i, ("by", "according to", "based on", "by their", "according to their", "by the", "depending on",
         "by whether they are", "according to whether they are", "on the basis of", "based on their",
                      "by same", "by different", "by block"))  # fmt: skip

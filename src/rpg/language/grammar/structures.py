@@ -32,6 +32,13 @@ from rpg.language.meaning import (
     Traits,
 )
 
+_TRUE = tuple(
+    f"{that} {true}"
+    for that in ("that is", "which is", "that", "which", "so that it is")
+    for true in ("true", "correct", "right", "valid", "holds", "works")
+)
+"""What every equation is."""
+
 
 @dataclass(frozen=True)
 class _Before:
@@ -183,6 +190,8 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
         elif base.det != "the":
             yield base, j
         return
+    if base.kind == "equation" and (k := p.any_of(j, _TRUE)):
+        yield replace(base, span=p.span(i, k)), k
     if base.kind == "equation":
         for text, k in (*equation(p, p.opt(j, ":")), *unequal(p, p.opt(j, ":"))):
             yield replace(base, letter=text, span=p.span(i, k)), k

@@ -129,6 +129,11 @@ def _merge(
             return _in_order(found, things, names, kind, scene, order, first)
         case "label" | "number" | "ascending":
             return _symbolic(order, things, kind, scene, first)
+        case "countdown":
+            if kind == "stack" and first is None:
+                raise refuse("ambiguous", "it is not said from which end this counts down", order.span,
+                             "say 'from top to bottom' or 'from bottom to top'")  # fmt: skip
+            return _symbolic(replace(order, by="number"), things, kind, scene, first)
         case "number_up" | "number_down":
             made = _symbolic(replace(order, by="number"), things, kind, scene, "bottom")
             return made.model_copy(update={"descending": order.by == "number_down"})

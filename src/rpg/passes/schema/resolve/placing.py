@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
-from rpg.language.meaning import Amount, At, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
+from rpg.language.meaning import Amount, At, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, Structure, TableTop
 from rpg.passes.schema.resolve.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer
@@ -30,6 +30,12 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
             spec.usings.remove(using)
             if clause.verb not in ("be", "exist"):
                 spec.manner("extra")
+    for item in list(spec.absolutes):
+        table = all(isinstance(a, Manner) or isinstance(getattr(a, "landmark", None), TableTop) for a in item.adjuncts)
+        if table and any(isinstance(a, Manner) and a.kind == "extra" for a in item.adjuncts):
+            refer(as_extra(item.theme), scene, Scope())
+            scene.mentions.pop()
+            spec.absolutes.remove(item)
     for place_ in list(spec.places):
         if (
             isinstance(place_, Loc)

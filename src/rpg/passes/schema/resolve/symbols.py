@@ -180,12 +180,20 @@ def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scop
         theme = refer(source, scene, Scope(role="member"))
     elif source is not None:
         spec.usings.insert(0, Using(members=source, span=source.span))
+    if theme is None and source is None and text is None and shape.letter is None:
+        theme = _there(scene)
     if theme is not None and text is None and any(scene.things[n].label for n in theme.names):
         check_solvable(theme.names, scene, shape.span)
         return _equation_node(theme.names, None, spec, shape, scene)
     if theme is None and text is None:
         scene.assume(f"the numbers are not said: cubes for {chosen}, any true equation of them counts")
     return _equation_node(_cubes(chosen, spec, theme, scene, scope, shape.span), text, spec, shape, scene)
+
+
+def _there(scene: Scene) -> Ref | None:
+    """ "Use 2, 3, 5, + and =. Form an equation.": of the cubes that there are, where one of them shows "="."""
+    found = [t for t in scene.blocks() if t.declared and t.kind in ("digit", "symbol")]
+    return Ref(names=tuple(t.name for t in found)) if any(t.label == "=" for t in found) else None
 
 
 def _labelled(source: Meaning) -> bool:
@@ -232,6 +240,8 @@ def check_solvable(names: tuple[str, ...], scene: Scene, span: Span) -> None:
     labels = [scene.things[n].label or "" for n in names]
     if len(labels) > MAX_SEARCHED:
         return
+    if len(labels) < 2:
+        raise refuse("too-few", "an equation takes at least five cubes, one of them =", span, "name all its cubes")
     for order in sorted(set(permutations(labels))):
         text = "".join(order)
         sides = text.split("=")

@@ -12,7 +12,7 @@ from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
 from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
-from rpg.language.meaning import Chain, Clause, Loc, Meaning, Structure
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Structure
 
 _LEADS = (
     ("after", "then"), ("once", "then"), ("as soon as", "then"), ("when", "then"), ("before", "before"),
@@ -82,8 +82,11 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         ]
         bare = previous is not None and not previous.adjuncts
         bare = bare and (link == "then" or (link == "and" and p.words[j - 1] in (",", ";")))
+        denies = previous is not None and previous.negated and previous.mode == "command" and link == "or"
         for item, k in items:
             if previous is not None and p.words[j - 1] == "," and _apposed(previous, item):
+                continue
+            if denies and isinstance(item, Clause) and item.mode == "command" and not item.negated:
                 continue
             if previous is not None and (more := _told_again(previous, item)) is not None:
                 yield Chain(clauses=(*had[:-1], more), links=links, span=p.span(i, k)), k
@@ -99,7 +102,11 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 for theme, k in noun_phrase(p, j):
                     whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
                     yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+            nor = isinstance(previous.theme, Coord) and previous.theme.op == "nor"
+            neither = link == "or" and (previous.negated or nor)
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
+                same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
+                link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
                 if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
                     continue
                 whole = (*had, item)

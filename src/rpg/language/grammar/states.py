@@ -56,13 +56,17 @@ _MODALS = frozenset(
 _NOT = frozenset({"not", "never"})
 
 
+_BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come"})
+"""Verbs of where things are to be, not of where they are."""
+
+
 _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
 
 
 @rule
 def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
-    inverted = p.one(i, _BE)
+    inverted = p.one(i, _BE) if i else 0
     asked = p.one(i, _ASKING)
     for theme, j in noun_phrase(p, inverted or asked or i):
         j = p.opt(j, "all", "each", "both", "then")
@@ -80,7 +84,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
         for found, end in readings:
             lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words
-            if isinstance(found, Clause) and found.verb == "be" and not words & _MODALS:
+            if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & (_MODALS | _BOUND):
                 found = replace(found, lemma="fact")
             idle = isinstance(found, Clause) and _needless(
                 words | {"not"} if getattr(theme, "det", "") == "no" else words
@@ -358,7 +362,8 @@ def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     k, words = _auxiliaries(p, i)
     if k == i and p.words[i : i + 1] not in (["is"], ["are"]):
         return
-    same = Pronoun(word="same", span=before.theme.span)
+    both = "both" in words or p.words[i - 1] == "both"
+    same = Pronoun(word="both the same" if both else "same", span=before.theme.span)
     for found, j in _predicate_after_be(p, i, k, same, before.mode, bool(words & _NOT)):
         if isinstance(found, Clause):
             yield replace(found, cost=found.cost + 1), j

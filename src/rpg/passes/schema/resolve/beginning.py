@@ -45,6 +45,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     commands = [n for n, chain in enumerate(chains) if _commands(chain)]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [x or (n < max(undone, default=0) and _facts(chains[n])) for n, x in enumerate(told)]
+    told = [x or _moved_next(chains[n : n + 2]) for n, x in enumerate(told)]
     ordered = [n for n, chain in enumerate(chains) if _ordered(chain)]
     heaped = [n for n, chain in enumerate(chains) if n < max(ordered, default=0) and _heaped(chain)]
     found = []
@@ -82,6 +83,22 @@ def _there_is(clause: Meaning) -> TypeGuard[Clause]:
 def _undoes(chain: Chain) -> bool:
     """Whether a sentence changes what is there, whatever it is: swaps it, takes it apart, turns it round."""
     return any(isinstance(c, Clause) and c.verb in ("swap", "unstack", "reverse") for c in chain.clauses)
+
+
+def _moved_next(chains: tuple[Chain, ...]) -> bool:
+    """ "the red block is on the green block. Move it next to the blue block": what is told of a block that the very
+    next sentence moves.
+    """
+    if len(chains) < 2 or not _facts(chains[0]) or len(chains[0].clauses) > 1:
+        return False
+    fact, order = chains[0].clauses[0], chains[1].clauses[0]
+    if not isinstance(fact, Clause) or not isinstance(order, Clause) or order.negated or order.mode != "command":
+        return False
+    theme = order.theme
+    same = isinstance(theme, Noun) and isinstance(fact.theme, Noun) and theme.traits == fact.theme.traits
+    named = isinstance(theme, Noun) and theme.det == "the" and same
+    it = isinstance(theme, Pronoun) and theme.word in ("it", "them")
+    return (named or it) and order.verb == "place" and any(isinstance(a, Loc | In) for a in order.adjuncts)
 
 
 def _ordered(chain: Chain) -> bool:

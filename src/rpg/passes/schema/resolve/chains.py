@@ -13,6 +13,7 @@ from rpg.passes.schema.resolve.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.conflicts import required, undoes
 from rpg.passes.schema.resolve.logic import conj, disj
 from rpg.passes.schema.resolve.loose import settle
+from rpg.passes.schema.resolve.stacking import Towers
 from rpg.passes.schema.resolve.world import Scene, refuse
 
 Goals = list[g.Goal]
@@ -24,6 +25,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         return chain_goals(untimed(chain), scene, start)
     chain = in_that_order(chain)
     stages: list[Goals] = [[]]
+    towers = Towers.of(scene)
     for link, clause in _given_first(chain):
         if isinstance(clause, Chain):
             _append(stages, link, [conj(chain_goals(clause, scene, start))])
@@ -40,7 +42,12 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         both = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "xor"] if link == "or" else []
         clause = replace(clause, adjuncts=tuple(a for a in clause.adjuncts if a not in both))
         starts = start or clause.mode in ("start", "given")
+        towers = Towers.of(scene) if link != "or" else towers
+        if link == "or":
+            towers.after(scene, start=False, denied=True)
         goals = clause_goals(clause, scene, starts)
+        if link == "or":
+            towers.after(scene, start=False, denied=True)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
         if link == "and" and _restacked(stages[-1], goals, scene):
             link = "then"

@@ -28,6 +28,7 @@ from rpg.passes.schema.resolve.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
+from rpg.passes.schema.resolve.leftovers import nothing_left
 from rpg.passes.schema.resolve.logic import conj, negation
 from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, places
@@ -38,6 +39,7 @@ from rpg.passes.schema.resolve.shaped import shaped
 from rpg.passes.schema.resolve.sorting import sort
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.spelled import spell
+from rpg.passes.schema.resolve.stacking import Towers
 from rpg.passes.schema.resolve.structures import make
 from rpg.passes.schema.resolve.towers import on_matching_patches
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -50,12 +52,16 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     scope = Scope(start=start, given=clause.mode == "given" or start)
     spec = sort_adjuncts(clause.adjuncts)
     if distractors(clause, spec, scene):
-        _leftovers(spec, clause)
+        nothing_left(spec, clause)
         return []
     if clause.theme is not None:
         _first_thats(clause.theme, spec, scene)
     loose = len(scene.loose)
+    towers = Towers.of(scene)
+    scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"
+    scene.denying = clause.negated
     goals = _dispatch(clause, spec, scene, scope)
+    towers.after(scene, start=start, denied=clause.negated)
     if clause.negated and len(scene.loose) > loose:
         _deny(loose, goals, scene, clause.span)
     built = scene.goals.pop(number, [])
@@ -72,7 +78,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if spec.manner("only") is not None:
         moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
         scene.only += [n for names in moved for n in names]
-    _leftovers(spec, clause)
+    nothing_left(spec, clause)
     if clause.negated:
         goals = negation(goals, clause.span)
     if always and not start:
@@ -371,36 +377,3 @@ def _thats(clause: Clause, spec: Spec, scene: Scene, start: bool) -> Goals:
             goals += chain_goals(that.clauses, scene, start)  # type: ignore[arg-type]
     spec.thats = []
     return goals
-
-
-def _leftovers(spec: Spec, clause: Clause) -> None:
-    """Refuse what no reading of the verb has used: a word must never be dropped in silence."""
-    for name in (
-        "orders",
-        "toward",
-        "ats",
-        "absolutes",
-        "usings",
-        "patterns",
-        "spacings",
-        "sizes",
-        "places",
-        "intos",
-        "qualities",
-        "parts",
-    ):
-        for item in getattr(spec, name):
-            raise refuse(
-                "misplaced",
-                "this is understood, but does not fit what is said here",
-                item.span,
-                "say it in a sentence of its own",
-            )
-    for manner in spec.manners:
-        if manner.kind not in ("idle", "finally", "always"):
-            raise refuse(
-                "misplaced",
-                "this is understood, but does not fit what is said here",
-                manner.span,
-                "say it in a sentence of its own",
-            )

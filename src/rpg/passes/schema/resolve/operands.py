@@ -11,7 +11,7 @@ from rpg.ir import relations as r
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.language.meaning import Amount, Loc
 from rpg.passes.schema.resolve.logic import conj, disj, negation
-from rpg.passes.schema.resolve.world import Ref, Scene
+from rpg.passes.schema.resolve.world import Ref, Scene, refuse, said
 
 LEVEL = {"beside": r.Beside, "adjacent": r.Adjacent, "touching": r.Touching, "near": r.Near, "apart": r.Apart}
 
@@ -100,9 +100,33 @@ def crown(ref: Ref) -> Operand:
 
 
 def base_of(name: str, scene: Scene) -> str:
-    """The lowest block of the tower that `name` is in."""
+    """The lowest block of the tower that `name` is in at the end."""
     seen = {name}
-    while name in scene.on_top and scene.on_top[name] not in seen:
+    while name in scene.on_top and name not in scene.begun_on and scene.on_top[name] not in seen:
         name = scene.on_top[name]
         seen.add(name)
     return name
+
+
+def carrier(a: Operand, scene: Scene, *, moved: bool = False, level: bool = False) -> Operand:
+    """A relation on the table to a block that goes on a tower is one to the tower's lowest block.
+
+    `moved`: it is put there by this very clause; what put it on a tower before is past. `level`: both must stand on
+    the table.
+    """
+    if isinstance(a, Lowest | Highest) or len(a) != 1:
+        return a
+    name = a[0]
+    if moved and (scene.denying or (scene.placing and scene.on_clause.get(name, scene.clause) != scene.clause)):
+        return a
+    if level and name in scene.begun_on and not _moved(name, scene):
+        below = said(scene.things[scene.on_top[name]])
+        raise refuse("ambiguous", f"{said(scene.things[name])} lies on {below} at the start", None,
+                     f"say 'next to {below}', or where {said(scene.things[name])} goes first")  # fmt: skip
+    return (base_of(name, scene),)
+
+
+def _moved(name: str, scene: Scene) -> bool:
+    """Whether a block was put somewhere since it was said where it starts."""
+    begun = scene.on_clause.get(name, 0)
+    return any(m.role == "theme" and begun < m.clause < scene.clause and name in m.ref.names for m in scene.mentions)

@@ -19,6 +19,7 @@ from rpg.passes.schema.resolve.operands import (
     DIRECTIONS,
     LEVEL,
     base_of,
+    carrier,
     count,
     crown,
     foot,
@@ -34,7 +35,7 @@ from rpg.passes.schema.resolve.patches import (
     one_lot_each,
 )
 from rpg.passes.schema.resolve.refer import refer
-from rpg.passes.schema.resolve.stacking import vertical
+from rpg.passes.schema.resolve.stacking import Towers, vertical
 from rpg.passes.schema.resolve.things import compared, create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -54,13 +55,22 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
         case In():
             return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
         case Coord():
-            parts = [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
-            return [disj(parts, span)] if meaning.op == "or" else parts
+            if meaning.op == "or":
+                return [disj([_alternative(theme, x, scene, scope, span) for x in meaning.items], span)]
+            return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
         case Loc():
             goals = _loc(theme, meaning, scene, scope, span)
             return negation(goals, span) if meaning.negated else goals
         case _:
             raise refuse("misplaced", "this does not say where something is", meaning.span)
+
+
+def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> g.Goal:
+    """One of several places: the towers that it would make are no more certain than it is."""
+    towers = Towers.of(scene)
+    goal = conj(place(theme, meaning, scene, scope, span), span)
+    towers.after(scene, start=False, denied=True)
+    return goal
 
 
 def _region(theme: Ref, region: str, span: Span) -> g.Goal:
@@ -232,12 +242,13 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         return vertical(theme, mark, loc, scene, span)
     if loc.rel in DIRECTIONS:
         return _directional(theme, mark, loc, scene, span)
+    together = bool(theme.built) and not (len(theme.built) == 1 and theme.built[0].kind == "stack")
     if loc.rel == "distance":
         return spread(
             theme,
             lambda a: r.Distance(a=a, b=foot(mark), minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span),
             span,
-            bool(theme.built),
+            together,
         )
     if loc.rel in LEVEL:
         node = LEVEL[loc.rel]
@@ -245,28 +256,13 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
             node = r.Adjacent
         if loc.rel == "touching":
             return spread(theme, lambda a: node(a=a, b=foot(mark), span=span), span, together=bool(theme.built))
-        b = _beside_foot(theme, mark, scene)
-        return spread(
-            theme, lambda a: node(a=_carrier(a, theme, scene), b=b, span=span), span, together=bool(theme.built)
-        )
+        b = carrier(foot(mark), scene, level=loc.rel in ("beside", "adjacent"))
+        return spread(theme, lambda a: node(a=carrier(a, scene, moved=True), b=b, span=span), span, together=together)
     if loc.rel == "off":
         return spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=mark.names, span=span), span=span), span)
     if loc.rel == "together":
         return s.GroupBy(groups=((*theme.names, *mark.names),), span=span)
     raise refuse("misplaced", "this relation does not fit here", loc.span)
-
-
-def _carrier(a: Operand, theme: Ref, scene: Scene) -> Operand:
-    """A relation on the table to a block that goes on a tower is one to the tower's lowest block."""
-    if isinstance(a, Lowest | Highest) or len(a) != 1:
-        return a
-    return (base_of(a[0], scene),)
-
-
-def _beside_foot(theme: Ref, mark: Ref, scene: Scene) -> Operand:
-    """The landmark's foot, unless both stand in the same tower."""
-    operand = foot(mark)
-    return _carrier(operand, mark, scene)
 
 
 def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
@@ -281,7 +277,7 @@ def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g
         goal = spread(theme, lambda a: node(a=a, b=b, span=span, **flags), span)
     else:
         goal = node(
-            a=_carrier(foot(theme), theme, scene), b=b if mark.patch else _carrier(b, mark, scene), span=span, **flags
+            a=carrier(foot(theme), scene, moved=True), b=b if mark.patch else carrier(b, scene), span=span, **flags
         )
     if loc.low is not None or loc.high is not None:
         near = r.Distance(a=foot(theme), b=b, minimum=loc.low, maximum=loc.high, span=span)

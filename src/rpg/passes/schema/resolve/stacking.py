@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -9,7 +11,26 @@ from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.language.meaning import Loc
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import crown, foot, spread
-from rpg.passes.schema.resolve.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
+
+
+@dataclass(frozen=True)
+class Towers:
+    """What stood on what before a clause was read."""
+
+    on_top: dict[str, str]
+    built: list[Built]
+
+    @classmethod
+    def of(cls, scene: Scene) -> Towers:
+        return cls(dict(scene.on_top), list(scene.built))
+
+    def after(self, scene: Scene, *, start: bool, denied: bool) -> None:
+        """Towers of the start may be gone at the end; what is denied makes none."""
+        if denied:
+            scene.on_top, scene.built = dict(self.on_top), self.built
+        new = {name for name, below in scene.on_top.items() if self.on_top.get(name) != below}
+        scene.begun_on = scene.begun_on | new if start else scene.begun_on - new
 
 
 def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

@@ -136,6 +136,9 @@ class Scene:
     last_landmark_at: int = 0
     told: set[str] = field(default_factory=set)
     on_top: dict[str, str] = field(default_factory=dict)
+    begun_on: set[str] = field(default_factory=set)
+    placing: bool = False
+    denying: bool = False
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
     speaks_of_rest: bool = False

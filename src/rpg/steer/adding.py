@@ -76,6 +76,26 @@ _IDLE = phrases(
 )
 
 
+_STAYS = phrases(
+    "that has to stay where it is | that must stay where it is | that must not be moved | that may not be moved | "
+    "that should not be moved | which must not be moved | that has to stay put | that must not move | that stays put | "
+    "that stays where it is | that should stay where it is | that nobody may move | not to be moved"
+)
+
+
+def _namely(p: Parser, i: int, theme: m.Meaning) -> Iterator[tuple[m.Meaning, int]]:
+    """The phrases that go on from "two distractors": ", a white and a black block"."""
+    j = longest(p, i, ", namely | namely | , | :")
+    if not j or not isinstance(theme, m.Noun) or not theme.traits.extra or theme.amount is None:
+        return
+    for listed, k in noun_phrase(p, j):
+        items = listed.items if isinstance(listed, m.Coord) else (listed,)
+        nouns = [replace(each, traits=replace(each.traits, extra=True)) for each in items if isinstance(each, m.Noun)]
+        number = sum(each.amount.low if each.amount else 1 for each in nouns)
+        if len(nouns) == len(items) and all(fresh(each) for each in nouns) and number == theme.amount.low:
+            yield (m.Coord(op="and", items=tuple(nouns), span=listed.span) if len(nouns) > 1 else nouns[0]), k
+
+
 def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "add a green block on top of the blue one", "with another red block"."""
     leads = (
@@ -107,6 +127,10 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             if isinstance(theme, m.Noun) and (end := longest(p, k, _IDLE)):
                 idle = replace(theme, traits=replace(theme.traits, extra=True))
                 yield r.Add(theme=idle, span=p.span(i, end)), end
+            if isinstance(theme, m.Noun) and (end := longest(p, k, _STAYS)):
+                yield r.Add(theme=theme, stay=True, span=p.span(i, end)), end
+            for listed, end in _namely(p, k, theme):
+                yield r.Add(theme=listed, span=p.span(i, end)), end
             for start in (k, p.one(k, "in")):
                 for spots, end in places(p, start) if start else ():
                     if spots or (j > i and start == k):
@@ -143,6 +167,8 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             for where, end in place(p, k):
                 end = given_up(p, end)
                 yield r.Move(theme=theme, place=where, span=p.span(i, end)), end
+                if isinstance(theme, m.Noun) and theme.det == "bare" and theme.traits.labels and labelled(theme):
+                    yield r.Add(theme=theme, places=(where,), span=p.span(i, end), cost=3), end
     for where, k in place(p, j):
         for theme, end in noun_phrase(p, k):
             if fresh(theme):

@@ -103,10 +103,15 @@ def only_known(draft: Draft, request: str, begin: int) -> None:
             resolve(draft.view, named[0])
 
 
+def names_structure(draft: Draft, request: str) -> bool:
+    """Whether a sentence says "the tower", "the circle" of one that the task builds."""
+    return any(exists(draft.view, structure) for structure in _structures(request))
+
+
 def mentions_known(draft: Draft, request: str) -> bool:
     """Whether a sentence says "the ..." of anything that the task has."""
     known = any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
-    return known or any(exists(draft.view, structure) for structure in _structures(request))
+    return known or names_structure(draft, request)
 
 
 def _structures(request: str) -> Iterator[m.Structure]:

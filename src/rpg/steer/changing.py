@@ -83,8 +83,13 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
         yield (r.Reshape(structure=word, theme=theme, span=p.span(i, said + 1), cost=cost), said + 1)
     for new, k in noun_phrase(p, n):
         if isinstance(new, m.Structure):
-            if new.kind != "equation":
-                yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
+            if new.kind == "equation":
+                continue
+            yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
+            n = longest(p, k, _INSTEAD_OF)
+            for lost, end in noun_phrase(p, n) if n else ():
+                if isinstance(lost, m.Structure):
+                    yield r.Reshape(structure=new, theme=theme, span=p.span(i, end), cost=cost), end
         elif plural_kind(new) and isinstance(new, m.Noun) and _sized(new.traits):
             yield r.Restyle(theme=theme, traits=new.traits, span=p.span(i, k), cost=cost), k
         elif fresh(new) or plural_kind(new):
@@ -103,6 +108,9 @@ _OF_PATCHES = frozenset({"shape", "long"})
 def _patch(theme: m.Meaning | None) -> bool:
     """Whether a phrase may speak of a patch, which has a shape."""
     return isinstance(theme, m.Pronoun) or (isinstance(theme, m.Noun) and theme.head in ("patch", "any"))
+
+
+_INSTEAD_OF = phrases("instead of | rather than | and not | , not | not | in place of")
 
 
 _SCALES = {
@@ -187,11 +195,28 @@ def arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for shape, k in noun_phrase(p, j):
             if isinstance(shape, m.Structure) and (end := p.one(k, "instead")):
                 yield r.Reshape(structure=shape, span=p.span(i, end)), end
+    yield from _upright(p, i)
     for shape, k in noun_phrase(p, i):
         n = longest(p, k, ("instead of", "rather than"))
         for given_up, end in noun_phrase(p, n) if n else ():
             if isinstance(shape, m.Structure) and isinstance(given_up, m.Structure):
                 yield (r.Reshape(structure=shape, theme=replace(given_up, det="the"), span=p.span(i, end)), end)
+
+
+_UPRIGHT = phrases("vertically | upright | downwards | as a tower | as a stack | in a tower | in a stack | going down")
+_READ = phrases(", read from the top | read from the top | reading from the top | from top to bottom | top to bottom")
+
+
+def _upright(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "write the word vertically, as a tower read from the top"."""
+    j = longest(p, i, "write | spell | read | put | make | build | stack | set | have | arrange")
+    for theme, k in [(None, j), *subjects(p, j)] if j else ():
+        end = longest(p, k, _UPRIGHT)
+        end = longest(p, p.opt(end, ","), _UPRIGHT) or end if end else 0
+        stop = longest(p, end, _READ) or end if end else 0
+        if stop and (theme is None or old(theme)):
+            shape = m.Structure(kind="stack", span=p.span(i, stop))
+            yield r.Reshape(structure=shape, theme=theme, span=p.span(i, stop), cost=1), stop
 
 
 def _as_it_is(p: Parser, i: int, shape: m.Meaning) -> int:

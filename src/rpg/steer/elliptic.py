@@ -20,6 +20,7 @@ def elliptic(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """What only says how it is to be, with nothing but small words before it."""
     yield from _of_each(p, i)
     yield from _some(p, i)
+    yield from _copies(p, i)
     yield from turned(p, i)
     yield from _distance(p, i)
     if i and p.words[i - 1] == "and":
@@ -47,6 +48,23 @@ def _of_each(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for n, j in count(p, lead):
         if end := longest(p, j, _EACH):
             yield r.Recount(theme=None, amount=n, what="each", span=p.span(i, end)), end
+
+
+def _copies(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "I want two towers like that", "make three of those", "build it twice"."""
+    start = (
+        longest(p, i, "i want | i would like | make | build | i need | have | give me | let there be | we need") or i
+    )
+    for n, j in count(p, start):
+        for noun, kind in (("towers", "tower"), ("stacks", "tower"), ("rows", "row"), ("of those", None)):
+            k = p.seq(j, noun)
+            end = longest(p, k, "like that | like this | like it | of that kind | like these | of these") if k else 0
+            end = k if k and kind is None and start > i else end
+            if end:
+                yield r.Copies(amount=n, kind=kind, span=p.span(i, end)), end
+    for phrase in ("build it twice", "make it twice", "do it twice", "the same thing twice", "double it up"):
+        if j := p.seq(i, phrase):
+            yield r.Copies(amount=2, span=p.span(i, j)), j
 
 
 _BOUNDS = {"exactly": "exactly", "only": "exactly", "at least": "at_least", "at most": "at_most"}

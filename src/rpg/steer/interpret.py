@@ -14,7 +14,7 @@ from rpg.ir.edits import AddCondition, Edit, Overwrite, SetText, apply
 from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.steer import requests as r
-from rpg.steer.afresh import Fresh, by_itself, extended, fresh_start, mentions_known, only_known
+from rpg.steer.afresh import Fresh, by_itself, extended, fresh_start, mentions_known, names_structure, only_known
 from rpg.steer.backrefs import Reference
 from rpg.steer.classify import Category
 from rpg.steer.draft import Draft
@@ -34,7 +34,7 @@ from rpg.steer.operations.restyle import replace, restyle
 from rpg.steer.operations.symbols import carry_on, equate
 from rpg.steer.operations.terse import bound, pile_up, tint
 from rpg.steer.operations.tune import loosen, outliers
-from rpg.steer.operations.vary import some, turn
+from rpg.steer.operations.vary import copies, some, turn
 from rpg.steer.parse import Parsed, is_edit, parse
 from rpg.steer.parts import Part
 from rpg.steer.refer import resolve
@@ -60,6 +60,7 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Kinds: mixed,
     r.Group: group,
     r.Some: some,
+    r.Copies: copies,
     r.Turn: turn,
     Part: part,
     Equate: equate,
@@ -267,6 +268,8 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     draft = Draft(history.current.schema, history.current.focus)
     if mentions_known(draft, request):
         only_known(draft, request, 0)
+    if names_structure(draft, request):
+        raise _not_understood(request, None, (), True)
     found = _whole(request, by_itself(request), 0, history, read, "PIVOT")
     _not_of_those_there(found, history.current.schema)
     return found

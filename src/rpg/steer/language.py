@@ -11,7 +11,8 @@ from rpg.language.grammar.amounts import count, length
 from rpg.language.grammar.core import Parser, Results, TooMuchWork, rule
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.measures import bounds
-from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.nouns import noun_phrase as plain_noun_phrase
+from rpg.language.grammar.nouns import simple
 from rpg.language.grammar.orders import order
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sizes import dimensions
@@ -38,6 +39,18 @@ def _by_first_word(table: str | tuple[str, ...]) -> dict[str, tuple[str, ...]]:
         first = phrase.split()[0]
         found[first] = (*found.get(first, ()), phrase)
     return found
+
+
+@rule
+def noun_phrase(p: Parser, i: int) -> Results[m.Meaning]:
+    """A noun phrase of the language, or "all three of them", "the two of them"."""
+    yield from plain_noun_phrase(p, i)
+    j = longest(p, i, "all | the | these | those")
+    for number, k in count(p, j) if j else ():
+        if end := longest(p, k, "of them | of these | of those"):
+            them = m.Pronoun(word="them", span=p.span(k, end))
+            amount = m.Amount(number, number)
+            yield m.Noun(head="any", det="all", amount=amount, plural=True, part_of=them, span=p.span(i, end)), end
 
 
 __all__ = [

@@ -27,6 +27,11 @@ _ENDS = {
     "in between": "middle", "in between them": "middle", "between them": "middle", "between the two": "middle",
     "next to it": "beside", "beside it": "beside", "next to them": "beside", "beside them": "beside",
     "alongside": "beside", "alongside it": "beside", "next to that": "beside",
+    **{f"as {a} {nth} group".replace("  ", " "): "group" for a in ("a", "another", "their own", "an") for nth in (
+        "", "new", "third", "fourth", "fifth", "separate", "extra", "second",
+    )},
+    "in a group of their own": "group", "in another group": "group", "in a new group": "group",
+    "in their own group": "group", "in a third group": "group", "in a group by themselves": "group",
 }  # fmt: skip
 _SIDES_OF = {
     "on the top of": "top", "at the top of": "top", "to the top of": "top", "on top of": "top",

@@ -110,10 +110,24 @@ def _structure(view: View, phrase: m.Structure) -> Found:
         raise Refusal([_diagnostic("no-such-object", phrase.span, f"the task has no {phrase.kind} like this", hint)])
     if phrase.plural:
         return Found(tuple(name for each in found for name in each.names), None, found[-1].figure)
+    found = _described(view, phrase, found) or found
     recent = [each for each in found if set(each.names) & set(view.focus)]
     chosen = (recent or found)[-1]
     _check_described(view, phrase, chosen)
     return chosen
+
+
+def _described(view: View, phrase: m.Structure, found: Sequence[Found]) -> list[Found]:
+    """Of several structures those whose blocks are all as the phrase says; else the only one with most of them so."""
+    told = [phrase.traits, phrase.members.traits if isinstance(phrase.members, m.Noun) else m.Traits()]
+    share = []
+    for each in found:
+        blocks = [name for name in each.names if name in view.world.blocks]
+        fitting = sum(all(matches(view, name, traits) for traits in told) for name in blocks)
+        share.append(fitting / max(1, len(blocks)))
+    every = [each for each, part in zip(found, share, strict=True) if part == 1.0]
+    most = [each for each, part in zip(found, share, strict=True) if part > 0.5]
+    return every or (most if len(most) == 1 and sum(part > 0.0 for part in share) == 1 else [])
 
 
 def _check_described(view: View, phrase: m.Structure, found: Found) -> None:
@@ -124,6 +138,9 @@ def _check_described(view: View, phrase: m.Structure, found: Found) -> None:
         told = f"it has {len(found.names)} blocks, not {size.low}"
         raise Refusal([_diagnostic("no-such-object", phrase.span, told, "say how many it has, or leave that out")])
     for traits in (phrase.traits, members.traits if members is not None else m.Traits()):
+        fits = [matches(view, name, traits) for name in found.names if name in view.world.blocks]
+        if sum(fits) * 2 > len(fits) and traits.colors and not traits.labels:
+            continue
         if not all(matches(view, name, traits) for name in found.names if name in view.world.blocks):
             told = "its blocks are not all like this"
             raise Refusal([_diagnostic("no-such-object", phrase.span, told, "leave out what its blocks look like")])
@@ -216,6 +233,9 @@ def _some_of(view: View, phrase: m.Noun) -> tuple[str, ...]:
     """The phrase "one of the red blocks", "two of them", "all of them"."""
     whole = resolve(view, phrase.part_of).names if phrase.part_of is not None else ()
     if phrase.det in ("all", "each", "both"):
+        if phrase.amount is not None and phrase.amount.low != len(whole):
+            counted = f"there are {len(whole)} such blocks, not {phrase.amount.low}"
+            raise Refusal([_diagnostic("ambiguous-object", phrase.span, counted, _choices(view, whole))])
         return whole
     wanted = phrase.amount.low if phrase.amount else 1
     if wanted > len(whole):

@@ -50,6 +50,12 @@ def _in_place_of(old: m.Meaning | None, new: m.Meaning, span: Span) -> r.Request
     return r.Replace(old=old, new=new, span=span)
 
 
+def _bare_colors(phrase: m.Noun) -> bool:
+    """Phrases such as "blue cubes", "red": a colour and nothing else."""
+    said = phrase.traits == m.Traits(colors=phrase.traits.colors) and len(phrase.traits.colors) == 1
+    return said and phrase.amount is None and phrase.det == "bare" and phrase.part_of is None
+
+
 def _only_a_color(phrase: m.Meaning) -> TypeGuard[m.Noun]:
     """Phrases such as "swap red for pink": a block of that colour."""
     if not isinstance(phrase, m.Noun) or phrase.det != "bare" or phrase.head != "any":
@@ -81,6 +87,14 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             and plural_kind(new)
         ):
             yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k
+    if start := longest(p, i, "use | take | have | i want"):
+        for new, k in noun_phrase(p, start):
+            n = p.one(k, "for")
+            if not n or not isinstance(new, m.Noun) or not _bare_colors(new):
+                continue
+            for old, end in noun_phrase(p, n):
+                if not fresh(old):
+                    yield r.Restyle(theme=old, traits=new.traits, span=p.span(i, end)), end
     if (j := p.seq(i, "instead of")) or (j := p.seq(i, "rather than")):
         for old, k in _old(p, j):
             n = longest(p, k, ", use | use | , put | put | , | , i want | , have | , take | , make it")

@@ -31,10 +31,11 @@ Place = Spot | m.Meaning
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Add(Request):
-    """New objects and where they go. `extra`: distractors. `more`: "another", "more": like those mentioned last."""
+    """New objects and where they go. `stay`: they must not be moved."""
 
     theme: m.Meaning
     places: tuple[Place, ...] = ()
+    stay: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -134,6 +135,14 @@ class Loosen(Request):
     factor: float | None = None
     value: float | None = None
     low: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Copies(Request):
+    """So many of the structure that is there."""
+
+    amount: int
+    kind: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rpg.ir.edits import AddCondition
-from rpg.ir.relations import OnPatch
+from rpg.ir.relations import OnPatch, Stayed
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -25,6 +25,10 @@ def add(draft: Draft, request: r.Add) -> None:
     assets = new_assets(draft, request.theme)
     names = draft.add(assets, request.span)
     draft.note("add", list(names))
+    if request.stay:
+        draft.aim("EXTEND")
+        draft.do(AddCondition(goal=Stayed(a=names)), request.span)
+        return
     if _extra(request.theme):
         draft.aim("TWEAK")
         return
@@ -43,6 +47,8 @@ def add(draft: Draft, request: r.Add) -> None:
 
 
 def _extra(theme: m.Meaning) -> bool:
+    if isinstance(theme, m.Coord):
+        return all(_extra(item) for item in theme.items)
     return isinstance(theme, m.Noun) and theme.traits.extra and theme.det != "another"
 
 

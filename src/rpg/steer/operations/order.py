@@ -35,8 +35,9 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
         draft.aim("MODIFY")
         draft.do(SetGoal(goal=mirrored(draft.schema.goal)), request.span)
     elif request.how in ("reverse", "swap"):
-        if request.how == "swap" and line is not None and len(line.members) != 2:
-            raise draft.refusal("ambiguous-object", "this could be any two blocks", request.span, "name the two blocks")
+        if request.how == "swap" and (line is None or len(line.members) != 2):
+            _swap_two(draft, request.span)
+            return
         _reverse(draft, line, figure, request.span)
     elif request.how == "given":
         _given(draft, line, request)
@@ -44,6 +45,19 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
         _toward(draft, line, request)
     else:
         _sort(draft, line, figure, request)
+
+
+def _swap_two(draft: Draft, span: Span) -> None:
+    """The only two blocks that the goal speaks of, or the two mentioned last, change places."""
+    two = draft.view.busy if len(draft.view.busy) == 2 else draft.view.focus
+    if len(two) != 2:
+        raise draft.refusal("ambiguous-object", "this could be any two blocks", span, "name the two blocks")
+    before = draft.schema.goal
+    permute(draft, {two[0]: two[1], two[1]: two[0]}, span)
+    if draft.schema.goal == before:
+        raise draft.refusal("nothing-to-do", "the goal does not tell these blocks apart", span)
+    draft.aim("MODIFY")
+    draft.look_at(tuple(two))
 
 
 def _target(draft: Draft, found: Found | None) -> tuple[Line | None, Shape | None]:

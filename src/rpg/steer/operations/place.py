@@ -76,6 +76,22 @@ def _join_group(draft: Draft, name: str) -> None:
     draft.do(ChangeCondition(at=figure.path, to=node.model_copy(update={"groups": tuple(groups)})))
 
 
+def _own_group(draft: Draft, names: Sequence[str], span: Span) -> None:
+    """A group of their own, which nothing else belongs in."""
+    figure = next((f for f in draft.view.figures if isinstance(f.node, GroupBy)), None)
+    node = figure.node if figure is not None else None
+    if figure is None or not isinstance(node, GroupBy):
+        raise draft.refusal("no-such-object", "the task has no groups", span, "sort the blocks into groups first")
+    traits = Traits(draft.view.world)
+    values = {traits.of(name, node.by) for name in names} if node.by else set()
+    others = {traits.of(group[0], node.by) for group in node.groups} if node.by else set()
+    if len(values) > 1 or values & others:
+        told = f"these blocks are no group of their own, as groups go by {node.by} here"
+        raise draft.refusal("edit-unclear", told, span, f"add blocks of one new {node.by}")
+    groups = (*node.groups, tuple(names))
+    draft.do(ChangeCondition(at=figure.path, to=node.model_copy(update={"groups": groups})), span)
+
+
 def put(
     draft: Draft, names: Sequence[str], place: r.Place, anchor: Found | None, span: Span, line: Line | None = None
 ) -> None:
@@ -97,6 +113,9 @@ def _at_spot(
     draft: Draft, names: Sequence[str], side: str, line: Line | None, anchor: Found | None, span: Span
 ) -> None:
     """A place in a line: its ends, its middle, or beside it."""
+    if side == "group":
+        _own_group(draft, names, span)
+        return
     if side == "any" and anchor is not None and anchor.figure is not None:
         join(draft, names, None, True, span)
         return

@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetGoal
+from rpg.ir.edits import ChangeCondition, SetGoal
 from rpg.ir.order import Order
-from rpg.ir.structures import Figure, Grid, Pyramid, Row, Spells, Stack, Staircase
+from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
-from rpg.steer.operations.count import like, recount
+from rpg.steer.operations.count import recount
 from rpg.steer.operations.guard import check_shape
 from rpg.steer.operations.kinds import listed
-from rpg.steer.operations.make import new_assets
-from rpg.steer.operations.restyle import exchange
+from rpg.steer.operations.words import ALONG, plain, respell, run_along
 from rpg.steer.refer import resolve
 from rpg.steer.view import Line, View
 
@@ -37,8 +35,11 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
     names = found.names if found else draft.view.busy
     line = draft.view.line_of(names)
     draft.note("structure", {"to": wanted.kind, "dims": list(wanted.dims)})
-    if wanted.kind in ("word",) and wanted.letter:
-        _respell(draft, line, names, wanted.letter, request.span)
+    if wanted.kind == "word" and wanted.letter:
+        respell(draft, line, names, wanted.letter, request.span)
+        return
+    if line is not None and isinstance(line.node, Spells | Equation) and wanted.kind in ALONG and plain(wanted):
+        run_along(draft, line, ALONG[wanted.kind], request.span)
         return
     if _same_kind(draft.view, names, wanted):
         recount(
@@ -176,82 +177,4 @@ def _unfit(draft: Draft, kind: str, count: int, needed: str, span: Span) -> Exce
         f"a {kind} takes {needed} blocks, and there are {count}",
         span,
         "change the number of blocks first",
-    )
-
-
-def _respell(draft: Draft, line: Line | None, names: Sequence[str], word: str, span: Span) -> None:
-    """Another word: cubes that it shares stay, others are relabelled, missing ones are added, spare ones leave."""
-    if line is None or not isinstance(line.node, Spells):
-        draft.aim("PIVOT")
-        _spell_afresh(draft, names, word, span)
-        return
-    draft.aim("MODIFY")
-    traits = Traits(draft.view.world)
-    spare = list(line.members)
-    places: list[str | None] = []
-    for letter in word:
-        name = next((n for n in spare if traits.symbol(n) == letter), None)
-        if name is not None:
-            spare.remove(name)
-        places.append(name)
-    changed = {k: spare.pop(0) for k, name in enumerate(places) if name is None and spare}
-    left = tuple(name for name in line.members if name not in spare)
-    draft.do(
-        ChangeCondition(
-            at=line.path,
-            to=line.node.model_copy(update={"word": word, "reverse": False, "blocks": left}),
-        ),
-        span,
-    )
-    for name in spare:
-        draft.do(RemoveAsset(name=name), span)
-    if changed:
-        blocks = {
-            n: draft.view.world.blocks[n].model_copy(update={"label": word[k], "labels": None})
-            for k, n in changed.items()
-        }
-        renamed = exchange(draft, blocks, span)
-        for k, name in changed.items():
-            places[k] = renamed[name]
-    new = [k for k, name in enumerate(places) if name is None]
-    added = (
-        draft.add(
-            new_assets(
-                draft, m.Noun(head="block", plural=True, traits=m.Traits(labels=tuple(word[k] for k in new)), span=span)
-            ),
-            span,
-        )
-        if new
-        else ()
-    )
-    for k, name in zip(new, added, strict=True):
-        places[k] = name
-    final = tuple(name for name in places if name is not None)
-    draft.do(
-        ChangeCondition(
-            at=line.path, to=line.node.model_copy(update={"word": word, "reverse": False, "blocks": final})
-        ),
-        span,
-    )
-    draft.look_at(final)
-
-
-def _spell_afresh(draft: Draft, names: Sequence[str], word: str, span: Span) -> None:
-    """Blocks that spelt nothing become the letters of a word."""
-    blocks = [name for name in listed(draft, names) if name in draft.view.world.blocks]
-    for name in blocks[len(word) :]:
-        draft.do(SetGoal(goal=Spells(blocks=tuple(blocks[: len(word)]), word=word)), span)
-        draft.do(RemoveAsset(name=name), span)
-    blocks = blocks[: len(word)]
-    for asset in like(draft, blocks, len(word) - len(blocks)):
-        draft.do(AddAsset(asset=asset), span)
-        blocks.append(asset.name)
-    draft.do(SetGoal(goal=Spells(blocks=tuple(blocks), word=word)), span)
-    from rpg.ir.assets import SemanticCube
-
-    world = draft.view.world
-    exchange(
-        draft,
-        {n: SemanticCube(name=n, label=letter, size=world.edge[n]) for n, letter in zip(blocks, word, strict=True)},
-        span,
     )

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
-from rpg.ir.edits import ChangeCondition, SetGoal
+from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, SetGoal
 from rpg.ir.goal import Count
 from rpg.ir.node import EACH
 from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf
-from rpg.ir.walk import transform
+from rpg.ir.walk import rename, transform
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
+from rpg.steer.operations.make import named
+from rpg.steer.shape import conjuncts
 
 WAYS: dict[str, type[Directional]] = {"left": LeftOf, "right": RightOf, "front": InFrontOf, "behind": Behind}
 _REGIONS = {"front": "near", "behind": "far"}
@@ -37,6 +39,27 @@ def some(draft: Draft, request: r.Some) -> None:
     draft.aim("MODIFY")
     draft.note("some", {request.bound: request.amount})
     draft.do(ChangeCondition(at=path, to=goal), request.span)
+
+
+def copies(draft: Draft, request: r.Copies) -> None:
+    """As many structures as asked for, of blocks that look like those of the one that is there."""
+    line = draft.view.main_line()
+    parts = conjuncts(draft.schema.goal)
+    if line is None or line.node is None or len(parts) != 1 or request.kind not in (None, line.kind):
+        told = "the goal is no single tower or row that there could be more of"
+        raise draft.refusal("edit-unclear", told, request.span, "add what there should be besides, one by one")
+    if request.amount < 2:
+        raise draft.refusal("nothing-to-do", "there is one already", request.span)
+    draft.aim("EXTEND")
+    draft.note("copies", request.amount)
+    for _ in range(request.amount - 1):
+        models = [draft.view.world.blocks[name] for name in line.members]
+        new: dict[str, str] = {}
+        for model in models:
+            (asset,) = named(draft, [model.model_copy(update={"origin": None})])
+            draft.do(AddAsset(asset=asset), request.span)
+            new[model.name] = asset.name
+        draft.do(AddCondition(goal=rename(line.node, new)), request.span)
 
 
 def turn(draft: Draft, request: r.Turn) -> None:

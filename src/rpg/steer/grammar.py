@@ -11,6 +11,7 @@ from rpg.steer.changing import arrange, change, paint, resize
 from rpg.steer.elliptic import elliptic
 from rpg.steer.grouping import group, mixture, outliers
 from rpg.steer.language import Parser, Results, longest, phrases, rule
+from rpg.steer.parties import parties
 from rpg.steer.parts import parts
 from rpg.steer.replacing import instead, keep, replace_with, trade
 from rpg.steer.sorting import reorder
@@ -93,6 +94,7 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from resize(p, i)
     yield from arrange(p, i)
     yield from elliptic(p, i)
+    yield from parties(p, i)
     yield from parts(p, i)
     yield from symbols(p, i)
     yield from terse(p, i)

@@ -27,6 +27,7 @@ from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
 from rpg.steer.operations.move import move
 from rpg.steer.operations.order import group, reorder, trade
+from rpg.steer.operations.parties import new_tower, told_apart
 from rpg.steer.operations.parts import part
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
@@ -36,6 +37,7 @@ from rpg.steer.operations.terse import bound, pile_up, tint
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.operations.vary import copies, some, turn
 from rpg.steer.parse import Parsed, is_edit, parse
+from rpg.steer.parties import NewTower
 from rpg.steer.parts import Part
 from rpg.steer.refer import resolve
 from rpg.steer.shape import same_structure
@@ -62,6 +64,7 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Some: some,
     r.Copies: copies,
     r.Turn: turn,
+    NewTower: new_tower,
     Part: part,
     Equate: equate,
     Tint: tint,
@@ -142,6 +145,7 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
 
 def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
     """Apply requests in turn; what is to be kept counts for all of them."""
+    told_apart(draft, requests)
     for request in requests:
         if isinstance(request, r.Keep):
             draft.kept += resolve(draft.view, request.theme).names

@@ -16,7 +16,8 @@ from rpg.steer.language import m
 from rpg.steer.operations.grow import grow, of_each_look
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import describe, named, unused_colors, unused_labels
-from rpg.steer.refer import resolve
+from rpg.steer.operations.parties import raised
+from rpg.steer.refer import ALL_OF, Found, resolve
 from rpg.steer.view import Line, Shape
 
 
@@ -31,6 +32,10 @@ def recount(draft: Draft, request: r.Recount) -> None:
     figure = found.figure if found and found.whole else draft.view.main_figure()
     draft.note("count", {"amount": request.amount, "dims": list(request.dims), "by": request.by})
     draft.aim("TWEAK")
+    if figure is None and len(lines := _several(draft, request, found)) > 1:
+        for each in lines:
+            _line(draft, draft.view.line_of(each.members[:1]) or each, request)
+        return
     if request.times is not None and line is None:
         told, hint = ("a figure is made larger by its dimensions", "give its rows and columns, its base or its blocks")
         raise draft.refusal("edit-unclear", told, request.span, hint)
@@ -44,6 +49,20 @@ def recount(draft: Draft, request: r.Recount) -> None:
         raise draft.refusal(
             "edit-unclear", "there is no structure whose size this could be", request.span, "say what is to be built"
         )
+
+
+_EVERY = ALL_OF | {"both", "both of them", "each", "each of them", "each one", "every one", "every one of them"}
+
+
+def _several(draft: Draft, request: r.Recount, found: Found | None) -> list[Line]:
+    """The lines of which a request speaks that is about more than one: "both of them", "the towers"."""
+    theme = request.theme
+    if isinstance(theme, m.Pronoun) and theme.word in _EVERY:
+        last = draft.view.main_line()
+        return [line for line in draft.view.lines if last is not None and line.kind == last.kind]
+    if isinstance(theme, m.Structure) and (theme.plural or theme.det in ("each", "all", "both")) and found is not None:
+        return [line for line in draft.view.lines if set(line.members) <= set(found.names)]
+    return []
 
 
 def _loose(draft: Draft, names: Sequence[str], request: r.Recount) -> None:
@@ -123,6 +142,8 @@ def like(draft: Draft, members: Sequence[str], number: int) -> list[Asset]:
 
 def _figure(draft: Draft, figure: Shape, request: r.Recount) -> None:
     node = figure.node
+    if raised(draft, figure, request):
+        return
     update = _dimensions(draft, figure, request)
     if update is None:
         raise draft.refusal(

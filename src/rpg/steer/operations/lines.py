@@ -9,17 +9,43 @@ from rpg.blocks.predicates.order import SORTED
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
-from rpg.ir.edits import AddCondition, ChangeCondition, Path, SetField
+from rpg.ir.edits import AddCondition, ChangeCondition, Path, SetField, SetGoal
+from rpg.ir.node import Highest, Lowest
+from rpg.ir.node import members as operand_members
 from rpg.ir.order import Order
 from rpg.ir.relations import Behind, Between, InFrontOf, LeftOf, On, RightOf
 from rpg.ir.structures import Equation, Row, Spells, Stack
+from rpg.ir.walk import transform
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.view import BEGINS, ENDS, STEPS, Line
 
 
 def insert(draft: Draft, line: Line, index: int, name: str, span: Span | None = None) -> None:
-    """Put the new block `name` at `index` of `line`."""
+    """Put the new block `name` at `index` of `line`; what is said of the whole line is said of it with the block."""
+    _insert(draft, line, index, name, span)
+    if line.node is not None and len(line.members) > 1:
+        goal = transform(draft.schema.goal, lambda node: _of_all(node, line.members, name))
+        if goal != draft.schema.goal:
+            draft.do(SetGoal(goal=goal), span)
+
+
+def _of_all(node: g.Goal, members: Sequence[str], name: str) -> g.Goal:
+    """A relation of the whole line, with the new block among its own."""
+    update: dict[str, object] = {}
+    for field in ("a", "b", "c"):
+        value = getattr(node, field, None)
+        whole = value is not None and not isinstance(value, str) and set(operand_members(value)) == set(members)
+        if whole and isinstance(value, Lowest):
+            update[field] = Lowest(lowest=(*value.lowest, name))
+        elif whole and isinstance(value, Highest):
+            update[field] = Highest(highest=(*value.highest, name))
+        elif whole and isinstance(value, tuple):
+            update[field] = (*value, name)
+    return node.model_copy(update=update) if update else node
+
+
+def _insert(draft: Draft, line: Line, index: int, name: str, span: Span | None) -> None:
     if line.node is None:
         _insert_in_chain(draft, line, index, name)
         return

@@ -28,10 +28,13 @@ _ENDS = {
     "next to it": "beside", "beside it": "beside", "next to them": "beside", "beside them": "beside",
     "alongside": "beside", "alongside it": "beside", "next to that": "beside",
     **{f"as {a} {nth} group".replace("  ", " "): "group" for a in ("a", "another", "their own", "an") for nth in (
-        "", "new", "third", "fourth", "fifth", "separate", "extra", "second",
+        "", "new", "separate", "extra", "further",
+    )},
+    **{f"{lead} {nth} group": f"group {n}" for lead in ("as a", "as the", "in a") for nth, n in (
+        ("second", 2), ("third", 3), ("fourth", 4), ("fifth", 5), ("sixth", 6),
     )},
     "in a group of their own": "group", "in another group": "group", "in a new group": "group",
-    "in their own group": "group", "in a third group": "group", "in a group by themselves": "group",
+    "in their own group": "group", "in a group by themselves": "group",
 }  # fmt: skip
 _SIDES_OF = {
     "on the top of": "top", "at the top of": "top", "to the top of": "top", "on top of": "top",

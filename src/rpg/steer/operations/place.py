@@ -76,12 +76,15 @@ def _join_group(draft: Draft, name: str) -> None:
     draft.do(ChangeCondition(at=figure.path, to=node.model_copy(update={"groups": tuple(groups)})))
 
 
-def _own_group(draft: Draft, names: Sequence[str], span: Span) -> None:
-    """A group of their own, which nothing else belongs in."""
+def _own_group(draft: Draft, names: Sequence[str], side: str, span: Span) -> None:
+    """A group of their own, which nothing else belongs in; "group 3" is the third one."""
     figure = next((f for f in draft.view.figures if isinstance(f.node, GroupBy)), None)
     node = figure.node if figure is not None else None
     if figure is None or not isinstance(node, GroupBy):
         raise draft.refusal("no-such-object", "the task has no groups", span, "sort the blocks into groups first")
+    if side not in ("group", f"group {len(node.groups) + 1}"):
+        told = f"there are {len(node.groups)} groups, so that the next one is number {len(node.groups) + 1}"
+        raise draft.refusal("edit-unclear", told, span, "say 'as another group'")
     traits = Traits(draft.view.world)
     values = {traits.of(name, node.by) for name in names} if node.by else set()
     others = {traits.of(group[0], node.by) for group in node.groups} if node.by else set()
@@ -113,8 +116,8 @@ def _at_spot(
     draft: Draft, names: Sequence[str], side: str, line: Line | None, anchor: Found | None, span: Span
 ) -> None:
     """A place in a line: its ends, its middle, or beside it."""
-    if side == "group":
-        _own_group(draft, names, span)
+    if side.startswith("group"):
+        _own_group(draft, names, side, span)
         return
     if side == "any" and anchor is not None and anchor.figure is not None:
         join(draft, names, None, True, span)

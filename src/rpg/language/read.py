@@ -16,6 +16,8 @@ from rpg.language.tokens import Token
 MAX_KEPT = 24
 _ENDS = frozenset({".", "!", "?"})
 _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
+_ASKING = frozenset({"is", "are", "was", "were", "does", "did", "which", "where", "why", "who", "when"})
+"""What a question begins with that is no polite command."""
 _BRACKETS = frozenset({"(", ")", "[", "]"})
 _TELLING = frozenset({"the", "which", "that", "not", "it", "this", "whose", "where", "i", "or"})
 _THEN = (
@@ -172,6 +174,11 @@ def _tangled(p: Parser) -> Diagnostic:
 def stuck(p: Parser) -> Diagnostic:
     """Where the reading came to a halt."""
     at = min(p.far, p.end)
+    if p.words[0] in _ASKING:
+        return Diagnostic(
+            code="no-goal", message="this is a question: it asks for nothing to be done", span=p.span(0, p.end),
+            hint="say how it should be, as in 'the red block should be on the blue block'", origin="schema",
+        )  # fmt: skip
     if at >= p.end:
         return Diagnostic(
             code="incomplete", message="the sentence stops before it says what should be done", span=p.span(0, p.end),

@@ -27,6 +27,7 @@ _VAGUE = (
 _LOW = ("at least", "no fewer than", "no less than", "a minimum of", "minimum")
 _HIGH = ("at most", "no more than", "up to", "a maximum of", "maximum", "not more than")
 _EXACT = ("exactly", "precisely", "only", "just")
+_SINGLE = ("one and only one", "one but only one", "one , and only one", "one and exactly one", "just the one")
 
 
 @rule
@@ -51,6 +52,9 @@ def count(p: Parser, i: int) -> Results[int]:
 @rule
 def amount(p: Parser, i: int) -> Results[Amount]:
     """A number with its bounds: "exactly two", "at least 3", "two or three", "between 2 and 4"."""
+    if only := p.any_of(i, _SINGLE):
+        yield Amount(1, 1, True), only
+        return
     for n, j in count(p, i):
         yield Amount(n, n), j
         if k := p.any_of(j, ("or more", "and more")):
@@ -90,7 +94,7 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
         if k := p.one(j, "single"):
             yield Quantity("a", Amount(1, 1), False), k
     if j := p.one(i, THE):
-        yield Quantity("the"), j
+        yield Quantity("the"), p.seq(j, "one and only") or j
         for found, k in amount(p, j):
             yield Quantity("the", found, found.high != 1), k
     if j := p.any_of(

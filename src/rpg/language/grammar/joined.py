@@ -112,7 +112,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             yield replace(named, span=p.span(i, j)), j
             continue
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
-            yield Coord(op="xor", items=whole, span=p.span(i, k)), k
+            yield from ((Coord(op="xor", items=whole, span=p.span(i, k)), e) for e in {k: None, p.opt(k, ","): None})
         if joined:
             cost = 6 if retold(whole) else 2 if now == "then" or shares_head(items[-1], item) else 0
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
@@ -138,7 +138,10 @@ def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Result
                 yield Coord(op="only" if nothing else "except", items=(*items, item), span=p.span(i, j)), j
     if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
         for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
-            yield Coord(op="except", items=(*items, item), span=p.span(i, j)), j
+            closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
+            yield from (
+                (Coord(op="except", items=(*items, item), span=p.span(i, j)), e) for e in {j: None, closed: None}
+            )
 
 
 def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:

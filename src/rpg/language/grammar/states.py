@@ -54,6 +54,7 @@ _MODALS = frozenset(
 
 
 _NOT = frozenset({"not", "never"})
+_HAVE = frozenset({"have", "has"})
 
 
 _BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come"})
@@ -70,6 +71,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     asked = p.one(i, _ASKING)
     for theme, j in noun_phrase(p, inverted or asked or i):
         j = p.opt(j, "all", "each", "both", "then")
+        j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
         k, words = _auxiliaries(p, j)
         if not _floats(theme, {*p.words[j - 1 : k]}):
             continue
@@ -95,6 +97,15 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 allowed = Manner(kind="allowed", span=p.span(j, k))
                 found = replace(found, adjuncts=(*found.adjuncts, allowed))
             yield (ever(found, lasting) if isinstance(found, Clause) else found), end
+
+
+def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
+    """ "six blocks, three red and three white, stand ...": a comma closes what was set beside the noun."""
+    return isinstance(theme, Coord) and p.words[j : j + 1] == [","] and "," in p.words[i:j] and p.words[j + 1] in _GO_ON
+
+
+_GO_ON = _MODALS | _BE | lexicon.POSTURE
+"""Words that only a predicate begins with."""
 
 
 def _needless(words: set[str]) -> bool:
@@ -266,11 +277,13 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                 k,
             )
     head = theme.head if isinstance(theme, Noun) else "block"
-    for marks, k in adjectives(p, j):
+    the = p.opt(j, "the")
+    for marks, k in adjectives(p, the):
         if set(marks) == {"rank"} and marks["rank"] in ("top", "bottom", "left", "right", "front", "back", "middle"):
+            k = p.opt(k, "one", "block", "cube")
             side = At(side=marks["rank"], span=p.span(j, k))
             yield Clause(verb="be", theme=theme, adjuncts=(side,), negated=negated, mode=mode, span=p.span(i, k)), k
-        elif marks and "rank" not in marks:
+        elif marks and "rank" not in marks and the == j:
             quality = Quality(traits=Traits(**marks), span=p.span(j, k))
             yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
     for marks, k in of_quality(p, j, head):
@@ -328,7 +341,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
     if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says", "spell", "spells"})):
         for told, end in _reads(p, i, j, theme, mode):
             yield (replace(told, negated=negated) if isinstance(told, Clause) else told), end
-    if j := p.one(k, frozenset({"have", "has"})):
+    if j := p.one(k, _HAVE) or (k if p.words[k - 1] in _HAVE else 0):
         for traits, end in ((m, e) for m, e in of_quality(p, j - 1, "block")):
             quality = Quality(traits=Traits(**traits), span=p.span(k, end))
             said = Clause(verb="be", theme=theme, adjuncts=(quality,), mode=mode, span=p.span(i, end))

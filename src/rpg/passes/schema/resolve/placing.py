@@ -256,13 +256,15 @@ def _among_members(ref: Ref, theme: Ref, before: int, scene: Scene, span: Span) 
 
 def _turned(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:
     """ "with the U upside down", "with the letters facing up"."""
-    from rpg.passes.schema.resolve.turning import turn_of
+    from rpg.passes.schema.resolve.turning import pointing, turn_of
 
     if theme.quant is not None or theme.patch or not theme.names:
         raise refuse("ambiguous", "it is not clear which block is turned", span, "name the block")
     facing = next((m for m in inner.manners if m.kind == "facing"), None)
     flat = next((m for m in inner.manners if m.kind == "turn"), None)
     inner.manners = [m for m in inner.manners if m not in (facing, flat)]
+    if facing is not None and theme.part == "top":
+        return pointing(theme, facing, flat, scene, span)
     word = any(b.kind in ("word", "equation") and set(theme.names) <= set(b.members) for b in ref.built)
     if word and flat is None and facing is not None and facing.value == "up":
         return []

@@ -21,8 +21,9 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(reciprocal=True, span=word.span)
     if word.word.startswith("="):
         return Ref(names=tuple(word.word[1:].split()), plural=" " in word.word)
-    if word.word == "same":
-        return _last_theme(scene, word)
+    if word.word in ("same", "both the same"):
+        last = _last_theme(scene, word)
+        return replace(last, op="and") if last.op == "nor" and word.word != "same" else last
     if word.word in _NUMBERED and len(scene.built) > 1:
         return _numbered(word, scene)
     if word.word in _REST or word.word in _OTHER:
@@ -134,7 +135,11 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                 raise refuse("ambiguous", f"{word.word!r} could be all of these blocks, or just so many of them",
                              word.span, "name the blocks that you mean")  # fmt: skip
             return replace(
-                ref, quant=None, each=False, built=ref.built if len(ref.built) > 1 or _told_together(ref) else ()
+                ref,
+                quant=None,
+                each=False,
+                op="and" if ref.op == "nor" else ref.op,
+                built=ref.built if len(ref.built) > 1 or _told_together(ref) else (),
             )
     last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
     if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):

@@ -154,6 +154,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
     if mark.reciprocal:
         return reciprocal(theme, loc, span)
+    if theme.op == "nor":
+        return [x for part in theme.parts for x in negation(related(part, mark, loc, scene, span), span)]
     if mark.op == "nor":
         return [x for part in mark.parts for x in negation(related(theme, part, loc, scene, span), span)]
     if mark.table:
@@ -268,21 +270,25 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
 def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     node = DIRECTIONS[loc.rel]
     b = foot(mark)
-    goal: g.Goal
     flags: dict[str, Any] = {
         "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods,
         "somewhere": "somewhere" in loc.mods,
     }  # fmt: skip
-    if theme.quant is not None or theme.op == "or" or theme.mixed:
-        goal = spread(theme, lambda a: node(a=a, b=b, span=span, **flags), span)
-    else:
-        goal = node(
-            a=carrier(foot(theme), scene, moved=True), b=b if mark.patch else carrier(b, scene), span=span, **flags
-        )
-    if loc.low is not None or loc.high is not None:
-        near = r.Distance(a=foot(theme), b=b, minimum=loc.low, maximum=loc.high, span=span)
-        return conj([goal, near], span)
-    return goal
+    if theme.quant is not None or theme.op in ("or", "xor", "except") or theme.mixed:
+
+        def far(a: Operand) -> g.Goal:
+            return conj([node(a=a, b=b, span=span, **flags), *_so_far(a, b, loc, span)], span)
+
+        return spread(theme, far, span)
+    goal = node(a=carrier(foot(theme), scene, moved=True), b=b if mark.patch else carrier(b, scene), span=span, **flags)
+    return conj([goal, *_so_far(foot(theme), b, loc, span)], span)
+
+
+def _so_far(a: Operand, b: Operand, loc: Loc, span: Span) -> Atoms:
+    """ "10 cm to the left of": how far that is."""
+    if loc.low is None and loc.high is None:
+        return []
+    return [r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, span=span)]
 
 
 def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

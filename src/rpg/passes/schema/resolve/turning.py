@@ -233,6 +233,8 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     degrees = next((m for m in spec.manners if m.kind in ("by", "by?")), None)
     facing = next((m for m in spec.manners if m.kind == "facing"), None)
     flat = next((m for m in spec.manners if m.kind == "turn"), None)
+    if (pointed := _pointed(theme, facing, spec)) is not None:
+        return _upward(theme, pointed, flat, spec, scene, clause.span)
     for name in theme.names:
         if degrees is not None:
             value = float(degrees.value or 0)
@@ -263,6 +265,40 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         goals += place(theme, item, scene, scope, clause.span)
     spec.places = []
     return goals
+
+
+_ROUND = {"back": 0.0, "left": 90.0, "front": 180.0, "viewer": 180.0, "right": -90.0}
+"""How far a symbol that is read from above is turned where its top points to a side."""
+
+
+def _pointed(theme: Ref, facing: Manner | None, spec: Spec) -> Manner | None:
+    """ "its top points left", "with its top to the right": where the top of a symbol is."""
+    if facing is not None and theme.part == "top":
+        return facing
+    return next((m for m in spec.manners if m.kind == "pointing:top"), None)
+
+
+def _upward(theme: Ref, pointed: Manner, flat: Manner | None, spec: Spec, scene: Scene, span: Span) -> Goals:
+    """A symbol that lies with its top to a side, wherever it is put."""
+    goals = pointing(theme, pointed, flat, scene, span)
+    used = (pointed, flat)
+    spec.manners = [m for m in spec.manners if not any(m is x for x in used)]
+    for item in spec.places:
+        goals += place(theme, item, scene, Scope(), span)
+    spec.places = []
+    return goals
+
+
+def pointing(theme: Ref, pointed: Manner, flat: Manner | None, scene: Scene, span: Span) -> Goals:
+    """Symbols with their tops to a side; "on its side" says so once more."""
+    degrees = _ROUND.get(str(pointed.value))
+    if degrees is None:
+        raise refuse("ambiguous", "the symbol could be turned round, or its block tipped over", pointed.span,
+                     "say 'upside down', 'to the left' or 'facing up'")  # fmt: skip
+    if flat is not None and abs(degrees) != flat.value:
+        raise refuse("contradiction", "this says two ways to turn it", pointed.span, "keep one of them")
+    exact = Manner(kind="turn", value=degrees, span=span)
+    return [_facing(name, None, exact, scene, span) for name in theme.names]
 
 
 def turn_of(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from rpg.blocks.constants import TABLE_Z
 from rpg.ir.assets import Asset, Block, GoalPatch
@@ -93,12 +93,19 @@ class BlockState:
 
     def moved(self, poses: Mapping[str, tuple[Vec3, Quat]]) -> BlockState:
         """This state with some blocks elsewhere."""
-        return replace(
-            self,
-            position={**self.position, **{n: p for n, (p, _) in poses.items()}},
-            orientation={**self.orientation, **{n: q for n, (_, q) in poses.items()}},
-            _axes={},
+        return BlockState(
+            self.world,
+            {**self.position, **{n: p for n, (p, _) in poses.items()}},
+            {**self.orientation, **{n: q for n, (_, q) in poses.items()}},
+            self.moving,
+            self.held,
+            self.start,
+            {name: axes for name, axes in self._axes.items() if name not in poses},
         )
+
+    def since(self, start: BlockState | None) -> BlockState:
+        """This state in an episode that began with `start`."""
+        return BlockState(self.world, self.position, self.orientation, self.moving, self.held, start, self._axes)
 
 
 def matrix(quat: Quat) -> Matrix:

@@ -57,9 +57,10 @@ def every(verdicts: Iterable[Verdict]) -> Verdict:
     held, broken = math.inf, math.inf
     for value, margin in verdicts:
         if value:
-            held = min(held, margin)
-        else:
-            broken = min(broken, margin)
+            if margin < held:
+                held = margin
+        elif margin < broken:
+            broken = margin
     if broken < math.inf:
         return Verdict(False, broken)
     return Verdict(True, held) if held < math.inf else TRUE
@@ -70,9 +71,10 @@ def some(verdicts: Iterable[Verdict]) -> Verdict:
     held, broken = -math.inf, -math.inf
     for value, margin in verdicts:
         if value:
-            held = max(held, margin)
-        else:
-            broken = max(broken, margin)
+            if margin > held:
+                held = margin
+        elif margin > broken:
+            broken = margin
     if held > -math.inf:
         return Verdict(True, held)
     return Verdict(False, broken) if broken > -math.inf else FALSE

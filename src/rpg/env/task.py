@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 from functools import lru_cache
 
 import mujoco
@@ -139,7 +138,7 @@ class BlockTask(Relations, Structures, Setup):
         if scenes:
             self._begin(scenes[0])
             for scene in scenes[1:]:
-                self._observe(replace(scene, start=scenes[0], _axes={}))
+                self._observe(scene.since(scenes[0]))
         else:
             self._draw(seed)
         return self.state()
@@ -186,7 +185,7 @@ class BlockTask(Relations, Structures, Setup):
             else:
                 if not found:
                     self._begin(start)
-                self._observe(replace(state, start=start, _axes={}))
+                self._observe(state.since(start))
             found.append(self.judge())
         self._state = None
         return found
@@ -242,15 +241,15 @@ class BlockTask(Relations, Structures, Setup):
 
     def _begin(self, start: BlockState) -> None:
         """An episode begins with `start`."""
-        start = replace(start, start=None, _axes={})
+        start = start.since(None)
         self._memories = [Memory() for _ in self._namings]
         self._written = start
-        self._observe(replace(start, start=start))
+        self._observe(start.since(start))
 
     def _observe(self, state: BlockState) -> None:
         """The episode is now in `state`."""
         if self._written is not None:
-            self._written = replace(state, start=None)
+            self._written = state.since(None)
         self._state, self._judgement, self._unread = state, None, False
         if self._looks_back is not False:
             self.judge()

@@ -119,16 +119,20 @@ def centroid(state: BlockState, names: Sequence[str]) -> tuple[float, float]:
     )
 
 
+_SPOTS = [(WORKSPACE_X[0] + 0.05 * i, WORKSPACE_Y[0] + 0.05 * j) for i in range(7) for j in range(11)]
+"""Places all over the workspace."""
+
+
 def set_aside(state: BlockState, name: str, clearance: float = 0.12) -> BlockState:
     """`state` with one block flat on the table, away from every other block."""
     half = state.world.edge[name] / 2
     others = [p for other, p in state.position.items() if other != name]
 
     def room(spot: tuple[float, float]) -> float:
-        return min((math.hypot(x - spot[0], y - spot[1]) for x, y, _ in others), default=1.0)
+        a, b = spot
+        return min([math.hypot(x - a, y - b) for x, y, _ in others], default=1.0)
 
-    spots = [(WORKSPACE_X[0] + 0.05 * i, WORKSPACE_Y[0] + 0.05 * j) for i in range(7) for j in range(11)]
-    spot = max(spots, key=room)
+    spot = max(_SPOTS, key=room)
     if room(spot) < clearance:
         spot = (spot[0], WORKSPACE_Y[1] + 0.2)
     return put(state, name, (spot[0], spot[1], TABLE_Z + half))

@@ -6,6 +6,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+import numpy as np
+
 from rpg.blocks.state import BlockState
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.env import BlockTask, Verdict
@@ -67,15 +69,16 @@ class GoalStateGate:
         self, task: BlockTask, authored: BlockState, settled: BlockState, verdict: Verdict, bench: Bench
     ) -> _Hold:
         hold = _Hold(margin=verdict.margin)
-        seen, moving = task.data.qpos.copy(), bool(settled.moving)
+        places = task.data.qpos
+        seen, moving = places.copy(), bool(settled.moving)
         self._measure(hold, authored, settled, settled)
         for step in range(1, bench.measures.hold_steps + 1):
             task.step()
-            still = bench.trusted and float(abs(task.data.qpos - seen).max()) <= STILL
+            still = bench.trusted and np.abs(places - seen).max() <= STILL
             if still and not moving and verdict.margin >= SAFE_MARGIN and step < bench.measures.hold_steps:
                 continue
             now, verdict = task.state(), task.judge().success
-            seen, moving = task.data.qpos.copy(), bool(now.moving)
+            seen, moving = places.copy(), bool(now.moving)
             hold.margin = min(hold.margin, verdict.margin)
             if not verdict.value and hold.broken_at is None:
                 hold.broken_at = step
@@ -93,6 +96,9 @@ class GoalStateGate:
     def _findings(self, program: Program, bench: Bench, hold: _Hold, verdict: Verdict) -> list[Diagnostic]:
         assert bench.trace is not None
         measures, final = bench.measures, bench.trace.final
+        stands = hold.fall <= measures.topple_m and hold.drift <= measures.drift_m and not final.moving
+        if stands and verdict.value and hold.broken_at is None:
+            return []
         parts = subgoals(program.task, bench.trace.settled if not verdict.value else final)
         facts = {**parts.facts(), "poses": poses(final)}
         found = []

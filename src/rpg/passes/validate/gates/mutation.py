@@ -92,8 +92,7 @@ def holds(task: BlockTask, path: tuple[BlockState, ...]) -> bool:
     """Does the code's goal hold at the end of an episode that passes through these scenes? The first is its start."""
     if len(path) == 1:
         return bool(task.judge_states(path)[-1].success)
-    start = replace(path[0], start=None)
-    return bool(task.judge_states(path[1:], start)[-1].success)
+    return bool(task.judge_states(path[1:], path[0].since(None))[-1].success)
 
 
 def unsettled(goal: BlockState) -> list[NearMiss]:

@@ -79,7 +79,8 @@ def build(
             code = refusal.diagnostics[0].code
             if code in FINAL and best is None:
                 raise
-            if code in SENSIBLE and limit is None:
+            lost = code == "misplaced" and refusal.diagnostics[0].message.startswith(LOST)
+            if (code in SENSIBLE or lost) and limit is None:
                 limit, first = cost + PATIENCE, (refusal, chosen)
             first = first or (refusal, chosen)
             continue
@@ -101,10 +102,14 @@ def build(
     )
 
 
+LOST = "this was read, but nothing in the task would come"
+"""How a word that a reading lost is told: a costlier reading that finds a place for it means something else."""
+
+
 def _lost(token: Token) -> Refusal:
     return refuse(
         "misplaced",
-        f"this was read, but nothing in the task would come of {token.raw!r}",
+        f"{LOST} of {token.raw!r}",
         token.span,
         "say this part in a sentence of its own",
     )

@@ -160,6 +160,15 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
 
 
 def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    found = _described(noun, scene, scope)
+    if noun.conditions and (noun.det == "no" or (found.quant is not None and found.quant.high == 0)):
+        raise refuse("ambiguous", "it is not clear which blocks are there at the start", noun.span, "use two sentences")
+    for condition in noun.conditions:
+        scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition))
+    return found
+
+
+def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if noun.part_of is None and _elliptical(noun, scene, scope):
         return _of_them(noun, scene, scope)
     if noun.part_of is not None:
@@ -222,9 +231,7 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         return _alternatives(noun, scene, scope, patch)
     names = _counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
-    found = quantified(found, noun)
-    _conditions(noun, found, scene)
-    return found
+    return quantified(found, noun)
 
 
 def _counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
@@ -355,9 +362,3 @@ def _alternatives(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         parts.append(Ref(names=select(one, scene, scope, patch), patch=patch, span=noun.span))
     names = tuple(n for part in parts for n in part.names)
     return Ref(names=names, patch=patch, op="or", parts=tuple(parts), plural=True)
-
-
-def _conditions(noun: Noun, found: Ref, scene: Scene) -> None:
-    """ "that is on the patch": a premise about where the block stands, kept for the clause resolver."""
-    for condition in noun.conditions:
-        scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition))

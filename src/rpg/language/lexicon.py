@@ -121,7 +121,8 @@ DOUBLED = {
 POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "
     "stays stay staying remains remain remaining seen shown visible "
-    "ends end goes go located positioned placed put found situated ending resides reside belong belongs hidden"
+    "come comes coming serve serves ends end goes go located positioned placed put found situated ending resides "
+    "reside belong belongs hidden"
 )
 
 

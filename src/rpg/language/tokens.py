@@ -30,6 +30,7 @@ CONTRACTIONS = {
     "i'll": "i will", "i'm": "i am", "i've": "i have", "it's": "it is", "that's": "that is", "there's": "there is",
     "let's": "let us", "they're": "they are", "you're": "you are", "we're": "we are", "here's": "here is",
     "what's": "what is", "we'd": "we would", "you'd": "you would", "dont": "do not", "lets": "let us",
+    "thats": "that is",
     "ontop": "on top", "inbetween": "in between", "infront": "in front", "gotta": "have to", "wanna": "want to",
     "gimme": "give me", "lemme": "let me", "gonna": "going to", "ur": "your", "'em": "them", "em": "them",
     "w/": "with", "w/o": "without",
@@ -42,6 +43,8 @@ AMERICAN = {
     "centres": "centers", "centred": "centered", "neighbour": "neighbor", "neighbours": "neighbors",
     "neighbouring": "neighboring",
     "metre": "meter", "metres": "meters", "organise": "organize", "multicoloured": "multicolored", "storey": "story",
+    "merely": "only", "solely": "only", "purely": "only", "whereby": "where", "unto": "onto", "him": "it",
+    "upto": "up to",
 }  # fmt: skip
 """Spellings that are read as one."""
 
@@ -51,6 +54,7 @@ _PIECES = re.compile(
     rf"""
     (?P<bullet>(?:(?<=\n)|^)\s*(?:[-*•]|\d{{1,2}}[.)])(?=\s)|(?<!\w)\d{{1,2}}\)(?=\s))
   | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
+  | (?P<aside>\b(?:i\.e\.|e\.g\.|viz\.)[,:]?)
   | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
   | (?P<dims>\d+(?:\s*[x×*]\s*\d+){{1,2}}(?![\w.]))
@@ -109,6 +113,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return _word(raw, span)
         case "bullet":
             return [Token("punct", ";", raw, span)]
+        case "aside":
+            return [Token("punct", ",", raw, span)]
         case "ellipsis":
             return [Token("punct", "…", raw, span)]
         case "sign":

@@ -217,6 +217,17 @@ _MATCHING = (
     "with its own color",
 )  # fmt: skip
 """What is said of a patch that has the colour of what goes on it."""
+_EDGES = (
+    "of size", "of edge", "with edges of", "with sides of", "of edge length", "of", "measuring",
+    *(
+        f"{lead}{edge}{of}"
+        for lead in ("with ", "with an ", "with a ", "has an ", "has a ", "has ", "have ", "have an ", "have a ",
+                     "of an ")
+        for edge in ("edge", "edges", "edge length", "side", "sides", "side length", "size")
+        for of in ("", " of")
+    ),
+)  # fmt: skip
+"""What stands before the length of a block's edge."""
 _OWN = ("of its own", "of their own", "to itself", "to themselves")
 _MARKED = tuple(f"{how}on the table" for how in ("", "designated ", "marked ", "painted ", "drawn "))
 
@@ -239,7 +250,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     for phrase, j in p.standing(i, _MATCHING):
         if head == "patch" or "same" not in phrase:
             yield Marks({"matching": True}), j
-    if j := p.any_of(i, ("of size", "of edge", "with edge", "with edges of", "with sides of", "of edge length", "of")):
+    if j := p.any_of(i, _EDGES):
         yield from ((Marks({"edge": metres}), k) for metres, k in length(p, j))
     if j := p.any_of(i, ("in", "in color", "colored", "coloured", "painted", "of color", "with color")):
         yield from ((Marks({"colors": listed, "either": either}), k) for (listed, either), k in colors(p, j))

@@ -17,7 +17,10 @@ _ANYWHERE = (
     "basically", "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
-    "kinda", "mate", "buddy", "dude", "my friend", "good luck",
+    "kinda", "mate", "buddy", "dude", "my friend", "good luck", "my dear", "dear", "sweetheart", "darling", "honey",
+    "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
+    "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
+    "as seen in the camera image", "in the camera image", "from the camera 's point of view",
 )  # fmt: skip
 """Phrases that carry nothing in any place."""
 SOFT = 1.0
@@ -37,7 +40,9 @@ _FREE = (
     "hello everyone", "good morning", "good day", "dear robot", "ok", "okay", "alright", "great", "your choice",
     "up to you", "as you like", "you choose", "either is fine", "any order will do", "any order is fine",
     "any order works", "any direction will do",
-    "any direction is fine", "that is all", "that is it", "i think", "all good",
+    "any direction is fine", "whichever", "whatever", "either will do", "either one will do", "either one is fine",
+    "it does not matter which", "does not matter which", "no matter which", "that is all", "that is it", "i think",
+    "all good",
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
 _BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
@@ -113,6 +118,7 @@ def _emphatic(words: list[str], end: int) -> bool:
 
 def _set_off(words: list[str], at: int, end: int) -> bool:
     before = at == 0 or words[at - 1] in _BREAKS or words[at] in ("in", "regardless")
+    before = before and not (at and words[at - 1] in ("rest", "others"))
     return before and (end == len(words) or words[end] in _BREAKS)
 
 

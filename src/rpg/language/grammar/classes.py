@@ -36,7 +36,7 @@ def classes(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, end)), end
 
 
-def _class(p: Parser, i: int) -> Results[tuple[tuple[str, str], int]]:
+def _class(p: Parser, i: int) -> Results[tuple[str, str]]:
     """ "the odd ones", "all vowels", "a group of letters", "an odd pile"."""
     of = p.any_of(i, _OF)
     j = of or p.any_of(i, ("all the", "all", "the", "an", "a")) or i

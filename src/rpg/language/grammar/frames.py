@@ -20,6 +20,7 @@ class Phrases:
 
 
 COMMAND_FRAMES = Phrases(
+    "want to",
     "pls", "plz", "please just", "also ,", "additionally ,", "the task :", "the goal :", "your task :", "requirement",
     "requirement :", "requirement -", "i would prefer you to",
     "i 'd love you to", "i would love you to", "i would like to ask you to", "may i ask you to", "do me a favor and",
@@ -53,6 +54,9 @@ COMMAND_FRAMES = Phrases(
     "use your gripper to", "use the gripper to", "using the gripper ,",
 )  # fmt: skip
 STATE_FRAMES = Phrases(
+    "want to see", "want to have", "arrange that", "arrange it that",
+    "the scene shows", "the final scene shows", "the picture shows", "the goal shows", "the image shows",
+    "level 1 :", "level 2 :", "level 3 :",
     "end :", "at the end :", "in the end :", "finally :", "final :", "after :", "end state :", "finish :",
     "final state :",
     "i 'd love", "i would love", "i 'd love to see", "i 'd like", "i 'd like to see", "i would prefer", "i prefer",

@@ -88,6 +88,8 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("with consonants before vowels", "consonant_first", {}),
     ("with all vowels before all consonants", "vowel_first", {}),
     ("with the vowels before the consonants", "vowel_first", {}), ("even numbers then odd numbers", "even_first", {}),
+    (", the rest in any order", "any", {}), (", the others in any order", "any", {}),
+    ("and the rest in any order", "any", {}), (", the order of the rest does not matter", "any", {}),
     ("in any order", "any", {}), (", in any order", "any", {}), (", any order", "any", {}),
     ("the order does not matter", "any", {}), (", the order does not matter", "any", {}),
     ("in whatever order", "any", {}),

@@ -192,7 +192,9 @@ def unit_of(found: Absolute) -> str:
     return place.unit if isinstance(place, Places) else "block" if isinstance(place, At) else ""
 
 
-_ONES = ("one of them", "one", "the other one", "the other", "another one", "another", "a second one", "a third one")
+_HAVING = ("with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of")
+_ONES = ("one of them", "one", "the other one", "the other", "other", "another one", "another", "a second one",
+         "a third one")  # fmt: skip
 
 
 @rule
@@ -220,8 +222,9 @@ def _kind_of(p: Parser, j: int) -> Results[Noun]:
     for theme, k in simple(p, j):
         if not isinstance(theme, Noun) or theme.part_of is not None or theme.head == "patch" or theme.conditions:
             continue
-        colored = theme.amount is None and len(theme.traits.colors) == 1
-        if colored or (theme.amount is not None and theme.det == "bare" and theme.traits == Traits()):
+        colors = theme.traits.colors
+        plain = theme.traits == Traits(colors=colors) and len(colors) < 2
+        if plain and ((colors and theme.amount is None) or (theme.amount is not None and theme.det == "bare")):
             yield theme, k
 
 
@@ -229,7 +232,7 @@ def _wholes(p: Parser, i: int, at: int, had: tuple[Absolute, ...]) -> Results[Co
     ones = [(Places(side="one", unit="whole", span=p.span(at, k)), k) for _, k in p.standing(at, _ONES)]
     named = [(one, k) for x, k in part(p, at, "whole") if (one := _whole(x)) is not None]
     for place, j in [*ones, *named]:
-        for theme, k in _kind_of(p, p.any_of(j, _IS) or j):
+        for theme, k in _kind_of(p, p.any_of(j, _HAVING) or p.any_of(j, _IS) or j):
             whole = (*had, Absolute(theme=theme, adjuncts=(place,), span=p.span(at, k)))
             if len(whole) > 1:
                 yield Coord(op="absolutes", items=whole, span=p.span(i, k)), k

@@ -242,7 +242,8 @@ def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
         places = [x.adjuncts[0] for x in found.items if isinstance(x, Absolute)]
         themes = [x.theme for x in found.items if isinstance(x, Absolute)]
         colors = tuple(c for theme in themes if isinstance(theme, Noun) for c in theme.traits.colors)
-        alike = len(colors) == len(themes) and all(isinstance(x, Places) and x.side == "one" for x in places)
+        plain = not any(isinstance(theme, Noun) and theme.amount is not None for theme in themes)
+        alike = plain and len(colors) == len(themes) and all(isinstance(x, Places) and x.side == "one" for x in places)
         if base.kind == "stack" and alike:
             yield _painted(base, colors, Pattern(unit="stack", span=found.span), p.span(i, end)), end
         else:

@@ -87,6 +87,8 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
             for i in spec.intos
             if not (isinstance(i.structure, Structure) and i.structure.kind == "pile" and not i.structure.plural)
         ]
+    if spec.ats and not spec.intos and verb == "be":
+        spec.orders = [o for o in spec.orders if o.by != "any"]
     heaped = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
     spec.places = [p for p in spec.places if p not in heaped]
     temporal = next((o for o in spec.orders if o.by == "temporal" or _in_time(o, verb, theme, spec)), None)

@@ -40,6 +40,17 @@ _ADDS = re.compile(
 )
 
 
+_ONE_MORE = re.compile(
+    r"\b(?:as|in) (?:a|an|the) (?:second|third|fourth|fifth|sixth|further|separate|new) (?:group|pile|tower|stack)\b",
+    re.IGNORECASE,
+)
+
+
+def one_more(request: str) -> bool:
+    """Whether a request speaks of one more of what the task has: no instruction of its own does."""
+    return bool(_ONE_MORE.search(request))
+
+
 @dataclass(frozen=True)
 class Fresh:
     """The instruction after "new task:", and where it begins in the request."""

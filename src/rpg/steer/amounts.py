@@ -60,7 +60,8 @@ _BRINGS = phrases(
     "scale up | build"
 )
 _HEIGHTS = phrases(
-    "its height | the height | their height | its length | the length | the number of blocks | the count"
+    "its height | the height | their height | its length | the length | the number of blocks | the count | "
+    "the number of cubes | the number of pieces | the number of bricks"
 )
 
 
@@ -77,7 +78,8 @@ def _brought_to(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if n := longest(p, k, "to | down to | up to | back to | to only | to just | down to just | to a height of"):
             for amount, end in count(p, n):
                 stop = longest(p, end, (*BLOCKS, *TALL, *LONG, "only")) or end
-                yield r.Recount(theme=theme, amount=amount, span=p.span(i, stop)), stop
+                what = "height" if longest(p, end, "steps | levels | layers | stories") else "blocks"
+                yield r.Recount(theme=theme, amount=amount, what=what, span=p.span(i, stop)), stop
             for dims, end in dimensions(p, n):
                 yield r.Recount(theme=theme, dims=dims, span=p.span(i, end)), end
 

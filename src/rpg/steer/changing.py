@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, adjectives, colors, label_list, length, literal, longest, m, noun_phrase, phrases
-from rpg.steer.phrases import fresh, old, plural_kind, subjects
+from rpg.steer.phrases import fresh, labelled, old, plural_kind, subjects
 
 CHANGE = ("change", "turn", "make", "convert", "transform", "switch", "modify", "set", "have", "let", "transition")
 
@@ -50,6 +50,9 @@ def _themes(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
         "the letter of",
         "the label of",
         "the size of",
+        "the edge length of",
+        "the edge of",
+        "the side length of",
         "the number on",
         "the letter on",
         "the symbol on",
@@ -94,6 +97,9 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
             yield r.Restyle(theme=theme, traits=new.traits, span=p.span(i, k), cost=cost), k
         elif fresh(new) or plural_kind(new):
             yield r.Replace(old=theme, new=new, span=p.span(i, k), cost=cost), k
+        elif isinstance(new, m.Noun) and new.det == "bare" and new.head == "block" and labelled(new) and theme is not None:
+            one = replace(new, det="a", amount=m.Amount(1, 1))
+            yield r.Replace(old=theme, new=one, span=p.span(i, k), cost=cost + 2), k
 
 
 def _sized(traits: m.Traits) -> bool:

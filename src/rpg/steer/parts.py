@@ -21,7 +21,10 @@ class Part(r.Request):
     look: m.Noun
 
 
-_LEADS = "make | have | with | let | paint | color | colour | turn | i want | put | use | change | now with | place"
+_LEADS = (
+    "make | have | with | let | paint | color | colour | recolor | recolour | repaint | "
+    "turn | i want | put | use | change | now with | place"
+)
 _IS = (
     "should be | must be | should become | becomes | is to be | are to be | has to be | have to be | needs to be | "
     "to | be | should all be | should be made of | should now be | into | in | to be | is | are"

@@ -11,6 +11,7 @@ _ENDS = {
     "at the bottom": "bottom", "on the bottom": "bottom", "to the bottom": "bottom", "underneath": "bottom",
     "below": "bottom", "beneath": "bottom", "under": "bottom", "as the base": "bottom", "at the base": "bottom",
     "to the base": "bottom", "at the very bottom": "bottom", "as a base": "bottom", "as the bottom": "bottom",
+    "in the end": "end",
     "at the end": "end", "to the end": "end", "on the end": "end", "at the very end": "end", "last": "end",
     "at the beginning": "begin", "to the beginning": "begin", "at the start": "begin", "to the start": "begin",
     "first": "begin",

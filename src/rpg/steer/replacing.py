@@ -17,7 +17,8 @@ REPLACE = ("replace", "substitute", "exchange", "swap out", "switch out", "swap"
 
 TRADE = phrases(
     "swap the positions of | swap the places of | exchange the positions of | swap positions of | "
-    "interchange | switch the positions of | swap the order of | swap places of | exchange the places of "
+    "interchange | exchange the place of | exchange place of | swap place of | swap the place of | change places of | "
+    "switch the positions of | swap the order of | swap places of | exchange the places of "
     "| switch places of | swap | switch | exchange | trade"
 )
 

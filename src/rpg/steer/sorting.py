@@ -42,7 +42,7 @@ _THEIR = phrases(
 )
 _PLAIN = phrases(
     "the color order | the colour order | the order | the sequence | the arrangement | the direction | "
-    "the stacking order | the colors | its order | their order | the block order"
+    "the stacking order | the direction of ascent | the colors | its order | their order | the block order"
 )
 BY = {
     "label": "label", "number": "number", "rainbow": "rainbow", "size": "size", "alternating": "alternating",
@@ -92,7 +92,8 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if j := longest(
             p,
             i,
-            "do it in reverse order | in reverse order | the other way around | the other way "
+            "do it in reverse order | do it reverse | do it in reverse | "
+            "reverse | in reverse order | the other way around | the other way "
             "round | make it the other way around | do it the other way around | make it the "
             "other way round | upside down | in reverse | turn it upside down | in the opposite "
             "order | put them in reverse order | the opposite order | opposite order | reverse order | "

@@ -63,6 +63,9 @@ def _insert(draft: Draft, line: Line, index: int, name: str, span: Span | None) 
                 span,
                 "put it at an end",
             )
+        if isinstance(line.node, Equation):
+            told, hint = "an equation has no place for one more cube", "give the equation: change it to 2 + 3 = 5"
+            raise draft.refusal("breaks-structure", told, span, hint)
         free = _free_groups(line)
         groups = (*free, (name,)) if index else ((name,), *free)
         draft.do(ChangeCondition(at=line.path, to=_with_ranks(line, members, groups)), span)

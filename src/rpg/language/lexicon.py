@@ -83,7 +83,8 @@ BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 VERBS = {
     "place": "put place move set position lay bring transfer relocate drop push slide shift carry get deliver locate "
     "seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich stand mount shove "
-    "scoot plop plant pop stow park sit load lower dump bung heave hoist install wedge fit slot",
+    "scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung heave hoist install wedge fit "
+    "slot",
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild",
@@ -122,7 +123,7 @@ POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "
     "stays stay staying remains remain remaining seen shown visible "
     "come comes coming serve serves ends end goes go located positioned placed put found situated ending resides "
-    "reside belong belongs hidden"
+    "reside belong belongs hidden act acts finish finishes finished"
 )
 
 

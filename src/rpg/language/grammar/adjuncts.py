@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.absolutes import absolute
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.each import each_of
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
@@ -70,6 +71,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from _that(p, i)
     yield from manner(p, i)
     yield from size_phrase(p, i)
+    yield from each_of(p, i)
 
 
 @rule

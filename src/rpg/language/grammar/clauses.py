@@ -194,6 +194,14 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     return found
 
 
+_AGENTS = (
+    "you", "we", "the robot", "the child", "the student", "the user", "somebody", "someone", "the arm", "the agent",
+    "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
+    "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i",
+)  # fmt: skip
+"""Who does something in the indicative: "the robot puts ..." asks for it."""
+
+
 @rule
 def _command(p: Parser, i: int) -> Results[Meaning]:
     """ "stack the red block on ...", "do not move ...", "never touch ..."."""
@@ -207,6 +215,10 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
             for found, end in state(p, k, "goal"):
                 if isinstance(found, Clause):
                     yield ever(replace(found, negated=True, span=p.span(i, end)), never), end
+    if k := p.any_of(i, _AGENTS):
+        for found, end in verb_phrase(p, k, ("base", "s")):
+            if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
+                yield replace(found, cost=found.cost + 1), end
     if i > 0 and p.words[i - 1] in ("by", "about", "mind", "of", "having"):
         yield from verb_phrase(p, i, ("ing",))
     if k := p.one(i, "only"):

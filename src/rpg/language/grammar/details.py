@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.absolutes import more_parts, one_more
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.each import each_clause
 from rpg.language.grammar.parts import part_statement
 from rpg.language.meaning import Absolute, Clause, Coord, Meaning
 
@@ -11,6 +12,7 @@ from rpg.language.meaning import Absolute, Clause, Coord, Meaning
 @rule
 def part_clause(p: Parser, i: int) -> Results[Meaning]:
     """ "its top is red", "make the middle one blue", "the two ends should be white"."""
+    yield from each_clause(p, i)
     start = p.any_of(i, ("make", "let", "have", "keep")) or i
     told = dict.fromkeys(part_statement(p, start))
     for first, j in told:

@@ -51,9 +51,11 @@ def gap(p: Parser, i: int) -> Results[Meaning]:
             for b, k in bounds(p, j)
             if (e := p.any_of(k, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}")))
         ]
-        if (k := p.one(j, noun)) and (k := p.any_of(k, ("between", "of"))):
+        if (k := p.one(j, noun)) and (k := p.any_of(k, ("between the faces of", "between", "of"))):
+            measure = "faces" if p.words[k - 2] == "faces" else measure
             for theme, end in noun_phrase(p, k):
-                end = p.any_of(end, ("is", "should be", "must be", "has to be", "shall be", "be"))
+                made = end if p.words[i] in ("make", "keep") else 0
+                end = p.any_of(end, ("is", "should be", "must be", "has to be", "shall be", "be")) or made
                 for (low, high), last in bounds(p, end) if end else ():
                     yield _far_apart(p, i, last, theme, low, high, measure), last
     spans += [(b, e, "faces") for b, e in bounds(p, j)]

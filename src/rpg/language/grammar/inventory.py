@@ -55,6 +55,10 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
         taken = p.words[i] in ("take", "use", "using")
         for theme, told, j in _contents(p, p.opt(lead, "exactly", "just", "only", ":"), taken):
             yield _given(p, i, j, theme, told, 0 if taken and (told or _several(theme)) else 1), j
+    added = p.one(i, "add")
+    for theme, j in simple(p, added) if added else ():
+        if isinstance(theme, Noun) and theme.traits.extra:
+            yield _given(p, i, j, theme, (), 0), j
     if i == 0 or p.words[i - 1] in _OPENERS:
         for theme, told, j in _contents(p, i):
             yield _given(p, i, j, theme, told, 2), j

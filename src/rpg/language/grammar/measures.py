@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase
@@ -55,7 +57,42 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
             yield (metres, None), end
         if end := p.any_of(k, ("or less", "or closer", "or nearer")):
             yield (None, metres), end
+        for slack, end in _tolerance(p, k):
+            yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), end
         yield (round(max(0.0, metres - 0.01), 6), round(metres + 0.01, 6)), k
+
+
+_GIVE = (
+    "plus or minus", "plus minus", "+ / -", "+ -", "give or take", "with a tolerance of", "tolerance", "tolerance of",
+    "to within", "with tolerance", "tolerance :",
+)  # fmt: skip
+
+
+def _tolerance(p: Parser, i: int) -> Results[float]:
+    """ "plus or minus 5 mm" behind a length."""
+    if j := p.any_of(p.opt(i, ","), _GIVE):
+        yield from length(p, j)
+
+
+_ENDS = {"center to center": "centres", "from center to center": "centres", "between centers": "centres",
+         "measured center to center": "centres", "measured between centers": "centres", "face to face": "faces",
+         "from face to face": "faces", "between faces": "faces", "between the centers": "centres",
+         "measured from center to center": "centres", "measured face to face": "faces"}  # fmt: skip
+"""Between what a distance is measured."""
+
+
+def _measured_so(p: Parser, far: Loc, i: int, j: int) -> Results[Loc]:
+    """The distance, with what is said behind it of how it is measured: ", centre to centre, tolerance 5 mm"."""
+    yield far, j
+    ways = [(replace(far, measure=_ENDS[phrase]), k) for phrase, k in p.standing(p.opt(j, ",", "("), _ENDS)]
+    for said, k in [*ways, (far, j)]:
+        k = p.opt(k, ")") if k > j else k
+        if k > j:
+            yield replace(said, span=p.span(i, k)), k
+        middle = ((said.low or 0.0) + (said.high or 0.0)) / 2
+        for slack, end in _tolerance(p, k) if said.low is not None and said.high is not None else ():
+            low, high = round(max(0.0, middle - slack), 6), round(middle + slack, 6)
+            yield replace(said, low=low, high=high, span=p.span(i, end)), end
 
 
 def measured(p: Parser, i: int) -> Results[Meaning]:
@@ -66,7 +103,8 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
     for (low, high), j in bounds(p, start):
         if k := p.any_of(j, ("away from", "from", "of", "apart from", "far from", "distance from")):
             for landmark, end in noun_phrase(p, k):
-                yield Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end)), end
+                far = Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
+                yield from _measured_so(p, far, i, end)
         for (name, mods), k in relation(p, j):
             if name not in ("left", "right", "front", "behind"):
                 continue
@@ -87,6 +125,12 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
     start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
+    start = p.one(i, "to") if p.words[i : i + 2] == ["to", "within"] else start
+    faces = p.any_of(p.opt(i, "with", ","), ("faces", "the faces", "their faces"))
+    for (low, high), j in bounds(p, faces) if faces else ():
+        if end := p.one(j, "apart"):
+            each = Pronoun(word="each other", span=p.span(i, end))
+            yield Loc(rel="distance", landmark=each, low=low, high=high, measure="faces", span=p.span(i, end)), end
     for (low, high), j in bounds(p, start):
         end = p.any_of(j, ("apart from each other", "from each other", "away from each other", "apart",
             "from one another",
@@ -107,7 +151,8 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
         if end:
             each = Pronoun(word="each other", span=p.span(i, end))
             yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
-    noted = p.any_of(i, ("spacing", "gap", "gaps", "distance", "with spacing", "with gaps"))
+    noted = p.any_of(i, ("spacing", "gap", "gaps", "distance", "with spacing", "with gaps", "center distance",
+                         "with a center distance", "center to center distance"))  # fmt: skip
     for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
         end = p.opt(j, "gap", "gaps")
         measure = "faces" if end > j or p.words[noted - 1] in ("gap", "gaps") else "centres"

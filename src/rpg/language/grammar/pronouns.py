@@ -12,6 +12,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
     """ "it", "the others", "each of them", "the latter"."""
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
+    if j := p.one(i, frozenset({"him", "her", "he", "she"})):
+        yield Pronoun(word="it", span=p.span(i, j)), j
     for _, j in p.standing(
         i, ("them all", "them both", "these all", "their up faces", "their top faces", "their upper faces",
         "their faces", "their letters", "the up faces",

@@ -377,6 +377,7 @@ def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         return
     both = "both" in words or p.words[i - 1] == "both"
     same = Pronoun(word="both the same" if both else "same", span=before.theme.span)
-    for found, j in _predicate_after_be(p, i, k, same, before.mode, bool(words & _NOT)):
+    mode = "goal" if words & _MODALS else before.mode
+    for found, j in _predicate_after_be(p, i, k, same, mode, bool(words & _NOT)):
         if isinstance(found, Clause):
             yield replace(found, cost=found.cost + 1), j

@@ -203,15 +203,25 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
 
 
 def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
+    from rpg.language.grammar.each import each_of, heights
+
+    many = base.amount.low if base.amount is not None else 0
+    for (tall, named), k in heights(p, j, many) if base.plural and base.kind == "stack" else ():
+        traits = replace(base.traits, colors=base.traits.colors or named)
+        yield replace(base, sizes=(*base.sizes, tall), traits=traits, span=p.span(i, k)), k
     for sized, k in _sized(p, i, j, base):
         yield sized, k
         yield from _one_each(p, i, k, sized)
         for whole, end in _members(p, i, k, sized):
             yield whole, end
             yield from _one_each(p, i, end, whole)
+            for lot, last in each_of(p, end) if base.plural else ():
+                yield replace(whole, details=(*whole.details, lot), span=p.span(i, last)), last
             yield from _sided(p, i, end, whole)
             yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
         yield from _sided(p, i, k, sized)
+        for lot, end in each_of(p, k) if base.plural else ():
+            yield replace(sized, details=(*sized.details, lot), span=p.span(i, end)), end
         if base.kind in ("stack", "row", "line", "column"):
             for items, end in listed(p, p.opt(k, ":", ",")):
                 given = OrderBy(by="named", items=items, span=p.span(k, end))
@@ -329,6 +339,8 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         for members, end in noun_phrase(p, start):
             if isinstance(members, Coord) and p.one(end, frozenset({"each", "apiece"})):
                 continue
+            if base.plural and isinstance(members, Coord) and any(map(_mere_number, members.items)):
+                continue
             if ends_in_lines(p, j) and base.sizes and members_amount(members) is not None:
                 continue
             if isinstance(members, Pronoun) and p.words[k - 1] == "for":
@@ -383,6 +395,11 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 replace(base, sizes=(size,), span=p.span(i, end), cost=cost),
                 p.opt(end, "each", "apiece") if base.plural else end,
             )
+
+
+def _mere_number(item: Meaning) -> bool:
+    """ "towers of two and three red blocks": so many of each, no members."""
+    return isinstance(item, Noun) and item.head == "any" and item.traits == Traits() and item.amount is not None
 
 
 def members_amount(members: Meaning) -> Amount | None:

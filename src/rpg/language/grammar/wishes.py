@@ -86,7 +86,9 @@ COMMAND_WISHES = Patterns(
     "would|will|could|can you be? so|that|as? kind|nice|good|friendly and|as? to?",
     "be so kind|nice|good and|as to?",
     "is|would|might there be? a|any|some way|chance|possibility to|you_could|you_can|for_you_to|that_you",
-    "is|would it be? possible|okay|ok|fine|feasible|alright to|for_you_to|if_you|for_the_robot_to",
+    "is|would it be? possible|okay|ok|fine|feasible|alright to|for_you_to|if_you|for_the_robot_to|that_you|that_we",
+    "i|we want|need|wish|ask|would_like you",
+    "please you",
     "clean|tidy|sort up|out :|,",
     "a|the? sequential|final|main|first|simple|small|multi_step|two_step|step_by_step? task|job|exercise|goal :",
     "how|what about",
@@ -126,6 +128,7 @@ STATE_WISHES = Patterns(
     f"to_get? "
     "here|now|today? is that?",
     f"in|on the|this|my|our final|resulting|finished|target|goal|end? {_PICTURE} ,? we|one|you|i? can? see? ,?",
+    "the|my|our|this picture|scene|result|layout|arrangement i|we want|need|have_in_mind|imagine|picture|see is|:|: :?",
     "we|you|one|i should|must|can|could|will|would|shall? see|observe|notice that?",
     "it can|should|must|could|shall be seen|shown that?",
     "let me|us see|have|get|admire|find",

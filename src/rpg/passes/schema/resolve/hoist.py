@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Chain, Clause, Coord, Into, Meaning, Structure
+from rpg.language.meaning import Absolute, Chain, Clause, Coord, Into, Meaning, OrderBy, Structure
 
 _LINES = ("stack", "arrange")
 
@@ -36,6 +36,8 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
 def _of_wholes(clause: Clause) -> bool:
     """ "the left tower is red": of one of several structures."""
     parts = [x for a in clause.adjuncts for x in (a.items if isinstance(a, Coord) else (a,))]
+    if all(isinstance(x, OrderBy) and x.by == "each" for x in parts):
+        return True
     return all(isinstance(x, Absolute) and getattr(x.adjuncts[0], "unit", "") == "whole" for x in parts)
 
 

@@ -80,6 +80,8 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     """Every place of the clause, for the theme or the structure it became."""
     goals: Goals = []
     _merge_sides(spec)
+    if len(ref.names) == 1:
+        _merge_distance(spec)
     _no_chain(spec)
     vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
     level = [p for p in spec.places if p not in vertical]
@@ -135,6 +137,15 @@ def _merge_sides(spec: Spec) -> None:
             spec.places[index] = replace(side, landmark=close.landmark, mods=("immediate",))
             spec.places.remove(close)
             return
+
+
+def _merge_distance(spec: Spec) -> None:
+    """ "left of the blue block, 10 cm apart": so far from the blue block."""
+    far = [p for p in spec.places if isinstance(p, Loc) and p.rel == "distance"]
+    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p not in far and not p.negated]
+    if len(far) == 1 and len(marks) == 1 and isinstance(far[0].landmark, Pronoun) and isinstance(marks[0], Noun):
+        mark = marks[0] if marks[0].det != "a" else replace(marks[0], det="the", amount=None)
+        spec.places[spec.places.index(far[0])] = replace(far[0], landmark=mark)
 
 
 def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, respectively: bool) -> Goals:

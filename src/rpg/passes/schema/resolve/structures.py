@@ -11,7 +11,7 @@ from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS
 from rpg.language.meaning import Noun, OrderBy, Size, Structure
-from rpg.passes.schema.resolve import figures, grids, groups, stepped, symbols, towers
+from rpg.passes.schema.resolve import figures, grids, groups, lots, stepped, symbols, towers
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.positions import alternatives, lengthened
@@ -123,6 +123,8 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     maker = MAKERS.get(shape.kind)
     if maker is None:
         raise refuse("unsupported-structure", f"a {shape.kind} cannot be built from blocks here", shape.span)
+    if any(o.by == "each" for o in spec.orders):
+        return lots.each_made_of(shape, spec, theme, maker, scene, scope)
     if one_by_one(shape, spec):
         return each_of(shape, spec, theme, maker, scene, scope)
     return maker(shape, spec, theme, scene, scope)
@@ -138,7 +140,7 @@ def _totals(shape: Structure) -> tuple[Size, ...]:
 
 
 _SIZES = {
-    "stack": {"size", "high", "layers"}, "row": {"size", "long", "columns", "wide"},
+    "stack": {"size", "high", "layers", "heights"}, "row": {"size", "long", "columns", "wide"},
     "line": {"size", "long", "columns", "wide"}, "column": {"size", "long", "columns"},
     "grid": {"size", "rows", "columns", "layers", "high", "wide", "long", "deep", "side", "dims"},
     "wall": {"size", "wide", "long", "columns", "high", "layers", "rows", "dims"},

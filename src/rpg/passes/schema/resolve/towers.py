@@ -20,6 +20,8 @@ Made = tuple[list[Built], list[g.Goal]]
 
 def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
+    if any(z.what == "heights" for z in shape.sizes):
+        return _of_heights(shape, spec, theme, scene)
     shape = _told_apart(shape, spec)
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
     spec.patterns = [p for p in spec.patterns if p.unit not in ("stack", "pile")]
@@ -51,6 +53,28 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         separate=by_color, span=shape.span
     )  # fmt: skip
     return _remember(node, by_color, scene), [node]
+
+
+def _of_heights(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Made:
+    """ "three towers of heights 2, 3 and 4"."""
+    said = next(z for z in shape.sizes if z.what == "heights")
+    heights, total = said.dims, sum(said.dims)
+    count = shape.amount.low if shape.amount and shape.amount.low > 1 else len(heights)
+    if len(shape.sizes) > 1 or count != len(heights) or spec.patterns or spec.orders or shape.traits.scheme:
+        raise refuse("count-mismatch", f"{len(heights)} heights are said, but not of as many towers", said.span,
+                     "say the height of each tower", heights=len(heights), towers=count)  # fmt: skip
+    if min(heights) < 2:
+        raise refuse("too-few", "a lone block is no tower", said.span, "say at least two blocks for each")
+    source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+    if theme is None and source is not None:
+        theme = certain(refer(source, scene, Scope(role="member", need=total)), scene)
+    names = theme.names if theme is not None else declared(shape.traits, scene)
+    names = scene.fit(names, total) if names else new_members(shape.traits, total, None, scene)
+    if len(names) != total:
+        raise refuse("count-mismatch", f"these towers take {total} blocks, but {len(names)} are named", said.span,
+                     f"use {total}", needed=total, named=len(names))  # fmt: skip
+    node = s.Towers(blocks=names, count=count, heights=heights, span=shape.span)
+    return _remember(node, False, scene), [node]
 
 
 def _told_apart(shape: Structure, spec: Spec) -> Structure:
@@ -108,7 +132,7 @@ def _source(
         amount = source.amount.low if source.amount and source.amount.low == source.amount.high else None
         if shape.members is source and shape.each_size and amount is not None and source.det != "the":
             return _each(source, amount, shape, count, by_color, scene), amount
-        if amount is None and source.det in ("bare", "some", "a"):
+        if amount is None and source.det in ("bare", "some", "a") and not source.traits.labels:
             traits = replace(source.traits, colors=source.traits.colors or shape.traits.colors)
             there = declared(traits, scene)
             if there:

@@ -11,6 +11,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order
+from rpg.ir.relations import Apart
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Stack
 from rpg.ir.walk import instances, rename, transform
@@ -52,11 +53,21 @@ def _normal(node: g.Goal) -> g.Goal:
             return _counted(node)
         case Stack(order=Order(first=None, by="given" | "label" | "number" | "size")):
             return node.model_copy(update={"order": node.order.model_copy(update={"first": "bottom"})})
+        case Apart():
+            return _pairwise_apart(node)
     if node.kind in EACH_FOR_ITSELF:
         operand: Any = node.a  # type: ignore[union-attr]
         if not isinstance(operand, Lowest | Highest) and len(operand) > 1:
             return g.All(goals=tuple(node.model_copy(update={"a": (name,)}) for name in operand))
     return node
+
+
+def _pairwise_apart(node: Apart) -> g.Goal:
+    """The nearest members of two groups are apart when every two are."""
+    if isinstance(node.a, Lowest | Highest) or isinstance(node.b, Lowest | Highest):
+        return node
+    pairs = (node.model_copy(update={"a": (a,), "b": (b,)}) for a in node.a for b in node.b)
+    return _flat(g.All(goals=tuple(pairs)))
 
 
 def _denied(goal: g.Goal) -> g.Goal:

@@ -161,6 +161,9 @@ class Canonical:
         del fields["span"]
         if atom.kind in SYMMETRIC:
             fields["a"], fields["b"] = sorted((fields["a"], fields["b"]), key=repr)
+        elif atom.kind == "row" and atom.order.first is None and atom.order.by == "given":
+            rest, ranks = fields["order"]
+            fields["order"] = rest, min(ranks, ranks[::-1])
         elif atom.kind == "between":
             fields["b"], fields["c"] = sorted((fields["b"], fields["c"]), key=repr)
         elif atom.kind == "group_by":

@@ -9,6 +9,8 @@ from rpg.blocks.english import relations, structures
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import goal as g
+from rpg.ir.node import members
+from rpg.ir.relations import Facing, Stayed
 from rpg.ir.walk import names, rename
 
 CLAUSES: dict[str, Callable[[Any, Speaker], str]] = {**relations.TABLE, **structures.TABLE}
@@ -23,7 +25,9 @@ def spoken(goal: g.Goal, say: Speaker) -> str:
     match goal:
         case g.All():
             return join([spoken(part, say) for part in goal.goals])
-        case g.Any() if (counted := _any_of(goal)) is not None:
+        case g.Any() if (turned := _sideways(goal, say)) is not None:
+            return turned
+        case g.Any() if (counted := _any_of(goal, say)) is not None:
             return spoken(counted, say)
         case g.Any():
             with say.strictly():
@@ -35,14 +39,16 @@ def spoken(goal: g.Goal, say: Speaker) -> str:
             with say.strictly():
                 return _counted(goal, say)
         case g.Sequence():
-            return ", then ".join(spoken(stage.goal, say) for stage in goal.stages)
+            return ", then ".join(_stage(goal, i, say) for i in range(len(goal.stages)))
+        case g.Always(goal=Stayed() as stayed):
+            return _never_moved(stayed, say)
         case g.Always():
             with say.strictly(), say.at_all_times():
                 return spoken(goal.goal, say)
     return CLAUSES[goal.kind](goal, say)
 
 
-def _any_of(goal: g.Any) -> g.Count | None:
+def _any_of(goal: g.Any, say: Speaker) -> g.Count | None:
     """Alternatives that say the same of several blocks, as "at least one of"."""
     first, *others = goal.goals
     for name in names(first):
@@ -50,6 +56,8 @@ def _any_of(goal: g.Any) -> g.Count | None:
         for other in others:
             fits = [n for n in names(other) if n not in over and rename(first, {name: n}) == other]
             over += fits[:1]
+        if not say.alike(over) and members(getattr(first, "a", ())) != (name,):
+            continue
         if len(over) == len(goal.goals) > 1 and not set(over[1:]) & set(names(first)):
             return g.Count(over=tuple(over), var=ANY, at_least=1, goal=rename(first, {name: ANY}))
     return None
@@ -70,9 +78,36 @@ def sentences(goal: g.Goal, say: Speaker) -> list[str]:
         case g.Sequence():
             last = len(goal.stages) - 1
             leads = [ORDINALS[min(i, 2)] if i < last else "Finally" if last > 1 else "Then" for i in range(last + 1)]
-            return [f"{lead}, {spoken(stage.goal, say)}" for lead, stage in zip(leads, goal.stages, strict=True)]
+            return [f"{lead}, {_stage(goal, i, say)}" for i, lead in enumerate(leads)]
     text = spoken(goal, say)
     return [text[:1].upper() + text[1:]]
+
+
+def _stage(goal: g.Sequence, index: int, say: Speaker) -> str:
+    """A stage; what stays where it is, after an earlier stage had it elsewhere, is moved back."""
+    stage = goal.stages[index].goal
+    gone = {name for before in goal.stages[:index] if before.undone for name in names(before.goal)}
+    if isinstance(stage, Stayed) and gone.intersection(members(stage.a)):
+        where = "it was" if say.single(stage.a) else "they were"
+        return f"{say.the(stage.a)} {say.be(stage.a)} moved back to where {where}"
+    return spoken(stage, say)
+
+
+def _never_moved(stayed: Stayed, say: Speaker) -> str:
+    with say.strictly(), say.at_all_times():
+        before, say.negated = say.negated, True
+        text = f"{say.the(stayed.a)} {say.be(stayed.a)} moved"
+        say.negated = before
+    return text
+
+
+def _sideways(goal: g.Any, say: Speaker) -> str | None:
+    """A symbol that may be turned a quarter turn either way."""
+    parts = [part for part in goal.goals if isinstance(part, Facing) and part.toward == "up" and not part.face]
+    if len(parts) != 2 or len(goal.goals) != 2 or {part.turn for part in parts} != {90.0, -90.0}:
+        return None
+    same = parts[0].block == parts[1].block
+    return f"{say.the(parts[0].block)} {say.be(parts[0].block)} sideways" if same else None
 
 
 def _negated(goal: g.Goal, say: Speaker) -> str:

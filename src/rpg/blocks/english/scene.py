@@ -8,6 +8,7 @@ from rpg.blocks.english.goals import spoken
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join
 from rpg.ir.assets import PATCH_SIDE, GoalPatch
+from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
 
 
@@ -35,7 +36,7 @@ def starts(schema: TaskSchema, say: Speaker) -> list[str]:
     """Sentences on the initial state, without their full stops; a scattered start goes without saying."""
     found = []
     with say.speaking(""):
-        for goal in schema.init.arranged:
+        for goal in (part for part in schema.init.arranged if not isinstance(part, Stayed)):
             found.append(f"At the start, {spoken(goal, say)}")
         for heap in schema.init.heaps:
             found.append(f"At the start, {say.the(heap)} lie in a heap")

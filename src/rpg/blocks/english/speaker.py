@@ -13,7 +13,7 @@ from rpg.ir.node import Highest, Lowest, Operand, members
 
 _COLOR = re.compile(r"[a-z]+ block")
 _SYMBOL = re.compile(r"[A-Z0-9] block")
-_LABEL = re.compile(r"[-A-Z0-9+*/=] block")
+_LABEL = re.compile(r"([A-Z0-9+*/=]|minus) block")
 
 
 class Inexpressible(Exception):
@@ -120,7 +120,8 @@ class Speaker:
 
     def noun(self, name: str) -> str:
         """What a block or patch is called without an article."""
-        return self.aliases.get(name) or bare(name, self.world)
+        said = self.aliases.get(name) or bare(name, self.world)
+        return "minus block" if said == "- block" else said
 
     def alike(self, names: Iterable[str]) -> bool:
         """Whether objects are called the same, and one of them is not told from another by a number."""
@@ -141,7 +142,7 @@ class Speaker:
         parts: dict[str, list[str]] = {}
         for name in names:
             parts.setdefault(self.noun(name), []).append(name)
-        whole = join([noun.removesuffix(" block") for noun in parts])
+        whole = join([noun.removesuffix(" block").replace("minus", "-") for noun in parts])
         if len(parts) > 1 and all(len(self._alike(noun)) == 1 for noun in parts):
             if all(_COLOR.fullmatch(noun) for noun in parts):
                 return f"the {whole} blocks"

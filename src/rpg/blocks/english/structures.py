@@ -11,6 +11,12 @@ from rpg.blocks.nouns import join, number
 from rpg.ir import structures as s
 
 WAY = {"left": "to the left", "right": "to the right", "front": "to the front", "back": "to the back"}
+SIDE_BY_SIDE = 1.0
+"""The widest gaps of what stands side by side, in edges."""
+AS_FAR_AS_YOU_LIKE = 10.0
+"""The widest gaps of a line that may be of any length, in edges."""
+TOUCHING = 0.05
+"""The widest gaps of what touches in a group, in edges."""
 POINTER = {"L": "foot", "U": "opening", "T": "stem"}
 """The part of a figure that its direction is the direction of; the tip of a triangle or a V."""
 
@@ -51,13 +57,26 @@ def _tall(height: int, count: int) -> str:
 
 
 def row(node: s.Row, say: Speaker) -> str:
+    if (halfway := _halfway(node, say)) is not None:
+        return halfway
+    near = "side by side " if node.gap_edges == SIDE_BY_SIDE else ""
     kind = {"x": "in a column on the table", "y": "in a row", None: "in a line"}[node.axis]
     order = along(node.order, say)
     space = " without gaps" if node.touching else ""
     space += f" with {cm(node.spacing)} between centers" if node.spacing is not None else ""
     space += f" with gaps of {cm(node.gap)}" if node.gap is not None else ""
     space += ", evenly spaced" if node.evenly else ""
-    return f"{say.the(node.blocks)} {say.be(node.blocks)} {kind}{order}{space}"
+    return f"{say.the(node.blocks)} {say.be(node.blocks)} {near}{kind}{order}{space}"
+
+
+def _halfway(node: s.Row, say: Speaker) -> str | None:
+    """Three in a line, however far apart: the middle one is halfway between the others."""
+    order = node.order
+    loose = node.evenly and node.gap_edges == AS_FAR_AS_YOU_LIKE and node.axis is None and order.first is None
+    if not loose or order.by != "given" or [len(rank) for rank in order.ranks] != [1, 1, 1]:
+        return None
+    a, b, c = order.ranks
+    return f"{say.the(b)} {say.be(b)} halfway between {say.the(a)} and {say.the(c)}"
 
 
 def grid(node: s.Grid, say: Speaker) -> str:
@@ -88,7 +107,8 @@ def figure(node: s.Figure, say: Speaker) -> str:
     name = {"plus": "plus sign"}.get(node.shape, node.shape)
     sides = f"{node.sides[0]}x{node.sides[1]} " if node.sides and node.shape in ("square", "rectangle") else ""
     if node.shape in ("square", "rectangle", "triangle", "circle"):
-        what = f"a filled {sides}{name}" if node.filled else f"the outline of a {sides}{name}"
+        what = f"a filled {sides}{name}" if node.filled else f"a hollow {sides}{name}"
+        what = f"the outline of a {name}" if not node.filled and not sides else what
         what = f"a {name}" if node.shape == "circle" and not node.filled else what
     else:
         what = f"{'an' if name in 'LX' else 'a'} {name}" + (" shape" if len(name) == 1 else "")
@@ -106,6 +126,8 @@ def group_by(node: s.GroupBy, say: Speaker) -> str:
     if node.by:
         count = number(len(node.groups))
         return f"{say.the(blocks)} {say.be(blocks)} sorted by {ATTRIBUTES[node.by]} into {count} groups{odd}"
+    if len(node.groups) == 1 and node.inner_edges == TOUCHING and not odd:
+        return f"{say.the(blocks)} {say.do(blocks, 'touch', 'touches')} each other"
     groups = [f"{say.the(group)} {say.be(group)} in {_which(i)} group" for i, group in enumerate(node.groups)]
     return f"{join(groups)}{odd}"
 

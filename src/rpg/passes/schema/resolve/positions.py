@@ -24,11 +24,11 @@ SYMMETRIC = ("ends", "outer", "inner", "middle")
 """Parts that are the same from either end of a line."""
 
 
-def alternatives(order: Order, scene: Scene) -> list[Order]:
+def alternatives(order: Order, scene: Scene, *, line: bool = False) -> list[Order]:
     """The orders that stand for one whose free places are not all next to each other.
 
     `ranks` ties the blocks of each free run to that run; unless the free blocks look alike, every way to share them out
-    is an order of its own.
+    is an order of its own. `line`: one on the table, which may begin at either end.
     """
     free = scene.free_runs.pop(order.ranks, ()) if order.by == "given" else ()
     if len(free) < 2:
@@ -36,12 +36,13 @@ def alternatives(order: Order, scene: Scene) -> list[Order]:
     pool = [n for index in free for n in order.ranks[index]]
     if len({looks(scene.things[n]) for n in pool}) == 1 and scene.things[pool[0]].color:
         return [order]
-    found = []
+    found: list[Order] = []
     for shares in _share_out(tuple(pool), [len(order.ranks[index]) for index in free]):
         ranks = list(order.ranks)
         for index, share in zip(free, shares, strict=True):
             ranks[index] = share
-        found.append(order.model_copy(update={"ranks": tuple(ranks)}))
+        if not (line and order.first is None and any(o.ranks == tuple(reversed(ranks)) for o in found)):
+            found.append(order.model_copy(update={"ranks": tuple(ranks)}))
     if len(found) > MAX_ALTERNATIVES:
         raise refuse("ambiguous", "too many places of this order are left open", None, "name the order of all blocks")
     return found

@@ -151,7 +151,7 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
             order = order.model_copy(update={"first": None if either_way else "front"})
         update = {"axis": node.axis if either_way else node.axis or "y"}
         lines: list[s.Stack | s.Row] = [
-            node.model_copy(update={"order": o, **update}) for o in alternatives(order, scene)
+            node.model_copy(update={"order": o, **update}) for o in alternatives(order, scene, line=True)
         ]
     else:
         lines = [node.model_copy(update={"order": o}) for o in alternatives(order, scene)]

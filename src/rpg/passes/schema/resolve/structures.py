@@ -10,7 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS
-from rpg.language.meaning import Noun, OrderBy, Size, Structure
+from rpg.language.meaning import Coord, Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve import figures, grids, groups, lots, stepped, symbols, towers
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.orders import order_of
@@ -33,6 +33,12 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
                 "count-mismatch", f"{shape.amount.low} are spoken of, but there are {len(known)}", shape.span,
                 f"say {len(known)}", asked=shape.amount.low, there=len(known),
             )  # fmt: skip
+        if len(known) > 1 and isinstance(shape.members, Coord):
+            from rpg.passes.schema.resolve.refer import refer
+
+            mine = set(refer(shape.members, scene, scope).names)
+            scene.mentions.pop()
+            known = [built for built in known if set(built.members) == mine][-1:] or known
         if len(known) > 1 and not shape.plural and shape.det not in ("each", "all"):
             raise refuse("ambiguous", f"there are {len(known)} of them", shape.span, "say which")
         names = tuple(dict.fromkeys(n for b in known for n in b.members))
@@ -288,7 +294,7 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if len(names) < 2:
         raise refuse("too-few", "one block is no line", shape.span, "name at least two blocks", blocks=len(names))
     node = row_node(names, shape.kind, spec, scene, scope, shape.span, shape.upright is False)
-    nodes = [node.model_copy(update={"order": o}) for o in alternatives(node.order, scene)]
+    nodes = [node.model_copy(update={"order": o}) for o in alternatives(node.order, scene, line=True)]
     return [
         row_built(node, shape.kind, scene) if len(nodes) == 1 else scene.add_built(shape.kind, names, False, shape.span)
     ], [either(nodes)]

@@ -40,8 +40,8 @@ class Reference:
 
 
 _UNDO = phrases(
-    "undo | revert | never mind | nevermind | take that back | take it back | roll back | rollback | step "
-    "back | scratch that | forget that | cancel that | go back | go one back | back up | undo that | "
+    "undo | revert | back | back please | never mind | nevermind | take that back | take it back | roll back | "
+    "rollback | step back | scratch that | forget that | cancel that | go back | go one back | back up | undo that | "
     "undo that last thing | undo the last thing | undo what you just did | undo "
     "it | undo this | revert that | undo the last change | undo the last edit | undo the last step | undo "
     "my last change | revert the last change | undo the change | undo the previous change | go back a "
@@ -51,12 +51,13 @@ _BACK = phrases(
     "go back to | return to | revert to | revert back to | go to | get back to | back to | switch back to "
     "| restore | take | roll back to | jump back to | undo to | undo back to | bring back | change back "
     "to | continue from | start from | starting from | from | in | as in | like | same as | like in | "
-    "based on | use | take me back to | let us go back to | checkout | check out | same as in | going "
-    "back to | starting with | turn back to | do the same as in | reuse"
+    "based on | use | take me back to | let us go back to | take us back to | checkout | check out | same as in | "
+    "going back to | starting with | turn back to | do the same as in | reuse"
 )
 _OPEN = phrases(
     "go back to | return to | revert to | revert back to | get back to | back to | switch back to | restore | "
-    "roll back to | jump back to | undo to | undo back to | bring back | take me back to | let us go back to | "
+    "roll back to | jump back to | undo to | undo back to | bring back | take me back to | take us back to | "
+    "let us go back to | "
     "going back to | change back to | turn back to"
 )
 _VERSION = frozenset({"version", "v", "variant", "revision", "step", "snapshot", "task", "number"})

@@ -15,6 +15,7 @@ from rpg.steer.parties import parties
 from rpg.steer.parts import parts
 from rpg.steer.replacing import instead, keep, replace_with, trade
 from rpg.steer.sorting import reorder
+from rpg.steer.starts import starts
 from rpg.steer.symbols import symbols
 from rpg.steer.terse import terse
 from rpg.steer.wishes import wish
@@ -57,7 +58,7 @@ def skip(p: Parser, i: int) -> int:
     )
     while True:
         j = longest(p, i, asides) or i
-        if p.words[j] == "of" and p.words[i] == "instead":
+        if (p.words[i], p.words[j]) in (("instead", "of"), ("next", "to")):
             return i
         j = p.opt(j, ",", ":")
         if j == i:
@@ -98,3 +99,4 @@ def _request(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from parts(p, i)
     yield from symbols(p, i)
     yield from terse(p, i)
+    yield from starts(p, i)

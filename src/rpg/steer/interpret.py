@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -14,13 +15,14 @@ from rpg.ir.edits import AddCondition, Edit, Overwrite, SetText, apply
 from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.steer import requests as r
-from rpg.steer.afresh import Fresh, by_itself, extended, fresh_start, mentions_known, names_structure, only_known
+from rpg.steer.afresh import Fresh, by_itself, extended, fresh_start, mentions_known, names_structure, one_more, only_known
 from rpg.steer.backrefs import Reference
 from rpg.steer.classify import Category
 from rpg.steer.draft import Draft
 from rpg.steer.history import History, Past
 from rpg.steer.identity import look
 from rpg.steer.language import tokenize
+from rpg.steer.manners import plainly
 from rpg.steer.naming import tidied
 from rpg.steer.operations.add import add
 from rpg.steer.operations.count import recount
@@ -32,8 +34,9 @@ from rpg.steer.operations.parts import part
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace, restyle
+from rpg.steer.operations.starts import begin
 from rpg.steer.operations.symbols import carry_on, equate
-from rpg.steer.operations.terse import bound, pile_up, tint
+from rpg.steer.operations.terse import bound, bring, pile_up, shift, tint
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.operations.vary import copies, some, turn
 from rpg.steer.parse import Parsed, is_edit, parse
@@ -41,8 +44,9 @@ from rpg.steer.parties import NewTower
 from rpg.steer.parts import Part
 from rpg.steer.refer import resolve
 from rpg.steer.shape import same_structure
+from rpg.steer.starts import Begin
 from rpg.steer.symbols import Continue, Equate
-from rpg.steer.terse import Bound, PileUp, Tint
+from rpg.steer.terse import Bound, Bring, PileUp, Shift, Tint
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -70,6 +74,9 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     Tint: tint,
     Bound: bound,
     PileUp: pile_up,
+    Bring: bring,
+    Shift: shift,
+    Begin: begin,
     Continue: carry_on,
 }
 KIND_OF = {"label": "letter", "number": "digit"}
@@ -101,6 +108,8 @@ class Interpretation:
 def interpret(request: str, history: History, read: Reader) -> Interpretation:
     """Understand `request` in the light of a family; raises Refusal with the reasons where that fails."""
     _only_words(request)
+    if (plain := plainly(request)) != request:
+        return dataclasses.replace(interpret(plain, history, read), request=request)
     readings = parse(request)
     fresh = fresh_start(request)
     if fresh is not None and not any(reading.whole for reading in readings):
@@ -241,7 +250,7 @@ def _otherwise(
 def _about_new_things(request: str, history: History, read: Reader) -> bool:
     """Whether a request that failed as an edit is an instruction of its own, about blocks the task does not have."""
     schema, _ = read(by_itself(request))
-    if schema is None:
+    if schema is None or one_more(request):
         return False
     known = [look(asset) for asset in history.current.schema.blocks]
     shared = [look(asset) in known for asset in schema.blocks]

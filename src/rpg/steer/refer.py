@@ -15,6 +15,7 @@ from rpg.steer.view import NOUNS, Line, Shape, View
 RANKS = {"top": -1, "bottom": 0, "left": 0, "right": -1, "front": 0, "back": -1, "last": -1, "base": 0}
 AXES = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
 ALL_OF = frozenset({"them", "they", "these", "those", "all of them", "everything", "all", "themselves", "all of it"})
+BOTH = frozenset({"both", "both of them", "the two", "those two", "these two", "the two of them"})
 OTHERS = frozenset(
     {"the other one", "the others", "the other ones", "the rest", "others", "the other", "all others", "all the others"}
     | {"all the rest", "everything else", "the remaining ones", "the other two"}
@@ -79,6 +80,11 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
         if rest:
             return Found(rest)
         raise _missing(view, phrase.span, phrase.word)
+    if phrase.word in BOTH:
+        two = view.focus if len(view.focus) == 2 else structure.names if structure else view.busy
+        if len(two) != 2:
+            raise _ambiguous(view, phrase.span, tuple(two), phrase.word)
+        return structure if structure and set(structure.names) == set(two) else Found(tuple(two))
     if phrase.word in ALL_OF:
         if len(view.focus) > 1 and not structure:
             return Found(view.focus)

@@ -38,6 +38,21 @@ class Bound(r.Request):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Bring(r.Request):
+    """Something that the task does not have, by its colour or its symbol alone, comes to a place."""
+
+    theme: m.Noun
+    place: r.Place
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Shift(r.Request):
+    """A place alone: the only relation, or the only region, of the goal is another one."""
+
+    place: r.Place
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PileUp(r.Request):
     """Blocks that lie together form a stack where they are."""
 
@@ -48,6 +63,7 @@ def terse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from _rather(p, i)
     if not (i and p.words[i - 1] == "and"):
         yield from _alone(p, i)
+        yield from _shifted(p, i)
     yield from _stacked(p, i)
 
 
@@ -63,8 +79,11 @@ def _on(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         k = longest(p, j, _GOES) or j
         for where, end in place(p, k):
             if k > j or isinstance(where, r.Spot) or named:
-                new = replace(theme, det="a", amount=m.Amount(1, 1)) if named else theme
-                yield r.Add(theme=new, places=(where,), span=p.span(i, end), cost=5), end
+                if named:
+                    new = replace(theme, det="a", amount=m.Amount(1, 1))
+                    yield Bring(theme=new, place=where, span=p.span(i, end), cost=5), end
+                else:
+                    yield r.Add(theme=theme, places=(where,), span=p.span(i, end), cost=5), end
 
 
 def _rather(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -109,6 +128,36 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if text is not None and len(text) > 1 and text.isalpha():
         word = m.Structure(kind="word", letter=text.upper(), span=p.span(i, i + 1))
         yield r.Reshape(structure=word, span=p.span(i, i + 1), cost=5), i + 1
+
+
+_WHERE = (
+    "it should be | it must be | it should go | put it | make it | make that | i want it | it goes | it belongs | "
+    "it has to be | i meant | rather | to the | let it be | it should stand | should be | move it | now"
+)
+_SIDES = {
+    "to the left": "left", "on the left": "left", "left of it": "left", "left": "left", "to its left": "left",
+    "to the right": "right", "on the right": "right", "right of it": "right", "right": "right", "to its right": "right",
+    "in front": "front", "in front of it": "front", "behind": "behind", "behind it": "behind",
+    "on its left": "left", "on its right": "right", "to the left of it": "left", "to the right of it": "right",
+    "on top of it": "on", "on it": "on", "under it": "under", "underneath it": "under", "below it": "under",
+    "next to it": "beside", "beside it": "beside", "on the left of it": "left", "on the right of it": "right",
+}  # fmt: skip
+
+
+def _shifted(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "to the right", "behind it", "on top of the brown block", "in the far corner", said alone."""
+    start = longest(p, i, _WHERE) or i
+    for phrase, rel in _SIDES.items():
+        if j := p.seq(start, phrase):
+            where = m.Loc(rel=rel, span=p.span(start, j))
+            yield Shift(place=where, span=p.span(i, j), cost=3), j
+    for place_, j in place(p, start):
+        if isinstance(place_, m.In) or (isinstance(place_, m.Loc) and isinstance(place_.landmark, m.Noun)):
+            yield Shift(place=place_, span=p.span(i, j), cost=3), j
+    j = longest(p, i, "to right | to left | in right | in left | to the")
+    half = f"{p.words[j - 1]}_half" if j and p.words[j : j + 1] == ["half"] else ""
+    if half in ("left_half", "right_half"):
+        yield Shift(place=m.In(region=half, span=p.span(i, j + 1)), span=p.span(i, j + 1), cost=3), j + 1
 
 
 _PILED = (

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
-from rpg.ir.edits import ChangeCondition, DropCondition, SetGoal
-from rpg.ir.relations import OnPatch
+from rpg.ir.edits import ChangeCondition, DropCondition, Path, SetGoal
+from rpg.ir.node import members
+from rpg.ir.relations import Adjacent, Beside, Directional, InRegion, Near, On, OnPatch
 from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import transform
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
+from rpg.steer.operations.add import add
+from rpg.steer.operations.relate import relation
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.vary import some
-from rpg.steer.terse import Bound, PileUp, Tint
+from rpg.steer.refer import matches, resolve
+from rpg.steer.terse import Bound, Bring, PileUp, Shift, Tint
 
 
 def tint(draft: Draft, request: Tint) -> None:
@@ -59,6 +64,57 @@ def bound(draft: Draft, request: Bound) -> None:
     draft.aim("TWEAK")
     draft.note("count", {request.bound: request.amount})
     draft.do(SetGoal(goal=transform(draft.schema.goal, lambda node: new if node == found[0] else node)), request.span)
+
+
+def bring(draft: Draft, request: Bring) -> None:
+    """A new block that was named like one that is there; where the task has such a block, that one would be meant."""
+    there = [name for name in draft.view.world.blocks if matches(draft.view, name, request.theme.traits)]
+    if there:
+        told, hint = "the task has such a block", "say 'another ...' for one more, or 'move the ...'"
+        raise draft.refusal("edit-unclear", told, request.theme.span, hint)
+    add(draft, r.Add(theme=request.theme, places=(request.place,), span=request.span))
+
+
+def shift(draft: Draft, request: Shift) -> None:
+    """What the goal says of where one thing is gives way to the place that is named."""
+    place, view = request.place, draft.view
+    if isinstance(place, m.In):
+        regions = [(path, atom) for path, atom in view.atoms if isinstance(atom, InRegion)]
+        if len(regions) != 1 or place.negated:
+            raise _unclear(draft, request)
+        path, region = regions[0]
+        _put(draft, path, InRegion.model_validate({"a": region.a, "region": place.region}), request)
+        return
+    found = [(path, atom) for path, atom in view.atoms if isinstance(atom, PLACED)]
+    if view.focus:
+        found = [each for each in found if set(members(each[1].a)) <= set(view.focus)]
+    if not isinstance(place, m.Loc) or len(found) != 1:
+        raise _unclear(draft, request)
+    path, atom = found[0]
+    landmark = place.landmark
+    if landmark is not None and set(resolve(view, landmark).names) != set(members(atom.b)):
+        raise _unclear(draft, request)
+    mods = place.mods or tuple(mod for mod in ("directly", "immediate", "somewhere") if getattr(atom, mod, False))
+    _put(draft, path, relation(draft, place.rel, atom.a, atom.b, mods, request.span, place), request)
+    draft.look_at(tuple(name for name in members(atom.a) if name in view.world.blocks))
+
+
+PLACED = (Directional, On, Beside, Adjacent, Near)
+"""Relations of one thing to another, of which another one may take the place."""
+
+
+def _put(draft: Draft, path: Path, new: g.Goal, request: Shift) -> None:
+    draft.aim("MODIFY")
+    draft.note("place", new.kind)
+    before = draft.schema.goal
+    draft.do(ChangeCondition(at=path, to=new), request.span)
+    if draft.schema.goal == before:
+        raise draft.refusal("nothing-to-do", "it is there already", request.span)
+
+
+def _unclear(draft: Draft, request: Shift) -> Refusal:
+    told, hint = "it is not settled what is to be there", "say which block: put the red block behind the blue one"
+    return draft.refusal("edit-unclear", told, request.span, hint)
 
 
 def pile_up(draft: Draft, request: PileUp) -> None:

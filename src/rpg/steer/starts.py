@@ -1,0 +1,72 @@
+"""Requests about how the blocks start: scattered, or in the tower of the goal turned round."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rpg.steer import requests as r
+from rpg.steer.language import Parser, longest, m, noun_phrase
+
+_WHO = (
+    "them | they | it | everything | all of them | all | both | both of them | the two | the two blocks | the blocks | "
+    "all blocks | all the blocks | the tower | the stack | these | those | all three | all four | everything else"
+)
+_STARTS = (
+    "start | starts | start out | starts out | start off | begin | begins | should start | should start out | "
+    "must start | should begin | all start | all start out | both start | both start out | to start | to start out | "
+    "should all start | are at the start | should be at the start"
+)
+_BEFORE = "at the start | in the beginning | at the beginning | initially | at first | to begin with | when it starts"
+_SCATTERED = (
+    "scattered | scattered about | scattered around | scattered on the table | apart | separately | spread out | "
+    "lying around | anywhere | anywhere on the table | lying about | at random places | in random places | randomly"
+)
+_TURNED = (
+    "stacked the other way round | stacked the other way around | stacked upside down | stacked in reverse | "
+    "stacked in reverse order | stacked in the opposite order | the other way round | the other way around | "
+    "upside down | in reverse order | in the opposite order | reversed | as the reversed tower | in the reverse order"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Begin(r.Request):
+    """How the episode begins. `how`: "scattered", "reverse"; `told`: the blocks of a stack from its top, again."""
+
+    how: str
+    told: tuple[m.Meaning, ...] = ()
+
+
+def starts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "let them start scattered", "the two start out stacked the other way round, white on red"."""
+    for j in _subject(p, i):
+        j = p.opt(j, "all", "out", "off", "both")
+        if k := longest(p, j, _SCATTERED):
+            yield Begin(how="scattered", span=p.span(i, k)), k
+        if k := longest(p, j, _TURNED):
+            yield Begin(how="reverse", span=p.span(i, k)), k
+            for told, end in _pile(p, p.opt(k, ",", ":")):
+                yield Begin(how="reverse", told=told, span=p.span(i, end)), end
+
+
+def _subject(p: Parser, i: int) -> Iterator[int]:
+    """The position after "they start", "let them start", "start with all of them", "at the start they are"."""
+    lead = longest(p, i, "let | have | make") or i
+    if (j := longest(p, lead, _WHO)) and (k := longest(p, j, _STARTS)):
+        yield k
+    if (j := longest(p, i, "start with | begin with | start out with")) and (k := longest(p, j, _WHO)):
+        yield k
+    j = longest(p, i, _BEFORE)
+    k = longest(p, p.opt(j, ","), _WHO) if j else 0
+    if k and (end := longest(p, k, "are | is | should be | must be | lie | stand | should stand | should lie")):
+        yield end
+
+
+def _pile(p: Parser, i: int) -> Iterator[tuple[tuple[m.Meaning, ...], int]]:
+    """Phrases such as "white on red": what lies on what, from the top."""
+    for upper, j in noun_phrase(p, i):
+        k = longest(p, j, "on | on top of | is on | lies on")
+        for lower, end in noun_phrase(p, k) if k else ():
+            yield (upper, lower), end
+        for rest, end in _pile(p, k) if k else ():
+            yield (upper, *rest), end

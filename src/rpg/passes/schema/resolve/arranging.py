@@ -22,6 +22,7 @@ from rpg.language.meaning import (
     Structure,
     Toward,
     Traits,
+    parts_of,
 )
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
@@ -81,6 +82,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     """What becomes of blocks that a verb speaks of: a structure, a line in an order, places."""
     if theme.table:
         raise refuse("misplaced", "the table stays where it is", theme.span, "name blocks")
+    _evenly_on_patches(spec)
     if verb == "stack":
         spec.intos = [
             i
@@ -128,6 +130,14 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
     return goals
+
+
+def _evenly_on_patches(spec: Spec) -> None:
+    """ "evenly over three patches": so many on each, or evenly spaced?"""
+    even = next((x for x in spec.spacings if x.kind == "even"), None)
+    marks = [x for place in spec.places for x in parts_of(place) if isinstance(x, Noun) and x.head == "patch"]
+    if even is not None and (len(marks) > 1 or any(mark.plural for mark in marks)):
+        raise refuse("ambiguous", "evenly spaced, or as many on each patch?", even.span, "say 'two on each patch'")
 
 
 def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:

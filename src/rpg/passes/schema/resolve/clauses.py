@@ -36,7 +36,7 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.reordered import reverse
 from rpg.passes.schema.resolve.shaped import shaped
-from rpg.passes.schema.resolve.sorting import sort
+from rpg.passes.schema.resolve.sorting import in_sequence, sort
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.spelled import spell
 from rpg.passes.schema.resolve.stacking import Towers
@@ -64,6 +64,8 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     towers.after(scene, start=start, denied=clause.negated)
     if clause.negated and len(scene.loose) > loose:
         _deny(loose, goals, scene, clause.span)
+    if spec.manner("gone") is not None:
+        _was_so(goals, clause, scene)
     built = scene.goals.pop(number, [])
     if not clause.negated:
         built, goals = [], [*built, *goals]
@@ -91,6 +93,13 @@ def _forbids(goal: g.Goal) -> bool:
     if isinstance(goal, g.All):
         return all(_forbids(x) for x in goal.goals)
     return isinstance(goal, g.Not | r.Clear | r.Empty) or (isinstance(goal, g.Count) and goal.at_least == 0)
+
+
+def _was_so(goals: Goals, clause: Clause, scene: Scene) -> None:
+    """ "the red block is no longer on the patch": it is so at the start."""
+    if not clause.negated:
+        raise refuse("misplaced", "this goes with 'not'", clause.span, "say 'no longer'")
+    scene.start_goals += [x for x in goals if isinstance(x, r.On | r.OnPatch) and x not in scene.start_goals]
 
 
 def _deny(loose: int, goals: Goals, scene: Scene, span: Span) -> None:
@@ -217,6 +226,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
     theme = refer(counted(clause.theme, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     _sandwich(clause, spec)
+    in_sequence(clause, theme, spec, scene)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
 

@@ -106,6 +106,13 @@ def _doubled(names: tuple[str, ...], scene: Scene) -> bool:
     return len(set(runs)) < len(runs)
 
 
+def _read_from(begin: str, scene: Scene) -> None:
+    scene.assume(f"the order is read from {begin} to {_OPPOSITE[begin]}")
+
+
+_OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "bottom": "top", "top": "bottom"}
+
+
 def _default_side(kind: str) -> str:
     return "bottom" if kind == "stack" else "front" if kind == "column" else "left"
 
@@ -120,10 +127,8 @@ def _merge(
         case "given" | "named" | "run" if order.items:
             return _given(order, names, kind, scene, scope, first)
         case "given":
-            scene.assume(
-                "in the order in which the blocks are named"
-                + (", bottom first" if kind == "stack" else ", left to right")
-            )
+            begin = first or _default_side(kind)
+            scene.assume(f"in the order in which the blocks are named, from {begin} to {_OPPOSITE.get(begin, 'last')}")
             return Order(by="given", ranks=tuple((n,) for n in names), first=first or _default_side(kind))  # type: ignore[arg-type]
         case "in_order":
             return _in_order(found, things, names, kind, scene, order, first)
@@ -179,9 +184,7 @@ def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scop
             listed=len(set(listed)), blocks=len(names),
         )  # fmt: skip
     if first is None:
-        scene.assume(
-            "the order is read from the bottom up" if kind == "stack" else "the order is read from left to right"
-        )
+        _read_from(_default_side(kind), scene)
     return Order(by="given", ranks=tuple(ranks), first=first or _default_side(kind))  # type: ignore[arg-type]
 
 
@@ -246,9 +249,7 @@ def _symbolic(order: OrderBy, things: list[Thing], kind: str, scene: Scene, firs
             thing.kind = want
     if first is None:
         first = "top" if kind == "stack" else _default_side(kind)
-        scene.assume(
-            "the order is read from the top down" if kind == "stack" else "the order is read from left to right"
-        )
+        _read_from("top" if kind == "stack" else _default_side(kind), scene)
     return Order(by=by, descending=order.descending, first=first)  # type: ignore[arg-type]
 
 
@@ -330,7 +331,5 @@ def _quality_first(order: OrderBy, things: list[Thing], kind: str, scene: Scene,
             "use blocks of both sorts",
         )
     if first is None:
-        scene.assume(
-            "the order is read from the top down" if kind == "stack" else "the order is read from left to right"
-        )
+        _read_from("top" if kind == "stack" else _default_side(kind), scene)
     return Order(by="given", ranks=(one, two), first=first or ("top" if kind == "stack" else "left"))  # type: ignore[arg-type]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import In, Loc
+from rpg.language.meaning import Coord, In, Loc
 from rpg.passes.schema.resolve.conflicts import clash, required
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.relations import place
@@ -21,6 +21,8 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
         if not isinstance(premise, Premise) or not isinstance(premise.condition, Loc | In):
             continue
         theme = Ref(names=premise.names, span=premise.span)
+        if isinstance(getattr(premise.condition, "landmark", None), Coord):
+            raise refuse("ambiguous", "it is not clear which block is where", premise.span, "say it of each block")
         facts = place(theme, premise.condition, scene, Scope(start=True), premise.span)
         facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
         if "asserted" in getattr(premise.condition, "mods", ()):

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Clause, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import Clause, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.groups import (
     DEFAULT_EACH,
@@ -27,6 +27,7 @@ from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 GATHERS = frozenset({"gather", "collect", "cluster", "group", "bunch", "merge", "combine", "unite"})
+UNITES = frozenset({"merge", "combine", "unite"})
 DIVIDES = frozenset({"separate", "segregate", "split", "divide", "partition", "distribute"})
 SIDE = 3
 """Blocks on each side that are separated, where their number is left open."""
@@ -47,6 +48,9 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         if clause.theme is not None
         else Pronoun(word="everything", span=clause.span)
     )
+    if clause.lemma in UNITES and any(isinstance(x, Structure) and x.det != "these" for x in parts_of(theme_meaning)):
+        raise refuse("ambiguous", "these are structures of the start or of the end", theme_meaning.span,
+                     "say what there is at the start, then what to build")  # fmt: skip
     if isinstance(theme_meaning, Structure):
         return shaped(clause, spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
@@ -55,6 +59,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     if line or ordered:
+        in_sequence(clause, theme, spec, scene)
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
     if (patched := _onto_patches(theme, attribute, spec, scene, clause)) is not None:
         return patched
@@ -82,6 +87,18 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
     ref = replace(theme, built=tuple(built))
     return goals + places(ref, spec, scene, scope, clause.span)
+
+
+def in_sequence(clause: Clause, theme: Ref, spec: Spec, scene: Scene) -> None:
+    """ "sort 3, 1 and 2 from left to right": by their numbers, not as they are listed."""
+    labels = [scene.things[n].label or "" for n in theme.names]
+    if spec.orders or clause.lemma not in ("sort", "order") or len(labels) < 2 or not all(labels):
+        return
+    if labels == sorted(labels) and not any(scene.things[n].elastic for n in theme.names):
+        return
+    if clause.lemma == "order":
+        raise refuse("ambiguous", "as they are listed, or by what they show?", clause.span, "say 'in ascending order'")
+    spec.orders.append(OrderBy(by="ascending", span=clause.word or clause.span))
 
 
 def _one_pile(spec: Spec) -> bool:

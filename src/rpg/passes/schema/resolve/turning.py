@@ -14,6 +14,7 @@ from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import Premise
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -203,6 +204,7 @@ def _off(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Goals:
 
 def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "swap the red and the blue block", "swap A with B"."""
+    told = len(scene.premises)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     parts: tuple[Ref, ...] = theme.parts
     if spec.usings:
@@ -210,6 +212,7 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         parts = (theme, other)
     elif len(theme.names) == 2:
         parts = tuple(Ref(names=(n,)) for n in theme.names)
+    scene.premises[told:] = [_as_it_begins(premise) for premise in scene.premises[told:]]
     spec.manners = [m for m in spec.manners if m.kind != "idle"]
     if len(parts) != 2 or len(parts[0].names) != len(parts[1].names):
         raise refuse(
@@ -223,11 +226,20 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return [r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)]
 
 
+def _as_it_begins(premise: Meaning) -> Meaning:
+    """ "swap A, which is on the mat, with B": what changes its place is told of as it begins."""
+    if isinstance(premise, Premise) and isinstance(premise.condition, Loc):
+        return replace(premise, condition=replace(premise.condition, mods=()))
+    return premise
+
+
 def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "turn the A upside down", "rotate the red block by 90 degrees", "face the letter A left"."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     if theme.patch or theme.table:
         raise refuse("fixed-patch", "patches and the table cannot be turned", theme.span, "name a block")
+    if len(theme.names) > 1 and theme.built:
+        raise refuse("misplaced", "a structure is not turned as a whole", theme.span, "say which blocks to turn")
     goals: Goals = []
     used: list[Manner] = []
     degrees = next((m for m in spec.manners if m.kind in ("by", "by?")), None)

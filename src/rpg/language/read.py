@@ -44,6 +44,11 @@ _THEN = (
 _FIRST = ("first ,", "firstly", "first put", "first place", "first stack", "first build", "first make", "first move",
           "first the", "start by", "begin by")  # fmt: skip
 """Words that a following sentence comes after, even if it does not say so."""
+_LEADING = frozenset(
+    "to must should shall may might can could will would do does not never please and then or but you i we just so "
+    "that first now finally next a an the one two three four five six each every this that".split()
+)
+"""What stands before a verb, or a noun that looks like one, in the middle of a sentence."""
 _EARLIER = (
     "before that",
     "but before that",
@@ -86,10 +91,10 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    parts = split(tokens)
-    sentences = [read_sentence(part) for part in parts]
-    for n in range(1, len(parts)):
-        if sentences[n].link == "and" and sentences[n - 1].link == "and" and Parser(parts[n - 1]).any_of(0, _FIRST):
+    read = [found for part in split(tokens) for found in _read(part)]
+    sentences = [sentence for _, sentence in read]
+    for n in range(1, len(read)):
+        if sentences[n].link == "and" and sentences[n - 1].link == "and" and Parser(read[n - 1][0]).any_of(0, _FIRST):
             sentences[n] = Sentence("then", sentences[n].readings)
     if not sentences:
         raise Refusal(
@@ -103,6 +108,37 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
             ]
         )
     return sentences
+
+
+def _read(tokens: list[Token]) -> list[tuple[list[Token], Sentence]]:
+    """A sentence; where it makes no sense, and was said without a stop, the two that it is made of.
+
+    The second one is a command. Only one place to part them may make sense, for else it is not clear what was said.
+    """
+    try:
+        return [(tokens, read_sentence(tokens))]
+    except Refusal:
+        starts = [n for n in range(2, len(tokens) - 2) if _commands(tokens, n)]
+        found = [parts for n in starts if (parts := _parted(tokens, n))]
+        if len(found) != 1:
+            raise
+        return found[0]
+
+
+def _parted(tokens: list[Token], n: int) -> list[tuple[list[Token], Sentence]]:
+    """A sentence parted before its token `n`; nothing where a part makes no sense."""
+    try:
+        return [(tokens[:n], read_sentence(tokens[:n])), *_read(tokens[n:])]
+    except Refusal:
+        return []
+
+
+def _commands(tokens: list[Token], n: int) -> bool:
+    """Could a command begin here, nothing before it leading to it?"""
+    forms = lexicon.VERB.get(tokens[n].word, ())
+    plain = tokens[n].kind == "word" and any(tense == "base" for _, _, tense in forms)
+    denied = tokens[n].word == "do" and tokens[n + 1].word == "not"
+    return (plain or denied) and tokens[n - 1].word not in _LEADING and tokens[n - 1].kind in ("word", "literal")
 
 
 def read_sentence(tokens: list[Token]) -> Sentence:

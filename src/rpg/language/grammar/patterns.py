@@ -30,11 +30,15 @@ _DIFFERENT = ("a different color", "of a different color", "its own color", "a u
               "different color")  # fmt: skip
 
 
-_ONE_TOWER = tuple(
-    f"{one} {noun} {each}" for one in ("one", "a") for noun in ("tower", "stack")
+_ONE_FOR_EACH = {
+    f"{one} {noun} {each}": unit
+    for one in ("one", "a")
+    for noun, unit in (
+        ("tower", "stack"), ("stack", "stack"), ("group", "pile"), ("pile", "pile"), ("bunch", "pile"), ("heap", "pile")
+    )
     for each in ("per color", "for each color", "for every color", "of each color", "for each", "each", "for each one")
-)  # fmt: skip
-"""What is said of blocks that are stacked by colour: one tower for each of them."""
+}  # fmt: skip
+"""What is said of blocks that are stacked or grouped by colour: one tower, one group for each of them."""
 
 
 @rule
@@ -66,8 +70,9 @@ def pattern(p: Parser, i: int) -> Results[Meaning]:
                          ("one color each", "stack"), ("a single color per row", "row")):  # fmt: skip
         if k := p.seq(j, phrase):
             yield Pattern(unit=unit, span=p.span(i, k)), k
-    if (k := p.any_of(p.opt(i, ","), _ONE_TOWER)) and (k >= p.end or p.words[k] in (":", ",", ";")):
-        yield Pattern(unit="stack", span=p.span(i, k)), k
+    for phrase, unit in _ONE_FOR_EACH.items():
+        if (k := p.seq(p.opt(i, ","), phrase)) and (k >= p.end or p.words[k] in (":", ",", ";")):
+            yield Pattern(unit=unit, span=p.span(i, k)), k
     yield from _checkered(p, i)
     if k := p.any_of(i, ("one per color", "one for each color", "one tower per color", "one stack per color",
         "one tower for each color", "one stack for each color",

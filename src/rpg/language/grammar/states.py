@@ -68,14 +68,17 @@ _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
 def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
     inverted = p.one(i, _BE) if i else 0
-    asked = p.one(i, _ASKING)
+    barred = p.any_of(i, _BARRED)
+    asked = p.one(barred or i, _ASKING)
+    if barred and not asked:
+        return
     for theme, j in noun_phrase(p, inverted or asked or i):
         j = p.opt(j, "all", "each", "both", "then")
         j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
         k, words = _auxiliaries(p, j)
         if not _floats(theme, {*p.words[j - 1 : k]}):
             continue
-        negated = bool(words & _NOT)
+        negated = bool(words & _NOT) or bool(barred)
         if inverted:
             yield from _predicate(p, i, j, theme, mode, False)
             continue
@@ -85,7 +88,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             if s := p.seq(k, phrase):
                 readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
         for found, end in readings:
-            lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words
+            lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
             if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & (_MODALS | _BOUND):
                 found = replace(found, lemma="fact")
             idle = isinstance(found, Clause) and _needless(
@@ -101,7 +104,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
 
 def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
     """ "six blocks, three red and three white, stand ...": a comma closes what was set beside the noun."""
-    return isinstance(theme, Coord) and p.words[j : j + 1] == [","] and "," in p.words[i:j] and p.words[j + 1] in _GO_ON
+    return isinstance(theme, Coord | Structure) and p.words[j : j + 1] == [","] and "," in p.words[i:j] and p.words[j + 1] in _GO_ON
 
 
 _GO_ON = _MODALS | _BE | lexicon.POSTURE
@@ -115,6 +118,10 @@ def _needless(words: set[str]) -> bool:
 
 
 _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
+
+
+_BARRED = ("at no time", "at no point", "at no moment", "under no circumstances", "in no case", "never")
+"""What comes before a question's order of words: "at no time may the red block be on ..."."""
 
 
 _STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
@@ -179,16 +186,22 @@ def _floats(theme: Meaning, words: set[str]) -> bool:
     return (theme.plural and most != 1) and not ("both" in words and most not in (None, 2))
 
 
+def _passive(p: Parser, j: int) -> bool:
+    """ "should become placed": what is only the passive."""
+    done = p.words[j] in ("become", "becomes") and any(form == "past" for _, _, form in p.lex(j + 1, lexicon.VERB) or ())
+    return done and p.words[j + 1] not in ("put", "set", "spread", "split")
+
+
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     words: set[str] = set()
-    while j < p.end and p.words[j] in _MODALS | _FILLERS | _NOT:
+    while j < p.end and (p.words[j] in _MODALS | _FILLERS | _NOT or _passive(p, j)):
         if p.words[j] in words & _NOT:
             break
         if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
             break
         if p.words[j] == "to" and p.words[j + 1] == "the":
             break
-        if p.words[j] in ("end", "ends") and p.words[j + 1] in ("is", "are", "should", "must"):
+        if p.words[j] in ("end", "ends") and p.words[j + 1] != "up":
             break
         words.add(p.words[j])
         j = p.reach(j + 1)
@@ -202,6 +215,8 @@ def _predicate_after_be(
         if p.words[k] in ("was", "were") and _UNREAL.isdisjoint(p.words[:i]):
             mode = "start"
         lasting = False
+        if p.seq(j, "no longer"):
+            return _predicate_after_be(p, i, j, theme, mode, True)
         while n := p.one(j, _ADVERBS if negated else _NOT | _ADVERBS) or p.seq(j, "to be"):
             negated = negated or p.words[j] in _NOT
             lasting = lasting or p.words[j] in ("always", "never")
@@ -219,6 +234,10 @@ def _predicate_after_be(
         lasting = p.words[k] in ("stays", "stay", "remains", "remain", "staying", "remaining")
         readings = list(_predicate(p, i, p.reach(k + 1), theme, mode, negated))
         return [(_stays(c) if lasting and isinstance(c, Clause) else c, e) for c, e in readings]
+    if gone := p.seq(k, "no longer"):
+        past = Manner(kind="gone", span=p.span(k, gone))
+        longer = [*_subject_verb(p, i, gone, theme, mode, True), *_predicate(p, i, gone, theme, mode, True)]
+        return [(replace(c, adjuncts=(*c.adjuncts, past)) if isinstance(c, Clause) else c, e) for c, e in longer]
     if p.words[k - 1 : k] == ["up"] or any(True for _ in manner(p, k)) or p.words[k - 1 : k] in (["always"], ["never"]):
         return list(_predicate(p, i, k, theme, mode, negated))
     return []

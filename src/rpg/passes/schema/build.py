@@ -14,7 +14,20 @@ from rpg.ir import goal as g
 from rpg.ir.reconcile import reconcile
 from rpg.ir.schema import InitialState, TaskSchema
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, cost_of, parts_of
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+    cost_of,
+    parts_of,
+)
 from rpg.language.read import Sentence, read_sentences
 from rpg.language.tokens import Token
 from rpg.passes.schema.ambiguity import TwoReadings, same
@@ -181,7 +194,7 @@ def _resolved(
         scene.assume(note)
     scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
     check_words(chains, scene)
-    order = sorted(range(len(chains)), key=lambda n: (not _sets_scene(chains[n]), n))
+    order = sorted(range(len(chains)), key=lambda n: (_of_everything(chains[n]), not _sets_scene(chains[n]), n))
     stated: dict[int, list[g.Goal]] = {}
     for n in order:
         stated[n] = chain_goals(chains[n], scene)
@@ -289,6 +302,21 @@ def _sets_scene(chain: Chain) -> bool:
         isinstance(c, Clause)
         and (c.mode == "given" or any(isinstance(m, Manner) and m.kind == "extra" for m in c.adjuncts))
         for c in chain.clauses
+    )
+
+
+def _of_everything(chain: Chain) -> bool:
+    """ "All blocks are 5 cm wide": what all look like can only be said of those that the other sentences bring up."""
+    return all(
+        isinstance(clause, Clause)
+        and clause.verb == "be"
+        and isinstance(clause.theme, Noun)
+        and clause.theme.head == "block"
+        and clause.theme.det in ("all", "each")
+        and (clause.theme.traits, clause.theme.amount, clause.theme.part_of) == (Traits(), None, None)
+        and bool(clause.adjuncts)
+        and all(isinstance(adjunct, Quality) for adjunct in clause.adjuncts)
+        for clause in chain.clauses
     )
 
 

@@ -152,6 +152,9 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                         "it is",
                         "they are",
                         "you see",
+                        "we see",
+                        "i see",
+                        "one sees",
                     ),
                 )
                 or j
@@ -262,11 +265,13 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
     for theme, k in noun_phrase(p, j):
         apart = adjuncts(p, k + 1) if p.words[k : k + 1] == [","] and isinstance(theme, Structure) else []
         nothing = isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det == "no")
+        k = p.opt(k, *_LYING) if isinstance(theme, Noun) else k
         for found, end in [*adjuncts(p, k), *(x for x in apart if x[0])]:
             said = "goal" if nothing else mode
             yield Clause(verb="exist", theme=theme, adjuncts=found, mode=said, span=p.span(i, end)), end
 
 
+_LYING = ("lying", "standing", "sitting", "resting", "placed", "located", "positioned", "situated")
 _VAGUE = frozenset({"it", "them", "they", "that", "this", "one", "each", "all", "both"})
 _WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
 """After these "it" and "them" are what is described: "I want them in a row"."""

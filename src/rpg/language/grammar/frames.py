@@ -112,7 +112,8 @@ FIRST = Phrases(
     "step 1", "step 2", "step 3", "first of all", "at first", "first ,",
 )  # fmt: skip
 THEN = (
-    "and at last", "at last", "and at the very end",
+    "and only then", "only then", "and only after that", "only after that", "and at last", "at last",
+    "and at the very end",
     "and finish by", "finish by", "and end by", "end by", "and conclude by", "conclude by", "and finish off by",
     "and then after that", "and then finally", "and after that", "and afterwards", "and finally", "and then",
     "then finally", "then after that", "after that", "afterwards", "after which", "thereafter", "followed by",

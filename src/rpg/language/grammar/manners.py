@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar import amounts
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Manner, Meaning
 
 _FACE_WORDS = {"up": "up", "upward": "up", "upwards": "up", "down": "down", "downward": "down", "downwards": "down",
@@ -39,6 +40,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     for n, j in _degrees(p, i):
         yield from _spun(p, i, j, n)
     yield from _strangers(p, i, comma)
+    if j := max((k for at in {i, comma} for k in _STREWN.matches(p, at)), default=0):
+        yield Manner(kind="strewn", span=p.span(i, j)), j
     for phrase, j in p.standing(i, _LITTLE):
         kind, value = _LITTLE[phrase]
         yield Manner(kind=kind, value=value, span=p.span(i, j)), j
@@ -63,6 +66,14 @@ _STRANGERS = (
     "wrong cube", "wrong cubes", "odd one out", "misfit", "misfits", "intruder", "intruders",
     "block that does not belong",
 )  # fmt: skip
+_STREWN = Patterns(
+    "randomly|loosely|all|freely? scattered|strewn|spread_randomly|distributed_randomly|randomly_placed|"
+    "randomly_distributed|placed_randomly|placed_at_random randomly|at_random|loosely? "
+    "all? over|around|on|across|about? the|your|my? table|tabletop|workspace|desk?",
+    "at|in|to random places|positions|spots|locations|poses|orientations",
+    "at_random|randomly over|around|on|across the table|tabletop|workspace",
+)
+"""Of things that lie about: so they begin wherever nothing else is said of it."""
 _DOWN = (
     "upside down", "flipped upside down", "inverted", "in an inverted orientation", "turned upside down",
     "rotated upside down",
@@ -83,11 +94,14 @@ _POINTING = (
     "extending",
 )  # fmt: skip
 _RISING = (
-    "rising to the", "going up to the", "ascending to the", "climbing to the", "rising towards the",
-    "going up towards the", "that goes up to the", "rising toward the", "leading up to the", "climbing towards the",
-    "going upward to the", "going upwards to the", "that rises to the", "that rise to the", "up to the",
-    "ascending towards the", "going up from left to", "rising from left to", "ascending from left to",
-    "climbing from left to",
+    *(
+        f"{rise} {to}"
+        for rise in ("rising", "going up", "ascending", "climbing", "leading up", "that goes up", "that go up",
+                     "that rises", "that rise", "that climbs", "that climb", "which rises", "which goes up",
+                     "which climbs", "going upward", "going upwards", "that leads up", "climbing up")
+        for to in ("to the", "towards the", "toward the", "from left to")
+    ),
+    "up to the", "up towards the",
 )  # fmt: skip
 _COUNTER = ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise", "to the left")
 
@@ -161,6 +175,10 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "partly stacked": ("partial", None), "of equal height": ("equal", None), "of the same height": ("equal", None),
     "equally tall": ("equal", None), "equally high": ("equal", None), "of equal heights": ("equal", None),
     "the same height": ("equal", None), "with the same height": ("equal", None), "reversed": ("backwards", None),
+    "while doing so": ("always", None), "while doing this": ("always", None), "while you do so": ("always", None),
+    "while you do that": ("always", None), "while you do this": ("always", None), "in the process": ("always", None),
+    "at any moment": ("always", None), "at any stage": ("always", None), "in the meantime": ("always", None),
+    "any more": ("gone", None), "anymore": ("gone", None), "any longer": ("gone", None),
     "all the time": ("always", None), "from start to finish": ("always", None),
     "during the whole task": ("always", None), "during the task": ("always", None), "at any time": ("always", None),
     "at any point": ("always", None), "ever": ("always", None),
@@ -211,7 +229,8 @@ def _degrees(p: Parser, i: int) -> Results[float]:
     j = p.opt(j, "about")
     if (n := p.figure(j)) is not None and j + 1 < p.end and p.words[j + 1] in lexicon.DEGREES.split():
         yield n, p.reach(j + 2)
-    for phrase, n in (("a quarter turn", 90.0), ("a half turn", 180.0), ("half a turn", 180.0),
+    for phrase, n in (("turned a quarter turn", 90.0), ("turned a half turn", 180.0), ("turned half a turn", 180.0),
+        ("rotated a quarter turn", 90.0), ("a quarter turn", 90.0), ("a half turn", 180.0), ("half a turn", 180.0),
         ("a quarter of a turn", 90.0), ("halfway around", 180.0),
                       ("quarter turn", 90.0), ("half turn", 180.0), ("around", 180.0)):  # fmt: skip
         if phrase != "around" and (k := p.seq(j, phrase)):

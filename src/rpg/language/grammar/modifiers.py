@@ -31,6 +31,8 @@ DETAILS: dict[str, OrderBy | Spacing | Manner] = {
     "equally tall": Manner(kind="equal", span=NOWHERE), "equal": Manner(kind="equal", span=NOWHERE),
     "equally high": Manner(kind="equal", span=NOWHERE),
     "alternating": OrderBy(by="alternating", span=NOWHERE), "symmetric": OrderBy(by="mirrored", span=NOWHERE),
+    "mirror symmetric": OrderBy(by="mirrored", span=NOWHERE),
+    "mirror symmetrical": OrderBy(by="mirrored", span=NOWHERE),
     "symmetrical": OrderBy(by="mirrored", span=NOWHERE), "mirrored": OrderBy(by="mirrored", span=NOWHERE),
     "reverse alphabetical": OrderBy(by="label", descending=True, span=NOWHERE),
     "ascending": OrderBy(by="ascending", span=NOWHERE),

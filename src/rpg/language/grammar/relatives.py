@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Loc, Meaning, Traits
 
 _THAT = frozenset({"that", "which", "who"})
@@ -19,6 +20,11 @@ _THINGS = {"letters": "letter", "numbers": "digit", "digits": "digit", "symbols"
            "number": "digit"}  # fmt: skip
 
 
+_EXTRAS = Patterns(
+    "only|just|simply? serve|serves|act|acts|function|functions|are|is there? only|just|simply? there? "
+    "as? distractors|a_distractor|distraction|decoration|decorations",
+)
+"""What is only there."""
 _WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the color is", "of which the color is",
                 "with the color", "that has color", "that has the color", "which has the color", "having color",
                 "having the color", "who is", "of the color")  # fmt: skip
@@ -34,7 +40,10 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
         for named, k in color(p, j):
             yield Traits(colors=(named,)), k
     that = p.one(comma, _THAT)
+    that = p.seq(that, "in turn") or that if that else 0
     if that:
+        if j := max(_EXTRAS.matches(p, that), default=0):
+            yield Traits(extra=True), j
         if j := p.one(that, _SHOW):
             yield from _shown(p, j)
         if j := p.one(that, frozenset({"is", "are"})):

@@ -27,12 +27,22 @@ def noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
         yield shape, False, j
     if p.words[i : i + 1] in (["cube"], ["cubes"]):
         yield "cube", p.words[i] == "cubes", p.reach(i + 1)
+    if p.words[i : i + 1] in (["block"], ["box"], ["cuboid"]) and _dimensions_before(p, i):
+        yield "cube", False, p.reach(i + 1)
     if j := p.any_of(i, ("chess board", "checker board", "checkers board")):
         yield "checkerboard", False, p.opt(j, "pattern")
     for lead in ("color gradient", "gradient", "rainbow"):
         if j := p.seq(i, lead):
             yield "gradient", False, j
     yield from _letter_shapes(p, i)
+
+
+def _dimensions_before(p: Parser, i: int) -> bool:
+    """ "a 2 by 2 by 2 block": three dimensions make it one of many blocks."""
+    words = p.words[max(0, i - 5) : i]
+    token = p.tokens[i - 1] if i else None
+    dims = token is not None and token.kind == "dims" and isinstance(token.value, tuple) and len(token.value) == 3
+    return dims or (len(words) == 5 and words[1] == words[3] == "by" and words[4].isalnum())
 
 
 _FORMS = frozenset(

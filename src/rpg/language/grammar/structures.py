@@ -222,10 +222,22 @@ def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meanin
         yield from _sided(p, i, k, sized)
         for lot, end in each_of(p, k) if base.plural else ():
             yield replace(sized, details=(*sized.details, lot), span=p.span(i, end)), end
+        yield from _piled(p, i, k, sized)
         if base.kind in ("stack", "row", "line", "column"):
             for items, end in listed(p, p.opt(k, ":", ",")):
                 given = OrderBy(by="named", items=items, span=p.span(k, end))
                 yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
+
+
+def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "a tower of red on green on blue"."""
+    from rpg.language.grammar.onto import one_on_another
+
+    lead = p.any_of(k, ("of", ",", ":", "with", "in which", "where", "made of", ", with", "that is"))
+    if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
+        return
+    for order, end in one_on_another(p, lead):
+        yield replace(base, details=(*base.details, order), span=p.span(i, end)), end
 
 
 _DETAILED = frozenset({"with", ",", "having", "where", ":", "whose", "in", "of", "so", "such", "except", "but",

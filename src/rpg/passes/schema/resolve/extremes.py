@@ -54,6 +54,8 @@ def directed(order: Order, placed: Placed, names: tuple[str, ...], kind: str, sc
 
     What descends along a line is read from its usual side.
     """
+    if order.by == "mirrored" and _in_the_middle(order, placed, names, scene):
+        return order
     ranked = [(_key(order, scene.things[n]), n) for n in names]
     keys = [key for key, _ in ranked if key is not None]
     if len(keys) < len(names) or len(set(keys)) < len(keys):
@@ -68,6 +70,16 @@ def directed(order: Order, placed: Placed, names: tuple[str, ...], kind: str, sc
                 del scene.assumptions[note]
             return order.model_copy(update={"first": first})
     return None
+
+
+def _in_the_middle(order: Order, placed: Placed, names: tuple[str, ...], scene: Scene) -> bool:
+    """Whether the one block that has a place is the one that a mirrored line has in its middle anyway."""
+    if order.attribute != "color" or [len(rank) == 1 for rank in placed.ranks[1:2]] != [True]:
+        return False
+    colors = [scene.things[n].color for n in names]
+    odd = [color for color in dict.fromkeys(colors) if colors.count(color) % 2]
+    outside = [len(placed.ranks[n]) for n in scene.free_runs.get(placed.ranks, ())]
+    return outside == [len(names) // 2] * 2 and odd == [scene.things[placed.ranks[1][0]].color]
 
 
 def _key(order: Order, thing: Thing) -> float | str | None:

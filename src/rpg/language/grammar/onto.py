@@ -1,0 +1,39 @@
+""" "Red on green on blue": blocks one on the other, from the top or from the bottom."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.nouns import simple
+from rpg.language.meaning import Amount, Meaning, Noun, OrderBy
+
+_OVER = ("on top of", "on", "over", "above", "atop", "upon", "sitting on", "stacked on", "resting on", "standing on")
+_UNDER = ("under", "below", "beneath", "underneath")
+
+
+@rule
+def one_on_another(p: Parser, i: int) -> Results[OrderBy]:
+    """A list of single blocks, each on the next one, or each under it."""
+    for words, first in ((_OVER, "top"), (_UNDER, "bottom")):
+        for items, j in _more(p, i, words):
+            if len(items) > 1:
+                yield OrderBy(by="named", items=items, first=first, span=p.span(i, j)), j
+
+
+def _more(p: Parser, i: int, words: tuple[str, ...]) -> Results[tuple[Meaning, ...]]:
+    for item, j in simple(p, i):
+        half = p.lex(j, lexicon.PATCH) is not None or p.lex(j, lexicon.BLOCK) is not None
+        if half or not isinstance(item, Noun) or not _single(item):
+            continue
+        following = p.any_of(j, words)
+        further = list(_more(p, following, words)) if following else []
+        yield from (((item, *rest), end) for rest, end in further)
+        if not further:
+            yield (item,), j
+
+
+def _single(item: Noun) -> bool:
+    """One block, told by its look."""
+    one = not item.plural and item.amount in (None, Amount(1, 1)) and item.det in ("bare", "a", "the")
+    told = len(item.traits.colors) + len(item.traits.labels) == 1 and item.traits.rank is None
+    return one and told and item.head != "patch" and item.part_of is None and not item.conditions

@@ -39,6 +39,7 @@ from rpg.passes.schema.resolve.reordered import moved_within, topped
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.structures import either, make, stack_built
 from rpg.passes.schema.resolve.things import bare_colors, plain_colors
+from rpg.passes.schema.resolve.turning import picked_from
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -83,6 +84,8 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if theme.table:
         raise refuse("misplaced", "the table stays where it is", theme.span, "name blocks")
     _evenly_on_patches(spec)
+    if verb == "place" and spec.places and theme.names and not theme.built and not scope.start:
+        _moved_from(theme, spec, scene, scope, span)
     if verb == "stack":
         spec.intos = [
             i
@@ -130,6 +133,14 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
     return goals
+
+
+def _moved_from(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> None:
+    """ "move the red block from the blue patch to the green one": where it starts."""
+    for using in list(spec.usings):
+        if isinstance(using.members, Noun) and using.members.det == "the" and not using.members.plural:
+            spec.usings.remove(using)
+            picked_from(theme, using, scene, scope, span)
 
 
 def _evenly_on_patches(spec: Spec) -> None:

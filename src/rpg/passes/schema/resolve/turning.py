@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, That, Using
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, TableTop, That, Using
 from rpg.passes.schema.resolve.finish import label_of
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import spread
@@ -122,6 +122,8 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "pick up the red block" (and put it ...): on its own it is no goal that can be checked at rest."""
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     off = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
+    if clause.negated:
+        return _unlifted(theme, spec, clause)
     if clause.lemma == "take" and off:
         return remove(clause, spec, scene, scope, theme)
     if clause.lemma == "take" and spec.places:
@@ -131,11 +133,23 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     scene.picked = clause.span
     scene.held.update(dict.fromkeys(theme.names, clause.span))
     if spec.usings and len(spec.usings) == 1:
-        _picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
+        picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
     return []
 
 
-def _picked_from(theme: Ref, using: Using, scene: Scene, scope: Scope, span: Span) -> None:
+def _unlifted(theme: Ref, spec: Spec, clause: Clause) -> Goals:
+    """ "never lift the red block off the table": it lies there all the time."""
+    places = spec.places
+    table = len(places) == 1 and isinstance(places[0], Loc) and isinstance(places[0].landmark, TableTop)
+    if not table or not theme.names or theme.quant is not None:
+        raise refuse("no-goal", "picking a block up leaves nothing to check", clause.span, "say 'do not move ...'")
+    spec.places = []
+    if not any(m.kind == "always" for m in spec.manners):
+        spec.manners.append(Manner(kind="always", span=clause.span))
+    return [g.Not(goal=r.OnTable(a=theme.names, span=clause.span), span=clause.span)]
+
+
+def picked_from(theme: Ref, using: Using, scene: Scene, scope: Scope, span: Span) -> None:
     """ "pick up the red block from the blue patch": where it starts."""
     loc = Loc(rel="on", landmark=using.members, span=using.span)
     scene.start_goals += place(theme, loc, scene, replace(scope, start=True), span)

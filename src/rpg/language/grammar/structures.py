@@ -5,28 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
-from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, colors, merge
+from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, merge
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.equations import equation, unequal
-from rpg.language.grammar.labels import digits_of, literal, run
+from rpg.language.grammar.labels import digits_of, literal
 from rpg.language.grammar.lists import listed
+from rpg.language.grammar.makeup import per_color, sized_members
 from rpg.language.grammar.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.shapes import noun
-from rpg.language.grammar.sizes import IN_TOTAL, dimensions, ends_in_lines, lines_of, size_phrase
+from rpg.language.grammar.sizes import dimensions
 from rpg.language.meaning import (
-    Absolute,
     Amount,
-    Coord,
     Meaning,
     Noun,
     OrderBy,
-    Pattern,
-    Places,
-    Pronoun,
     Size,
     Structure,
     Traits,
@@ -197,223 +192,6 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
             yield replace(base, letter=text, span=p.span(i, k)), k
     for pattern, k in per_color(p, j):
         base = replace(base, plural=True, details=(*base.details, pattern))
-        yield from _sized_members(p, i, k, base)
+        yield from sized_members(p, i, k, base)
         return
-    yield from _sized_members(p, i, j, base)
-
-
-def _sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
-    from rpg.language.grammar.each import each_of, heights
-
-    many = base.amount.low if base.amount is not None else 0
-    for (tall, named), k in heights(p, j, many) if base.plural and base.kind == "stack" else ():
-        traits = replace(base.traits, colors=base.traits.colors or named)
-        yield replace(base, sizes=(*base.sizes, tall), traits=traits, span=p.span(i, k)), k
-    for sized, k in _sized(p, i, j, base):
-        yield sized, k
-        yield from _one_each(p, i, k, sized)
-        for whole, end in _members(p, i, k, sized):
-            yield whole, end
-            yield from _one_each(p, i, end, whole)
-            for lot, last in each_of(p, end) if base.plural else ():
-                yield replace(whole, details=(*whole.details, lot), span=p.span(i, last)), last
-            yield from _sided(p, i, end, whole)
-            yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
-        yield from _sided(p, i, k, sized)
-        for lot, end in each_of(p, k) if base.plural else ():
-            yield replace(sized, details=(*sized.details, lot), span=p.span(i, end)), end
-        yield from _piled(p, i, k, sized)
-        if base.kind in ("stack", "row", "line", "column"):
-            for items, end in listed(p, p.opt(k, ":", ",")):
-                given = OrderBy(by="named", items=items, span=p.span(k, end))
-                yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
-
-
-def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
-    """ "a tower of red on green on blue"."""
-    from rpg.language.grammar.onto import one_on_another
-
-    lead = p.any_of(k, ("of", ",", ":", "with", "in which", "where", "made of", ", with", "that is"))
-    if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
-        return
-    for order, end in one_on_another(p, lead):
-        yield replace(base, details=(*base.details, order), span=p.span(i, end)), end
-
-
-_DETAILED = frozenset({"with", ",", "having", "where", ":", "whose", "in", "of", "so", "such", "except", "but",
-                       "starting", "that", "which"})  # fmt: skip
-
-
-def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
-    """ "a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
-    from rpg.language.grammar.absolutes import one_more, sided
-
-    if k < p.end and p.words[k] in _DETAILED:
-        for detail, end in sided(p, k):
-            yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
-    if base.sizes and p.one(k, "and"):
-        for detail, end in one_more(p, k + 1):
-            yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
-
-
-def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
-    """ "two towers ..., one red and one blue", "... the left one red and the right one blue"."""
-    from rpg.language.grammar.parts import wholes
-
-    for found, end in wholes(p, k) if base.plural else ():
-        places = [x.adjuncts[0] for x in found.items if isinstance(x, Absolute)]
-        themes = [x.theme for x in found.items if isinstance(x, Absolute)]
-        colors = tuple(c for theme in themes if isinstance(theme, Noun) for c in theme.traits.colors)
-        plain = not any(isinstance(theme, Noun) and theme.amount is not None for theme in themes)
-        alike = plain and len(colors) == len(themes) and all(isinstance(x, Places) and x.side == "one" for x in places)
-        if base.kind == "stack" and alike:
-            yield _painted(base, colors, Pattern(unit="stack", span=found.span), p.span(i, end)), end
-        else:
-            yield replace(base, details=(*base.details, found), span=p.span(i, end)), end
-
-
-def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: Span) -> Structure:
-    members, traits = base.members, base.traits
-    if isinstance(members, Noun):
-        members = replace(members, traits=replace(members.traits, colors=members.traits.colors or colors))
-    else:
-        traits = replace(traits, colors=traits.colors or colors)
-    return replace(base, members=members, traits=traits, details=(*base.details, pattern), span=span)
-
-
-@rule
-def per_color(p: Parser, i: int) -> Results[Pattern]:
-    """ "per colour", "for each colour"."""
-    if j := p.any_of(i, ("per color", "for each color", "for every color", "of each color")):
-        yield Pattern(unit="stack", span=p.span(i, j)), j
-
-
-@rule
-def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
-    yield base, j
-    if len(base.sizes) > 3:
-        return
-    if k := p.any_of(
-        j,
-        (
-            "with nothing in the middle",
-            "with nothing inside",
-            "with an empty center",
-            "with an empty middle",
-            "with a hole in the middle",
-            ", hollow",
-            ", empty inside",
-            "that is hollow",
-            ", just the outline",
-            ", outline only",
-        ),
-    ):
-        yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
-    if k := p.any_of(
-        j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
-    ):
-        yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
-    plain = base.members is None and not base.traits.colors
-    comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
-    if plain and (comma > j or base.kind == "checkerboard"):
-        for (named, either), k in colors(p, p.any_of(comma, ("all in", "all", "in")) or comma):
-            if not either and (len(named) == 1 or base.kind == "checkerboard") and (k >= p.end or p.words[k] == ","):
-                painted = replace(base.traits, colors=named)
-                yield replace(base, traits=painted, span=p.span(i, k), cost=base.cost + 1), k
-    for size, k in [*lines_of(p, j, base.kind), *size_phrase(p, j)]:
-        if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
-            continue
-        k = p.opt(k, "each") if base.plural else k
-        changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
-        yield from _sized(p, i, k, changed)
-
-
-_LINES = ("row", "line", "column", "stack", "circle", "pile", "word")
-"""Structures of which "two each" says nothing by itself: it is said of the kinds of blocks."""
-_OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
-    "built of", "formed by", "formed of", "comprising",
-       "containing", "using", "constructed from", "out of", "built with", "which consists of", "that consists of",
-       "which is made of",
-       "that is made of", "that consist of", "which consist of", "that are made of", "that contains",
-       "which contains", "made with", "with only", "from",
-       "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
-
-
-def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
-    from rpg.language.grammar.nouns import noun_phrase
-
-    k = p.any_of(j, _OF) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
-    if not k or (p.words[k - 1] == "from" and run(p, k)):
-        return
-    for start in dict.fromkeys((k, p.one(k, "each"))):
-        if not start:
-            continue
-        for members, end in noun_phrase(p, start):
-            if isinstance(members, Coord) and p.one(end, frozenset({"each", "apiece"})):
-                continue
-            if base.plural and isinstance(members, Coord) and any(map(_mere_number, members.items)):
-                continue
-            if ends_in_lines(p, j) and base.sizes and members_amount(members) is not None:
-                continue
-            if isinstance(members, Pronoun) and p.words[k - 1] == "for":
-                continue
-            if isinstance(members, Structure) or (
-                isinstance(members, Coord) and any(isinstance(x, Structure | Pronoun) for x in members.items)
-            ):
-                continue
-            counted = (
-                members_amount(members) is not None
-                and base.plural
-                and (
-                    (p.words[k - 1] == "of" and p.words[j] != "out")
-                    or p.words[k - 1] in ("with", "containing")
-                    or p.one(end, frozenset({"each", "apiece"})) > 0
-                )
-            )
-            end = end if base.plural else p.any_of(end, IN_TOTAL) or end
-            if base.plural and isinstance(members, Coord) and members.items[0].span[0] > p.tokens[start].span[0]:
-                continue
-            listed_ = replace(base, members=members, span=p.span(i, end), each_size=counted)
-            yield (
-                listed_,
-                (
-                    (
-                        p.any_of(
-                            end,
-                            (
-                                "each",
-                                "apiece",
-                                "in each one",
-                                "in each",
-                                "in each of them",
-                                "in every one",
-                                "per tower",
-                                "in each tower",
-                                "per stack",
-                                "in each stack",
-                            ),
-                        )
-                        or end
-                    )
-                    if base.plural
-                    else end
-                ),
-            )
-    if not base.sizes:
-        for found, end in amounts.amount(p, k):
-            size = Size(what="size", amount=found, span=p.span(k, end))
-            cost = base.cost + (0 if base.plural else 1)
-            yield (
-                replace(base, sizes=(size,), span=p.span(i, end), cost=cost),
-                p.opt(end, "each", "apiece") if base.plural else end,
-            )
-
-
-def _mere_number(item: Meaning) -> bool:
-    """ "towers of two and three red blocks": so many of each, no members."""
-    return isinstance(item, Noun) and item.head == "any" and item.traits == Traits() and item.amount is not None
-
-
-def members_amount(members: Meaning) -> Amount | None:
-    """The number that a members phrase gives."""
-    return getattr(members, "amount", None)
+    yield from sized_members(p, i, j, base)

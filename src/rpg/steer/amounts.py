@@ -267,7 +267,7 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             )
             yield from _valued(p, i, k, what, factor)
     for nouns, what in ((_TOLERANCE, "tolerance"), (_GAP, "gap"), (_SPACING, "spacing")):
-        if (j := longest(p, i, nouns)) and (k := longest(p, j, "should be | must be | has to be | is | ought to be")):
+        if (j := longest(p, i, nouns)) and (k := longest(p, j, ": | = | should be | must be | has to be | is | ought to be")):
             yield from _valued(p, i, k, what, 1.0)
     for word, factor in (("loosen", 2.0), ("relax", 2.0), ("tighten", 0.5)):
         if j := longest(p, i, (f"{word} it", f"{word} it up", f"{word} things", f"{word} things up", f"{word} up")):

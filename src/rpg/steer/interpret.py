@@ -80,6 +80,8 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     Continue: carry_on,
 }
 KIND_OF = {"label": "letter", "number": "digit"}
+WEAK = (Shift, Bring, Part)
+"""Readings of few words: where they cannot be carried out, the words may still be a sentence about the task."""
 TRIES = 12
 """Readings of a request that are carried out in turn until one can be."""
 
@@ -115,12 +117,18 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
     if fresh is not None and not any(reading.whole for reading in readings):
         return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
     refusals: list[Refusal] = []
+    weak: list[Refusal] = []
     for parsed in [reading for reading in readings if reading.whole and _changes(reading)][:TRIES]:
         try:
             return _carried_out(request, parsed, history)
         except Refusal as refusal:
-            refusals.append(refusal)
-    return _otherwise(request, readings, refusals, history, read)
+            (weak if any(isinstance(each, WEAK) for each in parsed.requests) else refusals).append(refusal)
+    try:
+        return _otherwise(request, readings, refusals, history, read)
+    except Refusal:
+        if weak and not refusals:
+            raise weak[0] from None
+        raise
 
 
 def _changes(reading: Parsed) -> bool:

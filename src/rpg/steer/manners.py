@@ -12,7 +12,7 @@ _ASIDE = (
     r"|thank you(?: very much| so much)?|ok(?:ay)?|well(?: done)?|oh|hm+|ah+|um+|uh+|ye(?:s|ah|p)|nah|nope|sorry|hey|hi"
     r"|hello|wait|all ?right|on second thoughts?|i(?:'ve| have)? changed my mind|by the way|looks good|very good)"
 )
-_ASIDES = re.compile(rf"(?P<before>^|[.!;,?]\s*)(?P<gone>(?:and\s+|but\s+)?{_ASIDE}\s*[,.!:;-]+)", re.IGNORECASE)
+_ASIDES = re.compile(rf"(?P<before>^\s*|[.!;,?]\s*)(?P<gone>(?:and\s+|but\s+)?{_ASIDE}\s*[,.!:;-]+)", re.IGNORECASE)
 _LEADS = re.compile(
     r"^(?P<before>\W*(?:(?:and|but|now|no|then|so|also|please|,)\s*,?\s*)*)"
     r"(?P<gone>i (?:think|guess|suppose|believe|feel)(?: that)?|why (?:not|don'?t (?:you|we))|i'?d say"

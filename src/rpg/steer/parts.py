@@ -27,6 +27,7 @@ _LEADS = (
 )
 _IS = (
     "should be | must be | should become | becomes | is to be | are to be | has to be | have to be | needs to be | "
+    "could be | can be | might be | may be | would be | ought to be | "
     "to | be | should all be | should be made of | should now be | into | in | to be | is | are"
 )
 
@@ -39,7 +40,7 @@ def parts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         rest = isinstance(place, m.Places) and place.side == "rest"
         if isinstance(found.theme, m.Noun) and isinstance(place, PLACE) and not rest:
             yield Part(place=place, look=found.theme, span=p.span(i, k), cost=1), k
-    for place, k in _block_at(p, j):
+    for place, k in (*_block_at(p, j), *((at, k) for at, k in part(p, j) if isinstance(at, PLACE))):
         for look, end in noun_phrase(p, longest(p, k, _IS) or k):
             if isinstance(look, m.Noun) and (look.traits.colors or look.traits.labels) and look.det != "the":
                 yield Part(place=place, look=look, span=p.span(i, end)), end
@@ -47,7 +48,7 @@ def parts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def _block_at(p: Parser, i: int) -> Iterator[tuple[PLACE, int]]:
     """Phrases such as "the block in the centre", "the ones at the corners"."""
-    j = longest(p, i, "the | its | the one")
+    j = longest(p, i, "the | its")
     plural = p.lex(j, lexicon.BLOCK) if j and j < p.end else None
     if plural is None and j and p.words[j : j + 1] not in (["one"], ["ones"]):
         return

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from rpg.blocks.nouns import bare, join
 from rpg.blocks.traits import VOWELS, kind_of, symbol_of
 from rpg.core.diagnostics import Diagnostic, Refusal, Span
+from rpg.ir.structures import GroupBy, Towers
 from rpg.steer.language import m
 from rpg.steer.operations.guard import check_picked
 from rpg.steer.view import NOUNS, Line, Shape, View
@@ -80,6 +81,8 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
         if rest:
             return Found(rest)
         raise _missing(view, phrase.span, phrase.word)
+    if phrase.word in BOTH and (parties := _two_parties(view)):
+        return Found(parties, None, structure.figure if structure else None)
     if phrase.word in BOTH:
         two = view.focus if len(view.focus) == 2 else structure.names if structure else view.busy
         if len(two) != 2:
@@ -96,6 +99,18 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
     if len(view.world.blocks) == 1:
         return Found(tuple(view.world.blocks))
     raise _ambiguous(view, phrase.span, tuple(view.world.blocks), phrase.word)
+
+
+def _two_parties(view: View) -> tuple[str, ...]:
+    """The blocks of the two towers, rows or groups of a task that has two; none where it has not."""
+    for figure in view.figures:
+        node = figure.node
+        if isinstance(node, Towers) and 2 in (node.count, len(node.heights or ())):
+            return figure.members
+        if isinstance(node, GroupBy) and len(node.groups) == 2:
+            return figure.members
+    lines = view.lines if not view.figures else ()
+    return tuple(name for line in lines for name in line.members) if len(lines) == 2 else ()
 
 
 def _structure(view: View, phrase: m.Structure) -> Found:

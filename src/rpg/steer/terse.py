@@ -111,6 +111,9 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for n, j in count(p, start):
         if j == p.end or p.words[j] in (",", ".", "please", "now", "instead", "rather"):
             yield r.Recount(theme=None, amount=n, what="number", span=p.span(i, j), cost=4), j
+    for n, j in count(p, i):
+        if (k := longest(p, j, "more | more of them | more block | more blocks | more cube | more cubes")) and k == p.end:
+            yield r.Recount(theme=None, by=n, what="number", span=p.span(i, k), cost=4), k
     for dims, j in dimensions(p, start):
         yield r.Recount(theme=None, dims=dims, span=p.span(i, j), cost=4), j
     for n, j in count(p, start):
@@ -130,10 +133,7 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield r.Reshape(structure=word, span=p.span(i, i + 1), cost=5), i + 1
 
 
-_WHERE = (
-    "it should be | it must be | it should go | put it | make it | make that | i want it | it goes | it belongs | "
-    "it has to be | i meant | rather | to the | let it be | it should stand | should be | move it | now"
-)
+_WHERE = "i meant | rather | should be | now | better"
 _SIDES = {
     "to the left": "left", "on the left": "left", "left of it": "left", "left": "left", "to its left": "left",
     "to the right": "right", "on the right": "right", "right of it": "right", "right": "right", "to its right": "right",

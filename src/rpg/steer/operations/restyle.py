@@ -191,6 +191,9 @@ def replace(draft: Draft, request: r.Replace) -> None:
     old = tuple(n for n in _old(draft, request) if n not in draft.kept)
     if by_place(request.old):
         pin(draft, old, request.span)
+    if isinstance(request.new, m.Noun) and _only_a_size(request.new):
+        restyle(draft, r.Restyle(theme=request.old, traits=request.new.traits, span=request.span))
+        return
     kinds = _kinds(request.new)
     if len(kinds) > 1:
         mix(draft, old, kinds, request.span)
@@ -206,6 +209,13 @@ def replace(draft: Draft, request: r.Replace) -> None:
         _replace_each(draft, old, new, request.span)
     else:
         _replace_by_several(draft, old, request)
+
+
+def _only_a_size(new: m.Noun) -> bool:
+    """Phrases such as "use big cubes of 5 cm": the same blocks in another size."""
+    traits = new.traits
+    told = bool(traits.edge or traits.size) and traits == m.Traits(edge=traits.edge, size=traits.size)
+    return told and new.plural and new.amount is None and new.head != "patch"
 
 
 def _one_each(request: r.Replace) -> bool:

@@ -112,62 +112,50 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
             continue
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
-        k = p.any_of(j, ("there is", "there are", "there should be", "there must be", "is", "are", "should be",
-            "comes", "goes", "sits", "stands", "lies", "go", "you put",
-                         "place", "put", "comes then", "come"))  # fmt: skip
         if isinstance(first, Loc | In | At):
-            for theme, end in noun_phrase(p, k or j):
-                if (
-                    isinstance(theme, Noun)
-                    and not k
-                    and theme.det == "bare"
-                    and theme.amount is None
-                    and not (theme.traits.colors or theme.traits.labels)
-                ):
-                    continue
-                for more, last in adjuncts(p, end):
-                    verb = "build" if isinstance(theme, Structure) else "be"
-                    said = Clause(
-                        verb=verb,
-                        theme=theme,
-                        adjuncts=(first, *more),
-                        mode="start" if mode == "start" else "goal",
-                        span=p.span(i, last),
-                        cost=1 if k else 2,
-                    )
-                    yield said, last
+            yield from _stands_there(p, i, j, first, mode)
         for found, end in _plain(p, j, mode):
             if isinstance(found, Clause) and found.verb != "exist":
                 yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
         if isinstance(first, Toward):
-            there = (
-                p.any_of(
-                    j,
-                    (
-                        "there should be",
-                        "there must be",
-                        "there is",
-                        "there are",
-                        "put",
-                        "it is",
-                        "they are",
-                        "you see",
-                        "we see",
-                        "i see",
-                        "one sees",
-                    ),
-                )
-                or j
+            yield from _listed_along(p, i, j, first)
+
+
+_STANDS = (
+    "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
+    "stands", "lies", "go", "you put", "place", "put", "comes then", "come",
+)  # fmt: skip
+_SEEN = (
+    "there should be", "there must be", "there is", "there are", "put", "it is", "they are", "you see", "we see",
+    "i see", "one sees",
+)  # fmt: skip
+
+
+def _stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Results[Meaning]:
+    """ "on the left of the blue block there is a red one"."""
+    k = p.any_of(j, _STANDS)
+    for theme, end in noun_phrase(p, k or j):
+        bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
+        if bare and isinstance(theme, Noun) and not (theme.traits.colors or theme.traits.labels):
+            continue
+        for more, last in adjuncts(p, end):
+            verb = "build" if isinstance(theme, Structure) else "be"
+            when = "start" if mode == "start" else "goal"
+            span = p.span(i, last)
+            yield (
+                Clause(verb=verb, theme=theme, adjuncts=(first, *more), mode=when, span=span, cost=1 if k else 2),
+                last,
             )
-            for items, end in listed(p, there):
-                given = OrderBy(by="given", items=items, span=p.span(there, end))
-                for more, last in adjuncts(p, end):
-                    yield (
-                        Clause(
-                            verb="arrange", adjuncts=(first, given, *more), mode="goal", span=p.span(i, last), cost=1
-                        ),
-                        last,
-                    )
+
+
+def _listed_along(p: Parser, i: int, j: int, first: Toward) -> Results[Meaning]:
+    """ "from left to right there should be red, green, blue"."""
+    there = p.any_of(j, _SEEN) or j
+    for items, end in listed(p, there):
+        given = OrderBy(by="given", items=items, span=p.span(there, end))
+        for more, last in adjuncts(p, end):
+            span = p.span(i, last)
+            yield Clause(verb="arrange", adjuncts=(first, given, *more), mode="goal", span=span, cost=1), last
 
 
 def _frames(p: Parser, i: int) -> list[tuple[int, str]]:

@@ -122,6 +122,54 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
                     )
 
 
+_NO_CLOSER = ("no closer to", "not closer to", "no nearer to", "not nearer to", "never closer to")
+_NO_FARTHER = ("no farther from", "no further from", "not farther from", "not further from", "no farther away from",
+               "no further away from", "not farther away from", "not further away from")  # fmt: skip
+
+
+def limited(p: Parser, i: int) -> Results[Meaning]:
+    """ "no closer to it than 10 cm", "no farther than 8 cm from the blue one": a bound on a distance."""
+    for phrases, least in ((_NO_CLOSER, True), (_NO_FARTHER, False)):
+        if j := p.any_of(i, phrases):
+            for landmark, k in noun_phrase(p, j):
+                for metres, end in length(p, p.one(k, "than")) if p.one(k, "than") else ():
+                    yield _bound(p, i, end, landmark, metres, least), end
+        leads = tuple(dict.fromkeys(" ".join(x.split()[:2]) + " than" for x in phrases))
+        if j := p.any_of(i, leads):
+            for metres, k in length(p, j):
+                to = p.any_of(k, ("to", "from", "away from"))
+                for landmark, end in noun_phrase(p, to) if to else ():
+                    yield _bound(p, i, end, landmark, metres, least), end
+
+
+def _bound(p: Parser, i: int, end: int, landmark: Meaning, metres: float, least: bool) -> Loc:
+    low, high = (metres, None) if least else (None, metres)
+    return Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
+
+
+_BETWEEN_CENTERS = (
+    "apart from each other", "from each other", "away from each other", "apart", "from one another", "of each other",
+    "of one another", "center to center", "from center to center", "between centers", "apart from one another",
+)  # fmt: skip
+_BETWEEN_FACES = (
+    "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
+    "between each", "between neighbors", "between each block", "between neighboring blocks", "of space between them",
+    "of empty space between them", "of space between the blocks",
+)  # fmt: skip
+_OF_CENTERS = (
+    "between their centers", "between centers", "between the centers", "from center to center", "center to center",
+)  # fmt: skip
+_ROOM = ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance")
+_NOTED = (
+    "spacing", "gap", "gaps", "distance", "with spacing", "with gaps", "center distance", "with a center distance",
+    "center to center distance",
+)  # fmt: skip
+_GAPS_OF = (
+    "with a gap of", "with gaps of", "leaving a gap of", "with a spacing of", "leaving gaps of", "at intervals of",
+    "with a distance of", "with spacing of",
+)  # fmt: skip
+
+
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
     start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
@@ -129,72 +177,48 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     faces = p.any_of(p.opt(i, "with", ","), ("faces", "the faces", "their faces"))
     for (low, high), j in bounds(p, faces) if faces else ():
         if end := p.one(j, "apart"):
-            each = Pronoun(word="each other", span=p.span(i, end))
-            yield Loc(rel="distance", landmark=each, low=low, high=high, measure="faces", span=p.span(i, end)), end
+            yield _each_other(p, i, end, low, high, "faces"), end
     for (low, high), j in bounds(p, start):
-        end = p.any_of(j, ("apart from each other", "from each other", "away from each other", "apart",
-            "from one another",
-                           "of each other", "of one another", "center to center", "from center to center",
-                           "between centers", "apart from one another"))  # fmt: skip
-        measure = "centres"
+        end, measure = p.any_of(j, _BETWEEN_CENTERS), "centres"
         if not end:
-            end = p.any_of(j, ("between them", "between each other", "in between them", "in between", "between the two",
-                               "between the blocks", "between each", "between neighbors", "between each block",
-                               "between neighboring blocks",
-                               "of space between them", "of empty space between them",
-                               "of space between the blocks"))  # fmt: skip
-            measure = "faces"
+            end, measure = p.any_of(j, _BETWEEN_FACES), "faces"
         if not end and p.words[start - 1 : start] == ["by"]:
             end, measure = j, "faces"
         if not end and start > i and p.words[start - 1] == "spaced":
             end, measure = j, "centres"
         if end:
-            each = Pronoun(word="each other", span=p.span(i, end))
-            yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
-    noted = p.any_of(i, ("spacing", "gap", "gaps", "distance", "with spacing", "with gaps", "center distance",
-                         "with a center distance", "center to center distance"))  # fmt: skip
+            yield _each_other(p, i, end, low, high, measure), end
+    noted = p.any_of(i, _NOTED)
     for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
         end = p.opt(j, "gap", "gaps")
         measure = "faces" if end > j or p.words[noted - 1] in ("gap", "gaps") else "centres"
-        each = Pronoun(word="each other", span=p.span(i, end))
-        yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end), cost=1), end
+        yield replace(_each_other(p, i, end, low, high, measure), cost=1), end
     yield from _moved(p, i)
+    yield from _spaced(p, i)
+
+
+def _spaced(p: Parser, i: int) -> Results[Meaning]:
+    """ "leaving a 2 cm gap between them", "with gaps of 2 cm"."""
     if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")):
         for (low, high), k in bounds(p, j):
-            gap = p.any_of(
-                k,
-                ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance"),
-            )
-            end = p.any_of(gap, _AMONG) if gap else 0
-            if gap:
+            if gap := p.any_of(k, _ROOM):
+                end = p.any_of(gap, _AMONG) or gap
                 measure = "centres" if p.words[gap - 1] in ("spacing", "distance") else "faces"
-                each = Pronoun(word="each other", span=p.span(i, end or gap))
-                yield (
-                    Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end or gap)),
-                    end or gap,
-                )
-            if end := p.any_of(
-                k,
-                (
-                    "between their centers",
-                    "between centers",
-                    "between the centers",
-                    "from center to center",
-                    "center to center",
-                ),
-            ):
-                each = Pronoun(word="each other", span=p.span(i, end))
-                yield Loc(rel="distance", landmark=each, low=low, high=high, span=p.span(i, end)), end
-    if j := p.any_of(i, ("with a gap of", "with gaps of", "leaving a gap of", "with a spacing of", "leaving gaps of",
-                         "at intervals of", "with a distance of", "with spacing of")):  # fmt: skip
+                yield _each_other(p, i, end, low, high, measure), end
+            if end := p.any_of(k, _OF_CENTERS):
+                yield _each_other(p, i, end, low, high, "centres"), end
+    if j := p.any_of(i, _GAPS_OF):
+        measure = "faces" if "gap" in p.words[i:j] or "gaps" in p.words[i:j] else "centres"
         for (low, high), k in bounds(p, j):
-            end = p.any_of(k, ("between them", "between the blocks", "between each other", "between the two",
-                "between blocks",
-                               "between each block", "between each", "between neighbors",
-                               "between neighbours")) or k  # fmt: skip
-            measure = "faces" if "gap" in p.words[i:j] or "gaps" in p.words[i:j] else "centres"
-            each = Pronoun(word="each other", span=p.span(i, end))
-            yield Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=p.span(i, end)), end
+            end = p.any_of(k, _BETWEEN_FACES) or k
+            yield _each_other(p, i, end, low, high, measure), end
+
+
+def _each_other(p: Parser, i: int, end: int, low: float | None, high: float | None, measure: str) -> Loc:
+    """A distance of the blocks spoken of to each other."""
+    span = p.span(i, end)
+    each = Pronoun(word="each other", span=span)
+    return Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=span)
 
 
 def _moved(p: Parser, i: int) -> Results[Meaning]:

@@ -29,28 +29,10 @@ from rpg.language.meaning import (
     Using,
 )
 
-_MODALS = frozenset(
-    {
-        "should",
-        "must",
-        "shall",
-        "will",
-        "would",
-        "can",
-        "could",
-        "may",
-        "might",
-        "need",
-        "needs",
-        "has",
-        "have",
-        "ought",
-        "want",
-        "wants",
-        "does",
-        "do",
-    }
-)
+_MODALS = frozenset({
+    "should", "must", "shall", "will", "would", "can", "could", "may", "might", "need", "needs", "has", "have", "ought",
+    "want", "wants", "does", "do",
+})  # fmt: skip
 
 
 _NOT = frozenset({"not", "never"})
@@ -104,7 +86,12 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
 
 def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
     """ "six blocks, three red and three white, stand ...": a comma closes what was set beside the noun."""
-    return isinstance(theme, Coord | Structure) and p.words[j : j + 1] == [","] and "," in p.words[i:j] and p.words[j + 1] in _GO_ON
+    return (
+        isinstance(theme, Coord | Structure)
+        and p.words[j : j + 1] == [","]
+        and "," in p.words[i:j]
+        and p.words[j + 1] in _GO_ON
+    )
 
 
 _GO_ON = _MODALS | _BE | lexicon.POSTURE
@@ -188,8 +175,7 @@ def _floats(theme: Meaning, words: set[str]) -> bool:
 
 def _passive(p: Parser, j: int) -> bool:
     """ "should become placed": what is only the passive."""
-    done = p.words[j] in ("become", "becomes") and any(form == "past" for _, _, form in p.lex(j + 1, lexicon.VERB) or ())
-    return done and p.words[j + 1] not in ("put", "set", "spread", "split")
+    return p.words[j] in ("become", "becomes") and p.words[j + 1].endswith("ed") and p.words[j + 1] in lexicon.VERB
 
 
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:

@@ -229,9 +229,16 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         )
     if noun.traits.either:
         return _alternatives(noun, scene, scope, patch)
-    names = _counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
+    names = _denied(noun, scene, patch) or _counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     return quantified(found, noun)
+
+
+def _denied(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
+    """ "no red block": every red block that there is."""
+    if noun.det != "no" or noun.amount is not None or noun.conditions:
+        return ()
+    return tuple(thing.name for thing in matching(noun.traits, scene, patch) if not thing.extra)
 
 
 def _counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
@@ -270,6 +277,10 @@ def _the_marked(noun: Noun, scene: Scene) -> bool:
 
 def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """ "two of the four red blocks", "none of them"."""
+    bare = isinstance(noun.part_of, Noun) and noun.part_of.det == "bare"
+    if bare and noun.amount == Amount(1, 1) and noun.det in ("any", "some") and scene.built:
+        raise refuse("ambiguous", "one of the blocks, or one more structure of so many?", noun.span,
+                     "say 'one of the ...', or name the structure again")  # fmt: skip
     whole = refer(noun.part_of, scene, scope) if noun.part_of else Ref()
     scene.mentions.pop()
     amount = noun.amount

@@ -146,6 +146,9 @@ def _lots(theme: Ref | None, count: int, shape: Structure, scene: Scene) -> list
     if theme is None:
         return [None] * count
     if len(theme.parts) == count and all(len(p.names) > 1 for p in theme.parts) and theme.op == "and":
+        if shape.members is None:
+            raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
+                         f"say 'a {shape.kind} of ... and a {shape.kind} of ...'")  # fmt: skip
         return list(theme.parts)
     things = [scene.things[n] for n in theme.names]
     share, left = divmod(len(things), count)

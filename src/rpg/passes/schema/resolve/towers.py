@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.language.meaning import Meaning, Noun, Pattern, Structure, Traits
-from rpg.passes.schema.resolve.members import certain, declared, new_members
+from rpg.passes.schema.resolve.members import certain, declared, new_members, some_of
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
@@ -42,6 +42,9 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         and len(theme.parts) > 1
         and all(len(p.names) > 1 for p in theme.parts)
     ):
+        if shape.members is None or (equal and len({len(p.names) for p in theme.parts}) > 1):
+            raise refuse("ambiguous", "it is not said how many towers, and of which blocks each", shape.span,
+                         "say how many towers, or 'a tower for each color'")  # fmt: skip
         return _one_each(theme, shape, scene)
     if theme is not None:
         names, count = _given(theme, shape, count, per, by_color, scene)
@@ -148,6 +151,12 @@ def _each(source: Noun, amount: int, shape: Structure, count: int | None, by_col
     towers = count or (
         len(source.traits.colors) if len(source.traits.colors) > 1 else DEFAULT_COLORS if by_color else 2
     )
+    there = declared(source.traits, scene)
+    if there and source.det in ("bare", "some"):
+        if len(there) == towers * amount:
+            return Ref(names=there)
+        if some := some_of(there, towers * amount, shape, scene):
+            return Ref(names=some)
     names, _ = _new(source.traits, shape, towers, amount, by_color, scene)
     return Ref(names=names)
 

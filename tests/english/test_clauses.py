@@ -82,7 +82,8 @@ def test_a_task_is_described_from_its_data_alone() -> None:
         goal=g.Stack(blocks=("A_block", "blue_block"), order=Order(by="given", ranks=(("A_block",), ("blue_block",)))),
     )
     assert describe(schema) == (
-        "There are three red blocks, a blue block, a 5 cm green block and an A block. There is a green patch. "
+        "There are three red blocks, a blue block and an A block. There is a green patch. "
+        "There is also a 5 cm green block as a distractor. "
         "At the start, the blue block is on the A block. At the start, the three red blocks lie in a heap. "
         "The A block and the blue block must be stacked from bottom to top in the order the A block, the blue block."
     )

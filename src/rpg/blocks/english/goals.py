@@ -74,13 +74,18 @@ def sentences(goal: g.Goal, say: Speaker) -> list[str]:
     """A goal as sentences without their full stops."""
     match goal:
         case g.All():
-            return [sentence for part in goal.goals for sentence in sentences(part, say)]
+            return [sentence for part in goal.goals for sentence in _beside_others(part, say)]
         case g.Sequence():
             last = len(goal.stages) - 1
             leads = [ORDINALS[min(i, 2)] if i < last else "Finally" if last > 1 else "Then" for i in range(last + 1)]
             return [f"{lead}, {_stage(goal, i, say)}" for i, lead in enumerate(leads)]
     text = spoken(goal, say)
     return [text[:1].upper() + text[1:]]
+
+
+def _beside_others(part: g.Goal, say: Speaker) -> list[str]:
+    """Sentences for one of several goals: stages share a sentence, so that the others are no part of them."""
+    return [f"First, {spoken(part, say)}"] if isinstance(part, g.Sequence) else sentences(part, say)
 
 
 def _stage(goal: g.Sequence, index: int, say: Speaker) -> str:

@@ -23,7 +23,7 @@ REGIONS: dict[r.Region, str] = {
     "far_half": "in the far half of the table",
     "middle": "in the middle of the table",
     "corner": "in a corner of the table",
-    "edge": "at an edge of the table",
+    "edge": "at the edge of the table",
     "near_left_corner": "in the near left corner of the table",
     "near_right_corner": "in the near right corner of the table",
     "far_left_corner": "in the far left corner of the table",
@@ -137,9 +137,15 @@ def in_region(node: r.InRegion, say: Speaker) -> str:
     return f"{say.the(node.a)} {say.be(node.a)} {REGIONS[node.region]}"
 
 
+POINTING = {90.0: "to the left", -90.0: "to the right"}
+"""Where the top of a symbol points that is turned a quarter turn."""
+
+
 def facing(node: r.Facing, say: Speaker) -> str:
     block = say.the(node.block)
     turn = _turn(node.turn)
+    if not node.face and node.toward == "up" and node.turn in (90.0, -90.0):
+        return f"{block} {say.do(node.block, 'lie', 'lies')} with its top pointing {POINTING[node.turn]}"
     if turn and not node.face and node.toward in ("up", "viewer"):
         return f"{block} {say.be(node.block)} {turn}"
     face = f"the {node.face} face of {block}" if node.face else f"the {node.label} of {block}" if node.label else block

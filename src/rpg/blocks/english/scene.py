@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 from rpg.blocks.english.goals import spoken
 from rpg.blocks.english.speaker import Speaker
@@ -10,13 +11,40 @@ from rpg.blocks.nouns import join
 from rpg.ir.assets import PATCH_SIDE, GoalPatch
 from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
+from rpg.ir.walk import names
+
+MOST = 8
+"""Kinds of objects in one sentence."""
 
 
 def objects(schema: TaskSchema, say: Speaker) -> list[str]:
-    """ "There are two red blocks and a blue block", "There is a long green patch"."""
-    listed = (say.some(b.name for b in schema.blocks), [_patch(p) for p in schema.patches])
-    counts = (len(schema.blocks), len(schema.patches))
-    return [f"There {'are' if n > 1 else 'is'} {join(parts)}" for n, parts in zip(counts, listed, strict=True) if parts]
+    """ "There are two red blocks and a blue block", "There is a long green patch", "There is also a distractor"."""
+    told = {say.noun(name) for name in _spoken_of(schema)}
+    known = [block.name for block in schema.blocks if say.noun(block.name) in told]
+    extra = [block.name for block in schema.blocks if say.noun(block.name) not in told]
+    found = []
+    parts = say.some(known)
+    for at in range(0, len(parts), MOST):
+        found.append(_there(parts[at : at + MOST], " also" if at else ""))
+    found += [_there([_patch(patch) for patch in schema.patches])] if schema.patches else []
+    if extra:
+        as_what = "as distractors" if len(extra) > 1 else "as a distractor"
+        found.append(f"{_there(say.some(extra), ' also')} {as_what}")
+    return found
+
+
+def _there(parts: list[str], also: str = "") -> str:
+    verb = "is" if len(parts) == 1 and parts[0].startswith(("a ", "an ")) else "are"
+    return f"There {verb}{also} {join(parts)}"
+
+
+def _spoken_of(schema: TaskSchema) -> Iterator[str]:
+    """What the goal or the start names."""
+    for goal in (schema.goal, *schema.init.arranged):
+        yield from names(goal)
+    for heap in schema.init.heaps:
+        yield from heap
+    yield from (pose.block for pose in schema.init.poses)
 
 
 def _patch(patch: GoalPatch) -> str:
@@ -35,7 +63,7 @@ def _patch(patch: GoalPatch) -> str:
 def starts(schema: TaskSchema, say: Speaker) -> list[str]:
     """Sentences on the initial state, without their full stops; a scattered start goes without saying."""
     found = []
-    with say.speaking(""):
+    with say.speaking(""), say.strictly():
         for goal in (part for part in schema.init.arranged if not isinstance(part, Stayed)):
             found.append(f"At the start, {spoken(goal, say)}")
         for heap in schema.init.heaps:

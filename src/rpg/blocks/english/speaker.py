@@ -160,7 +160,7 @@ class Speaker:
         if len(names) == len(alike):
             return self._whole(noun, len(names))
         if noun in self.numbered:
-            return join([f"{noun} {alike.index(name) + 1}" for name in names])
+            return join([_numbered(noun, alike.index(name) + 1) for name in names])
         return self._part(noun, frozenset(names), alike)
 
     def _whole(self, noun: str, count: int) -> str:
@@ -184,10 +184,15 @@ def _some(noun: str, count: int) -> str:
     return f"{_article(noun)} {noun}" if count == 1 else f"{number(count)} {_plural(noun)}"
 
 
+def _numbered(noun: str, index: int) -> str:
+    """ "red block 2", and "the 7 block number 2": two symbols in a row would be two labels."""
+    return f"the {noun} number {index}" if _LABEL.fullmatch(noun) else f"{noun} {index}"
+
+
 def _plural(noun: str) -> str:
-    """ "red blocks", and "blocks labelled O": a symbol in front of a plural reads like a number or a word."""
+    """ "red blocks", and 'blocks labelled "O"': a symbol in front of a plural reads like a number or a word."""
     if _LABEL.fullmatch(noun):
-        return f"blocks labelled {noun.removesuffix(' block')}"
+        return f'blocks labelled "{noun.removesuffix(" block")}"'
     return noun + ("es" if noun.endswith(("ch", "x")) else "s")
 
 

@@ -142,7 +142,8 @@ def spells(node: s.Spells, say: Speaker) -> str:
     what, verb = "word", say.do(node.blocks, "spell", "spells")
     if node.word.isdigit():
         what, verb = "number", say.do(node.blocks, "form", "forms")
-    return f"{say.the(node.blocks)} {verb} the {what} {node.word}{way}"
+    some = "some of " if len(node.blocks) > len(node.word) else ""
+    return f"{some}{say.the(node.blocks)} {verb} the {what} {node.word}{way}"
 
 
 def equation(node: s.Equation, say: Speaker) -> str:

@@ -54,6 +54,8 @@ def _ranks(p: Parser, i: int) -> Iterator[tuple[tuple[Meaning, ...], bool, int]]
 
     for item, j in noun_phrase(p, i):
         shared = p.seq(j, "in no fixed order")
+        if not shared and not isinstance(item, Noun):
+            continue
         end = shared or j
         yield (item,), bool(shared), end
         k = p.any_of(end, (", then", "then"))

@@ -259,13 +259,16 @@ def _finish(
     yield from _after(p, i, j, noun)
 
 
-def _numbered(p: Parser, i: int, j: int, noun: Noun) -> Noun | None:
-    """ "red block 2": a number behind a block that has a look already counts those of that look."""
-    token = p.tokens[j]
+def _numbered(p: Parser, i: int, at: int, noun: Noun) -> Noun | None:
+    """ "red block 2", "the 7 block number 2": a number behind a block that has a look counts those of that look."""
+    token = p.tokens[at]
     told = bool(noun.traits.colors or noun.traits.labels) and noun.head == "block" and not noun.plural
-    if not told or token.kind != "number" or p.words[j - 1] not in lexicon.BLOCK or noun.amount is not None:
+    before = p.words[at - 1]
+    if not told or token.kind != "number" or noun.amount is not None:
         return None
-    return replace(noun, traits=replace(noun.traits, rank=f"#{p.words[j]}"), span=p.span(i, j + 1))
+    if before not in lexicon.BLOCK and before != "number":
+        return None
+    return replace(noun, traits=replace(noun.traits, rank=f"#{p.words[at]}"), span=p.span(i, at + 1))
 
 
 @rule
@@ -274,6 +277,11 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
 
     yield noun, j
     tried = [(noun, j)]
+    if (k := p.one(j, "number")) and k < p.end and (counted := _numbered(p, i, k, noun)) is not None:
+        yield counted, p.reach(k + 1)
+    if (k := _as_many_colors(p, j, noun)) and (told := _with(noun, {"scheme": "different"}, p.span(i, k))) is not None:
+        yield told, k
+        tried.append((told, k))
     for update, k in of_quality(p, j, noun.head):
         changed = _numbered(p, i, j, noun) if k == j + 1 else None
         changed = changed or _with(noun, update, p.span(i, k))
@@ -296,6 +304,15 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
             else:
                 told = replace(base, conditions=(*base.conditions, *condition), span=p.span(i, end))
                 yield from ((told, last) for last in {end: None, k: None})
+
+
+def _as_many_colors(p: Parser, j: int, noun: Noun) -> int:
+    """The position after "of five different colours" behind five blocks."""
+    of = p.one(j, frozenset({"of", "in", "with"}))
+    many = p.number(of) if of else None
+    if many is None or noun.amount is None or noun.amount != Amount(many, many, noun.amount.strict) or many < 2:
+        return 0
+    return p.any_of(of + 1, ("different colors", "distinct colors", "colors", "unique colors", "separate colors"))
 
 
 def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun | None:

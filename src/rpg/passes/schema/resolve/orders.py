@@ -160,6 +160,8 @@ def _merge(
             return _quality_first(order, things, kind, scene, first)
         case "by_color":
             return Order(by="together", attribute="color")
+        case "by_label":
+            return Order(by="together", attribute="label")
         case "attribute":
             if order.attribute == "size":
                 return _by_size(order, things, kind, scene, first)

@@ -10,8 +10,8 @@ from rpg.language.meaning import Meaning, Noun, OrderBy, Traits
 
 _TURNS = Patterns(
     "so|so_that|such_that|where|in_which|while|and? the|their|its? color|colors|blocks|cubes "
-    "should|must|will? alternate|alternates|take_turns",
-    "whose|with color|colors|blocks should|must|will? alternate|alternates|alternating",
+    "should|must|will|do|does? alternate|alternates|take_turns",
+    "whose|with color|colors|blocks should|must|will|do|does? alternate|alternates|alternating",
     "so_that|so|that|which|such_that they|it? should|must|will? alternate|alternates in_color|colors?",
 )
 """The colours of the blocks spoken of alternate."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import by_first
+from rpg.language.grammar.rephrased import rephrased
 from rpg.language.tokens import Token
 
 _ANYWHERE = (
@@ -94,7 +95,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             at += 1
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
-    return [token for n in range(len(out)) for token in _meant(out, n)]
+    return rephrased([token for n in range(len(out)) for token in _meant(out, n)])
 
 
 def _shouted(token: Token) -> bool:

@@ -63,6 +63,20 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
         for theme, told, j in _contents(p, i):
             yield _given(p, i, j, theme, told, 2), j
     yield from _numbered(p, i)
+    yield from _at_hand(p, i)
+
+
+_AT_HAND = (
+    "are given", "is given", "are available", "is available", "are provided", "is provided", "are present", "exist",
+    "are at hand", "are at your disposal", "are to hand", "are in the scene", "are supplied", "are at our disposal",
+)  # fmt: skip
+
+
+def _at_hand(p: Parser, i: int) -> Results[Clause]:
+    """ "eight gray blocks are given": blocks with their numbers, and that there are such."""
+    for items, j in _run(p, i):
+        if k := p.any_of(j, _AT_HAND):
+            yield replace(_given(p, i, k, _whole(p, i, j, items), (), 0), lemma=""), k
 
 
 def _given(p: Parser, i: int, j: int, theme: Meaning | None, told: tuple[Size, ...], cost: int) -> Clause:

@@ -62,6 +62,8 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and whole.traits == Traits():
         for named, k in _list_of(p, i, j + 1, whole.amount.low):
             yield named, k
+            if p.one(k, ","):
+                yield named, k + 1
     if isinstance(whole, Noun) and whole.amount is None:
         for some, k in amounts.amount(p, j + 1):
             k = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those")) or k

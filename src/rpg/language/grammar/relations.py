@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.measures import measured, measured_bare
+from rpg.language.grammar.measures import limited, measured, measured_bare
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.prepositions import relation, side_relation
 from rpg.language.grammar.regions import region
@@ -41,6 +41,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
         yield from _loc(p, j)
     yield from region(p, i)
     yield from measured(p, i)
+    yield from limited(p, i)
     for (name, mods), j in relation(p, i):
         if p.words[j - 1] == "by" and p.figure(j) is not None:
             continue

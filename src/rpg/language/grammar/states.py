@@ -37,8 +37,6 @@ _MODALS = frozenset({
 
 _NOT = frozenset({"not", "never"})
 _HAVE = frozenset({"have", "has"})
-
-
 _BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come"})
 """Verbs of where things are to be, not of where they are."""
 

@@ -82,7 +82,10 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
     if sense == "sort" or lemma == "put":
         yield from like_with_like(p, i, j, lemma, word)
     only = p.one(j, "only") if lemma == "move" else 0
-    alone = (Manner(kind="only", span=p.span(j, only)),) if only else ()
+    alone: tuple[Manner, ...] = (Manner(kind="only", span=p.span(j, only)),) if only else ()
+    if sense in ("place", "stack") and p.words[j] == "first" and p.words[j + 1] in ("the", "a", "an", "both", "all"):
+        alone = (Manner(kind="time", value=1.0, span=p.span(j, j + 1)),)
+        j = p.reach(j + 1)
     for theme, k in noun_phrase(p, only or j):
         k = p.opt(k, "places", "positions") if sense == "swap" else k
         if sense == "swap" and (end := p.one(k, "back")):
@@ -101,12 +104,20 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         )
         if sense == "use":
             yield from _use(p, i, k, theme)
+        if lemma == "separate" and (of := p.one(k, "of")):
+            for other, end in noun_phrase(p, of):
+                using = Using(members=other, span=p.span(k, end))
+                yield (
+                    Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=(using,), span=p.span(i, end), word=word),
+                    end,
+                )
         if sense in ("keep", "build") and lemma in ("keep", "leave", "make"):
             for marks, end in adjectives(p, k):
                 if marks:
                     quality = Quality(traits=Traits(**marks), span=p.span(k, end))
                     yield Clause(verb="be", theme=theme, adjuncts=(quality,), span=p.span(i, end), word=word), end
         after = [(f, e) for f, e in adjuncts(p, k + 1) if f] if p.words[k : k + 1] == [","] else []
+        after += adjuncts(p, k - 1) if lemma in ("lift", "pick") and p.words[k - 1] == "off" else []
         for found, end in [*adjuncts(p, k), *after]:
             if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":
                 continue

@@ -82,6 +82,11 @@ def _stands(p: Parser, at: int, phrase: tuple[str, ...]) -> int:
 
 
 COMMAND_WISHES = Patterns(
+    "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
+    "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
+    "engineer ,",
+    "for|in the|this|our|my|today_'s demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|"
+    "photo|picture|figure|paper ,?",
     f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? {_DO} {_ALSO}?",
     "would|will|could|can you be? so|that|as? kind|nice|good|friendly and|as? to?",
     "be so kind|nice|good and|as to?",
@@ -121,7 +126,19 @@ DENIALS = Patterns(
     "there should|must be no way that",
 )
 """What is said after these must not be."""
+_RESULT = "result|outcome|state|scene|configuration|arrangement|layout|picture|setup|situation"
 STATE_WISHES = Patterns(
+    "acceptance|success|completion|goal|pass|test|definition_of? criteria|criterion|condition|conditions|requirement|"
+    "requirements|done|user_story|specification|spec|deliverable|deliverables :|is|are that?",
+    "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
+    "engineer ,",
+    "for|in the|this|our|my|today_'s demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|"
+    "photo|picture|figure|paper ,?",
+    f"the|our|my final|finished|end|desired|expected|target|goal? deliverable|product|end_product|{_RESULT} "
+    "should|must|shall|will|has_to? be|consist_of|consists_of|contain|contains|include|includes|comprise|comprises|is|"
+    "feature|features|have|has that|:?",
+    f"{_WHO} should|must|shall|will|have_to|need_to show|see|demonstrate|deliver|present|have|get",
+    "solve the|this puzzle|task|problem|exercise :|,",
     f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? for|forward_to? {_SEE}?",
     f"{_WHO} {_WOULD} {_ALSO}? after",
     f"what|all {_WHO} {_WOULD}? {_ALSO}? {_WANT}|after|asking|going|looking|aiming after|for|of? to_see|to_have|"

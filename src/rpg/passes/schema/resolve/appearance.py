@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Quality, Traits
+from rpg.language.meaning import Clause, Pronoun, Quality, Traits
 from rpg.passes.schema.resolve.operands import crown
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -33,6 +33,8 @@ def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     """ "the patch stays empty", "keep the top of the red block clear"."""
     theme = refer(clause.theme, scene, scope) if clause.theme is not None else Ref()
     spec.qualities = []
+    if isinstance(clause.theme, Pronoun) and not theme.patch and any(m.ref.patch for m in scene.mentions):
+        raise refuse("ambiguous", "it is not clear which is to be empty", clause.span, "name the patch or the block")
     if theme.patch:
         return [r.Empty(patch=p, span=clause.span) for p in theme.names]
     if not theme.names:

@@ -8,7 +8,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy
+from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy, TableTop
 from rpg.passes.schema.resolve.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.conflicts import required, undoes
 from rpg.passes.schema.resolve.logic import conj, disj
@@ -32,13 +32,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
             continue
         if not isinstance(clause, Clause):
             continue
-        begun = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "start"]
-        if begun:
-            clause = replace(
-                clause,
-                mode="given" if clause.verb == "exist" else "start",
-                adjuncts=tuple(m for m in clause.adjuncts if m not in begun),
-            )
+        clause = _begun(clause, _lying(chain))
         both = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "xor"] if link == "or" else []
         clause = replace(clause, adjuncts=tuple(a for a in clause.adjuncts if a not in both))
         starts = start or clause.mode in ("start", "given")
@@ -60,6 +54,29 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if both:
             stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
+
+
+def _begun(clause: Clause, lying: bool) -> Clause:
+    """ "at the start", "scattered at random": the clause, about the start if it says so."""
+    begun = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind in ("start", "strewn")[: 1 + lying]]
+    if not begun:
+        return clause
+    rest = tuple(m for m in clause.adjuncts if m not in begun)
+    if clause.verb == "be" and _strewn(begun, rest):
+        return replace(clause, verb="exist", lemma="", mode="given", adjuncts=())
+    return replace(clause, mode="given" if clause.verb == "exist" else "start", adjuncts=rest)
+
+
+def _lying(chain: Chain) -> bool:
+    """Whether all of a sentence says what there is, or how it lies about."""
+    clauses = [c for c in chain.clauses if isinstance(c, Clause)]
+    strewn = [c for c in clauses if any(isinstance(m, Manner) and m.kind == "strewn" for m in c.adjuncts)]
+    return all(c.mode in ("given", "start") or (c.lemma == "fact" and c in strewn) for c in clauses)
+
+
+def _strewn(begun: list[Manner], rest: tuple[Meaning, ...]) -> bool:
+    """ "scattered on the table": so they begin anyway."""
+    return begun[0].kind == "strewn" and all(isinstance(getattr(m, "landmark", None), TableTop) for m in rest)
 
 
 def _restacked(before: Goals, after: Goals, scene: Scene) -> bool:

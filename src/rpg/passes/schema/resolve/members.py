@@ -63,7 +63,7 @@ def members_of(
     there = declared(shape.traits, scene)
     if len(there) > 1 and (count is None or len(there) == count):
         return there
-    if count is not None and (some := _some_of(there, count, shape, scene)):
+    if count is not None and (some := some_of(there, count, shape, scene)):
         return some
     if count is None and scene.each is not None and len(shape.traits.colors) == 1:
         count = scene.each[0]
@@ -205,7 +205,7 @@ def declared(traits: Traits, scene: Scene) -> tuple[str, ...]:
     return tuple(t.name for t in matching(plain, scene, False) if t.declared and t.name not in scene.used)
 
 
-def _some_of(there: tuple[str, ...], count: int, shape: Structure, scene: Scene) -> tuple[str, ...]:
+def some_of(there: tuple[str, ...], count: int, shape: Structure, scene: Scene) -> tuple[str, ...]:
     """So many of the blocks that there are, where it does not matter which; they are used up."""
     things = [scene.things[n] for n in there]
     if there and len(there) < count and shape.traits == Traits():

@@ -122,7 +122,7 @@ def _lines(goal: g.Goal) -> list[s.Stack | s.Row]:
 
 
 def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scene) -> g.Goal:
-    kind = "stack" if isinstance(node, s.Stack) else "row"
+    kind = "stack" if isinstance(node, s.Stack) else "column" if node.axis == "x" else "row"
     if node.order.by != "any" and scene.lenient:
         return goal
     if node.order.by != "any":

@@ -1,0 +1,34 @@
+"""Turns of phrase that say the same as a plainer one: "an other" is another, "consists out of" is consists of."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import by_first
+from rpg.language.tokens import Token
+
+_PHRASES = {
+    "an other": "another", "the both": "both", "both the two": "both",
+    **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
+    "in front from": "in front of", "behind from": "behind",
+    "consists out of": "consists of", "consist out of": "consist of", "consisting out of": "consisting of",
+    "consists out": "consists of", "consist out": "consist of", "composed out of": "composed of",
+    "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
+}  # fmt: skip
+"""What people write, and what it is read as."""
+
+
+def rephrased(tokens: list[Token]) -> list[Token]:
+    """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
+    phrases = by_first(tuple(_PHRASES))
+    out: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 6]]
+        said = max((x for x in phrases.get(words[0], ()) if tuple(words[: len(x)]) == x), key=len, default=())
+        if not said:
+            out.append(tokens[at])
+            at += 1
+            continue
+        span = (tokens[at].span[0], tokens[at + len(said) - 1].span[1])
+        out += [Token("word", word, word, span) for word in _PHRASES[" ".join(said)].split()]
+        at += len(said)
+    return out

@@ -13,6 +13,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Asset
 from rpg.ir.edits import AddAsset, AddCondition, SetGoal, SetStart
 from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import GroupBy
 from rpg.ir.walk import names as mentions
 from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
@@ -197,6 +198,8 @@ def _take_over(draft: Draft, schema: TaskSchema, names: dict[str, str], span: tu
     before = [_bare(part) for part in conjuncts(draft.schema.goal)]
     parts = [rename(part, names) for part in conjuncts(schema.goal)]
     new = [part for part in parts if _bare(part) not in before]
+    if any(isinstance(part, GroupBy) and len(part.groups) == 1 for part in new):
+        raise Refusal([_vague(*span)])
     if all(text in [_bare(part) for part in parts] for text in before):
         for part in new:
             draft.do(AddCondition(goal=part), span)

@@ -14,6 +14,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.edits import AddCondition, Edit, Overwrite, SetText, apply
 from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
+from rpg.ir.shrink import TooSmall
 from rpg.steer import requests as r
 from rpg.steer.afresh import Fresh, by_itself, extended, fresh_start, mentions_known, names_structure, one_more, only_known
 from rpg.steer.backrefs import Reference
@@ -123,6 +124,9 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
             return _carried_out(request, parsed, history)
         except Refusal as refusal:
             (weak if any(isinstance(each, WEAK) for each in parsed.requests) else refusals).append(refusal)
+    there = [refusal for refusal in weak if refusal.diagnostics[0].code == "ambiguous-object"]
+    if there and not refusals and not _about_all_there(request, history, read):
+        raise there[0]
     try:
         return _otherwise(request, readings, refusals, history, read)
     except Refusal:
@@ -170,7 +174,7 @@ def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
         if not isinstance(request, r.Keep):
             try:
                 OPERATIONS[type(request)](draft, request)
-            except ValidationError as error:
+            except (ValidationError, TooSmall) as error:
                 told, hint = "this is more than the goal of a task can say", "say it as an instruction of its own"
                 raise draft.refusal("edit-unclear", told, request.span, hint) from error
     if requests and all(isinstance(request, r.Keep) for request in requests):
@@ -229,12 +233,18 @@ def worded(schema: TaskSchema) -> str:
     return describe(schema) if special else describe_goal(schema)
 
 
+def _adds_at_end(reading: Parsed) -> bool:
+    """Whether a reading puts something new at a place that only what is there has: "on top", "to the left"."""
+    added = [each for each in reading.requests if isinstance(each, r.Add) and each.places]
+    return any(isinstance(place, r.Spot) for each in added for place in each.places)
+
+
 def _otherwise(
     request: str, readings: Sequence[Parsed], refusals: Sequence[Refusal], history: History, read: Reader
 ) -> Interpretation:
     """No edit grammar covers the request, or none could be carried out: an instruction, or a clause of one."""
     longest = next((reading for reading in readings if not reading.whole), None)
-    edits = is_edit(request)
+    edits = is_edit(request) or any(reading.whole and _adds_at_end(reading) for reading in readings)
     if refusals and (edits or not _about_new_things(request, history, read)):
         raise refusals[0]
     reasons: list[Diagnostic] = []
@@ -263,6 +273,15 @@ def _about_new_things(request: str, history: History, read: Reader) -> bool:
     known = [look(asset) for asset in history.current.schema.blocks]
     shared = [look(asset) in known for asset in schema.blocks]
     return not any(shared)
+
+
+def _about_all_there(request: str, history: History, read: Reader) -> bool:
+    """Whether a request, as an instruction of its own, is about the very blocks that the task has."""
+    schema, _ = read(by_itself(request))
+    if schema is None:
+        return False
+    looks = [sorted(repr(look(asset)) for asset in each.blocks) for each in (schema, history.current.schema)]
+    return looks[0] == looks[1]
 
 
 def _with_clause(request: str, parsed: Parsed, history: History, read: Reader) -> Interpretation:

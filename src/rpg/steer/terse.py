@@ -112,7 +112,8 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if j == p.end or p.words[j] in (",", ".", "please", "now", "instead", "rather"):
             yield r.Recount(theme=None, amount=n, what="number", span=p.span(i, j), cost=4), j
     for n, j in count(p, i):
-        if (k := longest(p, j, "more | more of them | more block | more blocks | more cube | more cubes")) and k == p.end:
+        k = longest(p, j, "more | more of them | more block | more blocks | more cube | more cubes")
+        if k and (k == p.end or p.words[k] in (",", ".", "please")):
             yield r.Recount(theme=None, by=n, what="number", span=p.span(i, k), cost=4), k
     for dims, j in dimensions(p, start):
         yield r.Recount(theme=None, dims=dims, span=p.span(i, j), cost=4), j

@@ -92,6 +92,11 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
     if request.what == "number" and line.node is None and line.kind != "tower":
         told, hint = "there is no structure whose size this could be", "say what is to be built, or which blocks"
         raise draft.refusal("edit-unclear", told, request.span, hint)
+    shown = all(Traits(draft.view.world).symbol(name) for name in line.members)
+    vague = request.what == "number" or request.of_them
+    if vague and not shown and len({draft.view.world.look[name] for name in line.members}) > 1:
+        told, hint = "these blocks do not all look alike, so that it is not said which", "say their colours"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     now = len(line.members)
     wanted = request.amount if request.amount is not None else now + (request.by or 0)
     if request.times is not None:
@@ -153,6 +158,9 @@ def _figure(draft: Draft, figure: Shape, request: r.Recount) -> None:
             "give its rows and columns, its base or its blocks",
         )
     assert isinstance(node, Cells)
+    if node.pattern is not None and node.pattern.kind == "reading" and node.pattern.order.by == "given":
+        told, hint = "its parts have colours, which fit this size alone", "say the whole structure with its colours"
+        raise draft.refusal("breaks-structure", told, request.span, hint)
     changed = node.model_copy(update=update)
     there = list(figure.members)
     asked = request.amount or len(there) + (request.by or 0)

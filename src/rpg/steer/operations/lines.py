@@ -49,6 +49,9 @@ def _insert(draft: Draft, line: Line, index: int, name: str, span: Span | None) 
     if line.node is None:
         _insert_in_chain(draft, line, index, name)
         return
+    if isinstance(line.node, Spells | Equation) and not Traits(draft.view.world).symbol(name):
+        told, hint = "nothing that shows no symbol may adjoin what these cubes spell", "say beside which cube, and how far"
+        raise draft.refusal("breaks-structure", told, span, hint)
     members = (*line.members[:index], name, *line.members[index:])
     if not line.ordered:
         free_order = isinstance(line.node, Stack | Row) and line.node.order.by == "any"

@@ -13,7 +13,7 @@ from rpg.ir.edits import AddCondition, ChangeCondition, SetField
 from rpg.ir.goal import Count
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.relations import InRegion, On, OnPatch, OnTable
-from rpg.ir.structures import Figure, GroupBy, Pyramid, Spells, Stack
+from rpg.ir.structures import Equation, Figure, GroupBy, Pyramid, Spells, Stack
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -112,6 +112,10 @@ def put(
         raise draft.refusal("edit-unclear", "this is no place for a block", span)
 
 
+_ACROSS = {"tower": ("left", "right", "front", "back"), "row": ("front", "back"), "column": ("left", "right")}
+"""Sides of a line that are no ends of it: what is put there is beside all of it."""
+
+
 def _at_spot(
     draft: Draft, names: Sequence[str], side: str, line: Line | None, anchor: Found | None, span: Span
 ) -> None:
@@ -125,7 +129,9 @@ def _at_spot(
     if line is None:
         _beside_last(draft, names, side, anchor, span)
         return
-    if side == "beside" or (line.kind == "tower" and side in ("left", "right", "front", "back")):
+    symbols = all(Traits(draft.view.world).symbol(name) for name in names)
+    apart = isinstance(line.node, Spells | Equation) and not symbols and side in ("left", "right")
+    if side == "beside" or side in _ACROSS[line.kind] or apart:
         rel = {"front": "front", "back": "behind"}.get(side, side)
         for name in names:
             draft.do(
@@ -168,6 +174,8 @@ def _beside_last(draft: Draft, names: Sequence[str], side: str, anchor: Found | 
             span,
             "say by which one: on top of the red block",
         )
+    if side not in _RELATIONS and side != "beside":
+        raise draft.refusal("edit-unclear", f"there is no line that has such a place ({side})", span, "say beside what")
     rel = _RELATIONS.get(side, "beside")
     for name in names:
         draft.do(AddCondition(goal=relation(draft, rel, (name,), (others[0],), (), span)), span)

@@ -71,7 +71,7 @@ def bring(draft: Draft, request: Bring) -> None:
     there = [name for name in draft.view.world.blocks if matches(draft.view, name, request.theme.traits)]
     if there:
         told, hint = "the task has such a block", "say 'another ...' for one more, or 'move the ...'"
-        raise draft.refusal("edit-unclear", told, request.theme.span, hint)
+        raise draft.refusal("ambiguous-object", told, request.theme.span, hint)
     add(draft, r.Add(theme=request.theme, places=(request.place,), span=request.span))
 
 

@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 from rpg.blocks.english import describe
+from rpg.blocks.english.scene import objects
+from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import bare
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
@@ -19,8 +21,8 @@ from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
 from rpg.steer.identity import look
 from rpg.steer.language import Parser, m, noun_phrase, tokenize
-from rpg.steer.refer import exists, noun_of, resolve
-from rpg.steer.shape import conjuncts
+from rpg.steer.refer import exists, matches, noun_of, resolve
+from rpg.steer.shape import conjuncts, same_structure
 from rpg.steer.view import NOUNS
 
 _FRESH = re.compile(
@@ -98,6 +100,31 @@ def extended(
     _take_over(draft, schema, names, (begin, len(request)))
 
 
+_AGAINST = re.compile(r"^\W*(?:(?:no|now|actually|instead|rather|then|ok(?:ay)?|please)\b[\s,]*)+", re.IGNORECASE)
+
+
+def reused(draft: Draft, request: str, read: Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]) -> None:
+    """Read a request as an instruction about the blocks that are there. Its goal takes the place of the old one where
+    it needs all blocks that the old one spoke of, and no others."""
+    span = (0, len(request))
+    only_known(draft, request, 0)
+    if names_structure(draft, request) or re.search(r"\b(?:it|its|this|that|one)\b", request, re.IGNORECASE):
+        raise Refusal([_vague(*span)])
+    there = ". ".join(objects(draft.schema, Speaker(draft.view.world)))
+    schema, _ = read(f"{there}. {_AGAINST.sub('', by_itself(request))}")
+    names = None if schema is None else _counterparts(draft.schema, schema)
+    if schema is None or names is None or len(schema.assets) != len(draft.schema.assets):
+        raise Refusal([_vague(*span)])
+    init = schema.init
+    goal = rename(schema.goal, names)
+    if init.arranged or init.heaps or init.poses or not set(draft.view.busy) <= set(mentions(goal)):
+        raise Refusal([_vague(*span)])
+    draft.aim("MODIFY" if same_structure(draft.schema.goal, goal) else "PIVOT")
+    draft.do(SetGoal(goal=goal), span)
+    draft.note("instruction", by_itself(request))
+    draft.look_at(())
+
+
 def _by_name(draft: Draft, said: str) -> str:
     """A clause about "it", with what the word means here in its place: in a longer text it could mean another."""
     found = re.match(r"it\b(?=\s)", said, re.IGNORECASE)
@@ -111,8 +138,13 @@ def _by_name(draft: Draft, said: str) -> str:
 def only_known(draft: Draft, request: str, begin: int) -> None:
     """Refuse "the ..." of what the task does not have: as one more sentence of a text it would bring it in."""
     for named in _definite(request, begin):
-        if not any(exists(draft.view, noun) for noun in named):
+        if not any(_there(draft, noun) for noun in named):
             resolve(draft.view, named[0])
+
+
+def _there(draft: Draft, noun: m.Noun) -> bool:
+    """Whether the task has what a phrase could speak of, be it one or several."""
+    return any(matches(draft.view, name, noun.traits) for name in draft.view.world.assets)
 
 
 def names_structure(draft: Draft, request: str) -> bool:
@@ -130,7 +162,7 @@ def _structures(request: str) -> Iterator[m.Structure]:
     """Every phrase such as "the tower", "the circle"."""
     p = Parser(tokenize(request)[0])
     for i in range(p.end):
-        if p.words[i] == "the":
+        if p.words[i] in ("the", "each", "every"):
             yield from (found for found, _ in noun_phrase(p, i) if isinstance(found, m.Structure))
 
 

@@ -44,6 +44,11 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 end = _instead_of(p, end)
                 yield r.Recount(theme=None, amount=n, span=p.span(i, end)), end
     yield from _brought_to(p, i)
+    k = longest(p, longest(p, i, "give it | give the pyramid | it needs | it should have | i want | with") or i, _OF)
+    for n, j in count(p, k) if k else ():
+        end = longest(p, j, BLOCKS) or j
+        what = "height" if "height" in p.words[i:k] else "length"
+        yield r.Recount(theme=None, amount=n, what=what, span=p.span(i, end)), end
     yield from _multiplied(p, i)
     yield from _plain_count(p, i)
     for phrase, by in (("extend", 1), ("lengthen", 1), ("shorten", -1), ("grow", 1)):
@@ -151,8 +156,6 @@ def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
                 yield None, end
         if k := longest(p, j, _BASES):
             yield None, longest(p, k, "to be | to | be | into") or k
-    if k := longest(p, longest(p, i, "give it | give the pyramid | it needs | it should have | i want") or i, _OF):
-        yield None, k
     for theme, k in simple(p, i):
         if isinstance(theme, m.Structure | m.Pronoun) and (
             end := longest(p, k, "should be | must be | should have | needs to be | has | must have")
@@ -267,7 +270,9 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             )
             yield from _valued(p, i, k, what, factor)
     for nouns, what in ((_TOLERANCE, "tolerance"), (_GAP, "gap"), (_SPACING, "spacing")):
-        if (j := longest(p, i, nouns)) and (k := longest(p, j, ": | = | should be | must be | has to be | is | ought to be")):
+        if (j := longest(p, i, nouns)) and (
+            k := longest(p, j, ": | = | should be | must be | has to be | is | ought to be")
+        ):
             yield from _valued(p, i, k, what, 1.0)
     for word, factor in (("loosen", 2.0), ("relax", 2.0), ("tighten", 0.5)):
         if j := longest(p, i, (f"{word} it", f"{word} it up", f"{word} things", f"{word} things up", f"{word} up")):

@@ -97,7 +97,13 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
             yield r.Restyle(theme=theme, traits=new.traits, span=p.span(i, k), cost=cost), k
         elif fresh(new) or plural_kind(new):
             yield r.Replace(old=theme, new=new, span=p.span(i, k), cost=cost), k
-        elif isinstance(new, m.Noun) and new.det == "bare" and new.head == "block" and labelled(new) and theme is not None:
+        elif (
+            isinstance(new, m.Noun)
+            and new.det == "bare"
+            and new.head == "block"
+            and labelled(new)
+            and theme is not None
+        ):
             one = replace(new, det="a", amount=m.Amount(1, 1))
             yield r.Replace(old=theme, new=one, span=p.span(i, k), cost=cost + 2), k
 

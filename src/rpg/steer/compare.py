@@ -10,9 +10,9 @@ from rpg.blocks.english import clause
 from rpg.blocks.evaluate import evaluate, rests, satisfied
 from rpg.blocks.state import BlockState
 from rpg.ir import goal as g
-from rpg.ir.walk import transform
+from rpg.ir.walk import names, transform
 from rpg.steer.bank import Bank, Sample, Side
-from rpg.steer.identity import Identity
+from rpg.steer.identity import Identity, look
 from rpg.steer.shape import conjuncts
 
 Relation = Literal["equal", "implies", "implied by", "overlaps", "disjoint"]
@@ -82,9 +82,12 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
     both: list[Sample] = []
     only_old: list[Sample] = []
     only_new: list[Sample] = []
+    included = _included(bank)
     for sample in bank.samples:
         before = old(sample)
         after = before if bank.same else new(sample)
+        if after and not before and included:
+            before = True
         if (before or after) and rests(bank.whole(sample)):
             (both if before and after else only_old if before else only_new).append(sample)
     relation, edge = _up_to_tolerance(_relation(len(both), len(only_old), len(only_new)), old, new, only_old, only_new)
@@ -94,6 +97,22 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
         *_witness("old", bank.old, bank.new, only_old),
     )
     return Comparison(relation, len(bank.samples), len(both), len(only_old), len(only_new), edge, witnesses)
+
+
+def _included(bank: Bank) -> bool:
+    """Whether the new goal says all that the old one says of the same objects: what holds with the blocks of the new
+    version then holds of the old ones, though some of them may rest on blocks that only the new version has."""
+    old, new = bank.old, bank.new
+    told = set(names(old.goal))
+    return (
+        all(look(old.world.assets[k]) == look(new.world.assets[k]) for k in told if k in new.world.assets)
+        and told <= set(new.world.assets)
+        and {_bare(part) for part in conjuncts(old.goal)} <= {_bare(part) for part in conjuncts(new.goal)}
+    )
+
+
+def _bare(goal: g.Goal) -> str:
+    return transform(goal, lambda node: node.model_copy(update={"span": None})).model_dump_json()
 
 
 def _relation(both: int, only_old: int, only_new: int) -> Relation:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rpg.steer import requests as r
 from rpg.steer.amounts import BLOCKS, LONG, TALL, by_so_many
-from rpg.steer.language import Parser, colors, count, length, longest, m
+from rpg.steer.language import Parser, colors, count, length, loc, longest, m, region_name, simple
 from rpg.steer.places import place
 
 _ALL = "all | everything | all of it | all of them | everything in | all in | all of them in | both | both in | each in"
@@ -21,6 +21,11 @@ def elliptic(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from _of_each(p, i)
     yield from _some(p, i)
     yield from _copies(p, i)
+    yield from _climbing(p, i)
+    yield from _divided(p, i)
+    yield from _directly(p, i)
+    if j := longest(p, i, "alternate the colors | with alternating colors | alternating colors | colors alternating"):
+        yield r.Reorder(how="alternating", span=p.span(i, j)), j
     yield from turned(p, i)
     yield from _distance(p, i)
     if i and p.words[i - 1] == "and":
@@ -67,6 +72,60 @@ def _copies(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Copies(amount=2, span=p.span(i, j)), j
 
 
+def _divided(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "make three of them red and two of them blue"."""
+    j = longest(p, i, "make | paint | color | let | have | turn | with") or i
+    parts: list[tuple[int, str]] = []
+    while True:
+        part = next(_share(p, j), None)
+        if part is None:
+            return
+        number, color, j = part
+        parts.append((number, color))
+        if len(parts) > 1:
+            yield r.Divide(parts=tuple(parts), span=p.span(i, j)), j
+        k = longest(p, j, ", and | and | , | ; | but")
+        if not k:
+            return
+        j = k
+
+
+def _share(p: Parser, i: int) -> Iterator[tuple[int, str, int]]:
+    """One part: "three of them red", "two blue", "the other two green"."""
+    start = longest(p, i, "the other | the remaining | the last | the first") or i
+    for number, j in count(p, start):
+        j = longest(p, j, "of them | of the blocks | of those | blocks | should be | must be") or j
+        j = longest(p, j, "should be | must be | in") or j
+        for (listed, _), k in colors(p, j):
+            if len(listed) == 1:
+                yield number, listed[0], k
+
+
+def _directly(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "directly behind it", "right next to it on the left": the relation that there is, only closer."""
+    start = longest(p, i, "it should be | it must be | but | put it | it has to be") or i
+    for where, j in loc(p, start):
+        if isinstance(where, m.Loc) and isinstance(where.landmark, m.Pronoun) and where.mods:
+            yield r.Closer(rel=where.rel, mods=where.mods, span=p.span(i, j), cost=4), j
+
+
+_UP = tuple(
+    f"{how} to the"
+    for verb in ("go", "going", "goes", "rise", "rising", "climb", "climbing", "lead", "leading", "rises", "ascend")
+    for how in ((f"{verb} up", verb) if verb not in ("go", "going", "goes", "lead", "leading") else (f"{verb} up",))
+)
+
+
+def _climbing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "it should go up to the left", "make the stairs rise to the right"."""
+    verb = longest(p, i, "make | let | have") or i
+    for _, j in [*simple(p, verb), *[(None, i)]]:
+        k = longest(p, j, "should | must | has to | have to | needs to | is | are | instead") or j
+        k = longest(p, k, _UP)
+        if k and p.words[k : k + 1] and p.words[k] in ("left", "right", "front", "back"):
+            yield r.Climb(to=p.words[k], span=p.span(i, k + 1)), p.reach(k + 1)
+
+
 _BOUNDS = {"exactly": "exactly", "only": "exactly", "at least": "at_least", "at most": "at_most"}
 
 
@@ -98,6 +157,10 @@ def _colored(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def _placed(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """A place alone: where what was spoken of last has to be."""
+    start = longest(p, i, "use | take | try | choose | make it | go for | i prefer | rather")
+    for name, j in region_name(p, p.opt(start, "the")) if start else ():
+        there = m.In(region=name, span=p.span(start, j))
+        yield r.Move(theme=m.Pronoun(word="it", span=p.span(i, i + 1)), place=there, span=p.span(i, j), cost=4), j
     for where, j in place(p, i):
         if isinstance(where, m.In | m.Loc) and not _of_itself(where):
             yield r.Move(theme=m.Pronoun(word="it", span=p.span(i, i + 1)), place=where, span=p.span(i, j), cost=4), j

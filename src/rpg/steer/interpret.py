@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from pydantic import ValidationError
@@ -16,7 +15,17 @@ from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.ir.shrink import TooSmall
 from rpg.steer import requests as r
-from rpg.steer.afresh import Fresh, by_itself, extended, fresh_start, mentions_known, names_structure, one_more, only_known
+from rpg.steer.afresh import (
+    Fresh,
+    by_itself,
+    extended,
+    fresh_start,
+    mentions_known,
+    names_structure,
+    one_more,
+    only_known,
+    reused,
+)
 from rpg.steer.backrefs import Reference
 from rpg.steer.classify import Category
 from rpg.steer.draft import Draft
@@ -34,12 +43,13 @@ from rpg.steer.operations.parties import new_tower, told_apart
 from rpg.steer.operations.parts import part
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
-from rpg.steer.operations.restyle import replace, restyle
+from rpg.steer.operations.restyle import replace as replace_blocks
+from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.starts import begin
 from rpg.steer.operations.symbols import carry_on, equate
 from rpg.steer.operations.terse import bound, bring, pile_up, shift, tint
 from rpg.steer.operations.tune import loosen, outliers
-from rpg.steer.operations.vary import copies, some, turn
+from rpg.steer.operations.vary import climb, closer, copies, divide, some, turn
 from rpg.steer.parse import Parsed, is_edit, parse
 from rpg.steer.parties import NewTower
 from rpg.steer.parts import Part
@@ -48,6 +58,7 @@ from rpg.steer.shape import same_structure
 from rpg.steer.starts import Begin
 from rpg.steer.symbols import Continue, Equate
 from rpg.steer.terse import Bound, Bring, PileUp, Shift, Tint
+from rpg.steer.told import check, divided
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -55,7 +66,7 @@ Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Add: add,
     r.Remove: remove,
-    r.Replace: replace,
+    r.Replace: replace_blocks,
     r.Restyle: restyle,
     r.Recount: recount,
     r.Reorder: reorder,
@@ -68,6 +79,9 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Group: group,
     r.Some: some,
     r.Copies: copies,
+    r.Divide: divide,
+    r.Closer: closer,
+    r.Climb: climb,
     r.Turn: turn,
     NewTower: new_tower,
     Part: part,
@@ -112,7 +126,11 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
     """Understand `request` in the light of a family; raises Refusal with the reasons where that fails."""
     _only_words(request)
     if (plain := plainly(request)) != request:
-        return dataclasses.replace(interpret(plain, history, read), request=request)
+        return replace(interpret(plain, history, read), request=request)
+    if (told := divided(request)) is not None:
+        understood = interpret(told[0], history, read)
+        check(request, told[1], understood.task)
+        return replace(understood, request=request)
     readings = parse(request)
     fresh = fresh_start(request)
     if fresh is not None and not any(reading.whole for reading in readings):
@@ -245,9 +263,14 @@ def _otherwise(
     """No edit grammar covers the request, or none could be carried out: an instruction, or a clause of one."""
     longest = next((reading for reading in readings if not reading.whole), None)
     edits = is_edit(request) or any(reading.whole and _adds_at_end(reading) for reading in readings)
+    reasons: list[Diagnostic] = []
+    if not edits and not Fresh.adds(request) and (not refusals or "instead" in request.lower()):
+        try:
+            return _reused(request, history, read)
+        except Refusal as refusal:
+            reasons += [] if refusals else refusal.diagnostics[1:]
     if refusals and (edits or not _about_new_things(request, history, read)):
         raise refusals[0]
-    reasons: list[Diagnostic] = []
     if longest is not None and (longest.requests or longest.reference):
         try:
             return _with_clause(request, longest, history, read)
@@ -303,11 +326,17 @@ def _clause(request: str, history: History, read: Reader) -> Interpretation:
     return finish(request, draft, past)
 
 
+def _reused(request: str, history: History, read: Reader) -> Interpretation:
+    past = history.current
+    draft = Draft(past.schema, past.focus)
+    reused(draft, request, read)
+    return finish(request, draft, past)
+
+
 def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     """An instruction of its own; one that names some of the task's blocks must not name others that it lacks."""
     draft = Draft(history.current.schema, history.current.focus)
-    if mentions_known(draft, request):
-        only_known(draft, request, 0)
+    only_known(draft, request, 0)
     if names_structure(draft, request):
         raise _not_understood(request, None, (), True)
     found = _whole(request, by_itself(request), 0, history, read, "PIVOT")

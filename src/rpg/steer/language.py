@@ -14,6 +14,7 @@ from rpg.language.grammar.measures import bounds
 from rpg.language.grammar.nouns import noun_phrase as plain_noun_phrase
 from rpg.language.grammar.nouns import simple
 from rpg.language.grammar.orders import order
+from rpg.language.grammar.regions import named_regions as region_name
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sizes import dimensions
 from rpg.language.tokens import Token, tokenize
@@ -73,6 +74,7 @@ __all__ = [
     "noun_phrase",
     "order",
     "phrases",
+    "region_name",
     "rule",
     "simple",
     "tokenize",

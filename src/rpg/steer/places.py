@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from rpg.steer.language import Parser, Results, loc, longest, m, noun_phrase, rule, simple
+from dataclasses import replace
+
+from rpg.steer.language import Parser, Results, loc, longest, m, noun_phrase, phrases, rule, simple
 from rpg.steer.requests import Place, Spot
 
 _ENDS = {
@@ -49,6 +51,25 @@ _SIDES_OF = {
 _INTO = ("to", "into", "in", "onto", "for")
 
 
+_THAT = phrases(
+    "that is | which is | that must be | that should be | that has to be | which must be | that goes | sitting | "
+    "placed | standing | directly | right | also"
+)
+_NOT_TO_BE = tuple(
+    f"{that} {must}"
+    for that in ("that", "which")
+    for must in (
+        "must not be",
+        "may not be",
+        "should not be",
+        "must not lie",
+        "must not touch",
+        "can not be",
+        "cannot be",
+    )
+)
+
+
 @rule
 def places(p: Parser, i: int) -> Results[tuple[Place, ...]]:
     """Nothing, one place, or two ("on top of the red block, to the left of the patch"); the longest first."""
@@ -64,7 +85,14 @@ def places(p: Parser, i: int) -> Results[tuple[Place, ...]]:
 @rule
 def place(p: Parser, i: int) -> Results[Place]:
     """One place."""
-    start = longest(p, i, "that is | which is | that goes | sitting | placed | standing | directly | right | also") or i
+    start = (
+        longest(
+            p,
+            i,
+            _THAT,
+        )
+        or i
+    )
     for at in {i: None, start: None}:
         for phrase, side in _SIDES_OF.items():
             if j := p.seq(at, phrase):
@@ -80,6 +108,10 @@ def place(p: Parser, i: int) -> Results[Place]:
                     yield Spot(side="any", whole=whole), k
         for found, j in loc(p, at):
             yield found, j
+        if k := longest(p, i, _NOT_TO_BE):
+            for found, j in loc(p, k):
+                if isinstance(found, m.Loc | m.In) and not found.negated:
+                    yield replace(found, negated=True), j
         for word in ("after", "before"):
             for landmark, k in noun_phrase(p, at + 1) if p.one(at, word) else ():
                 yield m.Loc(rel=word, landmark=landmark, span=p.span(at, k)), k

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from rpg.blocks.nouns import bare, join
 from rpg.blocks.traits import VOWELS, kind_of, symbol_of
 from rpg.core.diagnostics import Diagnostic, Refusal, Span
-from rpg.ir.structures import GroupBy, Towers
+from rpg.ir.structures import Figure, GroupBy, Towers
 from rpg.steer.language import m
 from rpg.steer.operations.guard import check_picked
 from rpg.steer.view import NOUNS, Line, Shape, View
@@ -178,7 +178,9 @@ _FIGURES = {
 
 
 def _is_kind(kind: str, figure: Shape) -> bool:
-    return figure.node.kind in _FIGURES.get(kind, ("figure",) if kind in ("letter", "shape", "figure") else ())
+    if figure.node.kind not in _FIGURES.get(kind, ("figure",) if kind in ("letter", "shape", "figure") else ()):
+        return False
+    return not isinstance(figure.node, Figure) or kind in ("letter", "shape", "figure", figure.node.shape)
 
 
 def noun_of(view: View, line: Line) -> str:

@@ -146,6 +146,28 @@ class Copies(Request):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Divide(Request):
+    """All blocks get colours: so many this one, so many that one."""
+
+    parts: tuple[tuple[int, str], ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Closer(Request):
+    """The relation that the goal has holds directly, or immediately."""
+
+    rel: str
+    mods: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Climb(Request):
+    """A staircase goes up to a side."""
+
+    to: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Some(Request):
     """What was asked of all is asked of so many. `bound`: "exactly", "at_least", "at_most"."""
 

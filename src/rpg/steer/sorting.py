@@ -156,6 +156,11 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         "use the order",
         "with the order",
         "set the order to",
+        "the same order but",
+        "same order but",
+        "the same order",
+        "same order",
+        "keep the order but",
     ):
         if j := p.seq(i, phrase):
             starts.append((None, j))
@@ -163,7 +168,10 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         starts.append((None, i))
     for theme, j in starts:
         if k := longest(
-            p, j, "alternate in color | alternate in colour | alternate colors | alternate | alternate by color"
+            p,
+            j,
+            "alternate the colors | alternating colors | with alternating colors | alternate in color | alternate | "
+            "alternate in colour | alternate colors | alternate by color",
         ):
             yield r.Reorder(how="alternating", theme=theme, span=p.span(i, k)), k
         j = p.opt(j, "now", "so", "to")
@@ -244,9 +252,19 @@ def _first(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
     yield None, i
 
 
+def _two(both: m.Noun) -> bool:
+    """Phrases such as "the two patches", "both blocks"; not "the red and blue blocks", which are two phrases."""
+    counted = both.plural and (both.det == "both" or (both.amount is not None and both.amount.low == 2))
+    return counted and not both.traits.labels and len(both.traits.colors) < 2
+
+
 def _swap_them(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap them", "exchange the two": for two blocks, the reverse order."""
     j = longest(p, i, "swap | exchange | switch | interchange | swap around | swap round")
+    for both, k in noun_phrase(p, j) if j else ():
+        if isinstance(both, m.Noun) and _two(both):
+            end = longest(p, k, ("around", "over", "round")) or k
+            yield r.Reorder(how="swap", theme=both, span=p.span(i, end), cost=1), end
     k = (
         longest(p, j, "them | the two | the two blocks | both | both blocks | them around | the blocks | those two")
         if j

@@ -86,6 +86,11 @@ def region(p: Parser, i: int) -> Results[In]:
             yield In(region=name, span=p.span(i, end)), end
 
 
+def named_regions(p: Parser, i: int) -> list[tuple[str, int]]:
+    """Regions that their names alone tell: "near right corner", "left half of the table"."""
+    return [(name, _of_table(p, k) or k) for name, k, plain in _names(p, i) if plain or _of_table(p, k)]
+
+
 def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
     """(region, next position, whether it stands for itself)."""
     found: list[tuple[str, int, bool]] = []

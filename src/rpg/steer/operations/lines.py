@@ -50,7 +50,10 @@ def _insert(draft: Draft, line: Line, index: int, name: str, span: Span | None) 
         _insert_in_chain(draft, line, index, name)
         return
     if isinstance(line.node, Spells | Equation) and not Traits(draft.view.world).symbol(name):
-        told, hint = "nothing that shows no symbol may adjoin what these cubes spell", "say beside which cube, and how far"
+        told, hint = (
+            "nothing that shows no symbol may adjoin what these cubes spell",
+            "say beside which cube, and how far",
+        )
         raise draft.refusal("breaks-structure", told, span, hint)
     members = (*line.members[:index], name, *line.members[index:])
     if not line.ordered:
@@ -97,8 +100,7 @@ def pin(draft: Draft, names: Sequence[str], span: Span) -> None:
     rank = {name: index for index, ranked in enumerate(order.ranks) for name in ranked}
     chosen = set(names)
     groups = [
-        tuple(members)
-        for _, members in groupby(line.members, key=lambda name: (rank.get(name, 0), name in chosen))
+        tuple(members) for _, members in groupby(line.members, key=lambda name: (rank.get(name, 0), name in chosen))
     ]
     if len(groups) > max(1, len(order.ranks)):
         draft.do(ChangeCondition(at=line.path, to=_with_ranks(line, line.members, groups)), span)

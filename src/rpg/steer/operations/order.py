@@ -36,7 +36,7 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
         draft.do(SetGoal(goal=mirrored(draft.schema.goal)), request.span)
     elif request.how in ("reverse", "swap"):
         if request.how == "swap" and (line is None or len(line.members) != 2):
-            _swap_two(draft, request.span)
+            _swap_two(draft, found.names if found is not None and not found.whole else (), request.span)
             return
         _reverse(draft, line, figure, request.span)
     elif request.how == "given":
@@ -47,9 +47,9 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
         _sort(draft, line, figure, request)
 
 
-def _swap_two(draft: Draft, span: Span) -> None:
-    """The only two blocks that the goal speaks of, or the two mentioned last, change places."""
-    two = draft.view.busy if len(draft.view.busy) == 2 else draft.view.focus
+def _swap_two(draft: Draft, named: tuple[str, ...], span: Span) -> None:
+    """The two that were named, the only two blocks that the goal speaks of, or the two mentioned last trade places."""
+    two = named or (draft.view.busy if len(draft.view.busy) == 2 else draft.view.focus)
     if len(two) != 2:
         raise draft.refusal("ambiguous-object", "this could be any two blocks", span, "name the two blocks")
     before = draft.schema.goal

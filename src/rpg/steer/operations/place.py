@@ -10,10 +10,10 @@ from rpg.blocks.nouns import bare
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir.edits import AddCondition, ChangeCondition, SetField
-from rpg.ir.goal import Count
+from rpg.ir.goal import Count, Not
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.relations import InRegion, On, OnPatch, OnTable
-from rpg.ir.structures import Equation, Figure, GroupBy, Pyramid, Spells, Stack
+from rpg.ir.structures import Equation, Figure, GroupBy, Pyramid, Row, Spells, Stack
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -42,9 +42,10 @@ def join(draft: Draft, names: Sequence[str], line: Line | None, figure: bool, sp
             if line.kind == "row"
             else "at the back of the column"
         )
-        draft.assume(f"what is added without a place goes {end}")
         for name in names:
-            insert(draft, _same(draft, line), len(_same(draft, line).members), name, span)
+            if not _sorted_in(draft, _same(draft, line), name, span):
+                draft.assume(f"what is added without a place goes {end}")
+                insert(draft, _same(draft, line), len(_same(draft, line).members), name, span)
     elif loose is not None:
         members = (*loose.members, *names)
         draft.do(SetField(at=loose.path, field="blocks", value=members), span)
@@ -53,6 +54,18 @@ def join(draft: Draft, names: Sequence[str], line: Line | None, figure: bool, sp
         raise draft.refusal(
             "edit-unclear", what, span, "say where: on top of, beside, to the left of ..., or as a distractor"
         )
+
+
+def _sorted_in(draft: Draft, line: Line, name: str, span: Span) -> bool:
+    """Put a block where the order of a line has it, if the line has one that tells: alphabetical, numeric, by size."""
+    node = line.node
+    if not isinstance(node, Stack | Row) or node.order.by not in ("label", "number", "rainbow", "size"):
+        return False
+    blocks = (*line.members, name)
+    if draft.view.sequence(blocks, node.order, line.kind) is None:
+        return False
+    draft.do(SetField(at=line.path, field="blocks", value=blocks), span)
+    return True
 
 
 def _same(draft: Draft, line: Line) -> Line:
@@ -105,7 +118,8 @@ def put(
     elif isinstance(place, r.Spot):
         _at_spot(draft, names, place.side, anchor.line if anchor else line, anchor, span)
     elif isinstance(place, m.In):
-        draft.do(AddCondition(goal=InRegion.model_validate({"a": tuple(names), "region": place.region})), span)
+        inside = InRegion.model_validate({"a": tuple(names), "region": place.region})
+        draft.do(AddCondition(goal=Not(goal=inside) if place.negated else inside), span)
     elif isinstance(place, m.Loc):
         _at_landmark(draft, names, place, anchor, span, line)
     else:
@@ -207,19 +221,25 @@ def _at_landmark(
         return
     if anchor is None:
         if isinstance(place.landmark, m.TableTop) and place.rel == "on":
-            draft.do(AddCondition(goal=OnTable(a=tuple(names))), span)
+            on_table = OnTable(a=tuple(names))
+            draft.do(AddCondition(goal=Not(goal=on_table) if place.negated else on_table), span)
             return
         raise draft.refusal(
             "edit-unclear", "the request does not say next to what", span, "name a block: beside the red block"
         )
     if (
-        place.rel in ("on", "above", "under", "between", "sandwiched")
-        or (anchor.line and place.rel in ("left", "right", "front", "behind"))
-    ) and _into_line(draft, names, place, anchor, span):
+        not place.negated
+        and (
+            place.rel in ("on", "above", "under", "between", "sandwiched")
+            or (anchor.line and place.rel in ("left", "right", "front", "behind"))
+        )
+        and _into_line(draft, names, place, anchor, span)
+    ):
         return
     if place.rel == "on" and all(n in draft.view.world.patches for n in anchor.names):
         for name in names:
-            draft.do(AddCondition(goal=OnPatch(a=(name,), patch=anchor.names[-1])), span)
+            on = OnPatch(a=(name,), patch=anchor.names[-1])
+            draft.do(AddCondition(goal=Not(goal=on) if place.negated else on), span)
         return
     operand = _operand(draft, anchor)
     for name in names:

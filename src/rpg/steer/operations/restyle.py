@@ -13,11 +13,12 @@ from rpg.ir.structures import Equation, Spells
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import lexicon, m
+from rpg.steer.operations.grow import grow
 from rpg.steer.operations.guard import check_new
 from rpg.steer.operations.kinds import convert, listed, mix
 from rpg.steer.operations.lines import by_place, insert, pin
 from rpg.steer.operations.make import describe, free_name, new_assets, unused_colors
-from rpg.steer.refer import resolve
+from rpg.steer.refer import matches, resolve
 
 
 def restyle(draft: Draft, request: r.Restyle) -> None:
@@ -188,6 +189,8 @@ def _respell(draft: Draft) -> None:
 
 def replace(draft: Draft, request: r.Replace) -> None:
     """Phrases such as "replace the green cube with a yellow one", "letters instead of colours"."""
+    if _recounted(draft, request):
+        return
     old = tuple(n for n in _old(draft, request) if n not in draft.kept)
     if by_place(request.old):
         pin(draft, old, request.span)
@@ -222,6 +225,24 @@ def _one_each(request: r.Replace) -> bool:
     """Phrases such as "replace every letter with a red cube"."""
     old, new = request.old, request.new
     return isinstance(old, m.Noun) and old.det == "each" and isinstance(new, m.Noun) and new.det == "a"
+
+
+def _recounted(draft: Draft, request: r.Replace) -> bool:
+    """Phrases such as "make it four red blocks" where there are three: another number of those that are there."""
+    new, world = request.new, draft.view.world
+    pronoun = request.old is None or isinstance(request.old, m.Pronoun)
+    if not pronoun or not isinstance(new, m.Noun) or new.amount is None or new.head == "patch" or new.det != "bare":
+        return False
+    alike = [name for name in draft.view.busy if matches(draft.view, name, new.traits)]
+    others = [name for name in draft.view.busy if name not in alike]
+    looks = {world.look[name] for name in others}
+    single = len({world.look[name] for name in alike}) == 1
+    if not single or len(alike) == new.amount.low or (len(alike) < 2 and others) or len(looks) == len(others) > 0:
+        return False
+    draft.aim("TWEAK")
+    draft.note("count", {"amount": new.amount.low, "dims": [], "by": None})
+    grow(draft, alike, new.amount.low, request.span)
+    return True
 
 
 def _replace_each(draft: Draft, old: Sequence[str], new: m.Noun, span: Span) -> None:

@@ -115,6 +115,13 @@ def _gaps(draft: Draft, request: r.Loosen, only: g.Goal | None = None) -> bool:
         match atom:
             case Row():
                 done |= _row(draft, path, atom, request)
+            case rel.Near() | rel.Apart() | rel.Beside() | rel.Adjacent() if _measured(request):
+                told = {"minimum": request.low, "maximum": request.value}
+                faces = "faces" if request.what == "gap" else "centres"
+                goal = rel.Distance.model_validate({"a": atom.a, "b": atom.b, **told, "measure": faces})
+                draft.aim("MODIFY")
+                draft.do(ChangeCondition(at=path, to=goal))
+                done = True
             case rel.Near() | rel.Apart():
                 value = request.value if request.value is not None else atom.distance * (request.factor or 1.0)
                 done |= _set(draft, path, "distance", round(value, 6))
@@ -132,11 +139,19 @@ def _gaps(draft: Draft, request: r.Loosen, only: g.Goal | None = None) -> bool:
     return done
 
 
+def _measured(request: r.Loosen) -> bool:
+    """Whether a request gives bounds of a distance rather than more or less of it."""
+    return request.low is not None or request.value is not None
+
+
 def _row(draft: Draft, path: Path, atom: Row, request: r.Loosen) -> bool:
     field = (
         "spacing" if request.what == "spacing" and (request.value is not None or atom.spacing is not None) else "gap"
     )
     other = "gap" if field == "spacing" else "spacing"
+    if request.low is not None and request.value is None:
+        told, hint = "a row has gaps of one size, or up to one", "say how wide: with gaps of 4 cm"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     if request.value is not None:
         low = request.low if request.low is not None else request.value - atom.tolerance
         exact = request.low is None
@@ -158,6 +173,9 @@ def _row(draft: Draft, path: Path, atom: Row, request: r.Loosen) -> bool:
 
 
 def _distance(draft: Draft, path: Path, atom: rel.Distance, request: r.Loosen) -> bool:
+    if request.low is not None and request.value is None:
+        _set(draft, path, "minimum", request.low)
+        return _set(draft, path, "maximum", None)
     if request.value is not None:
         low, high = request.low, request.value
         if low is None and atom.minimum is not None and atom.maximum is not None:

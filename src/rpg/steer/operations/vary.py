@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from rpg.blocks.traits import Traits
 from rpg.ir import goal as g
-from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, SetGoal
+from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, SetField, SetGoal
 from rpg.ir.goal import Count
 from rpg.ir.node import EACH
 from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf
+from rpg.ir.structures import Row, Stack, Staircase
 from rpg.ir.walk import rename, transform
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.make import named
+from rpg.steer.operations.restyle import exchange
 from rpg.steer.shape import conjuncts
 
 WAYS: dict[str, type[Directional]] = {"left": LeftOf, "right": RightOf, "front": InFrontOf, "behind": Behind}
@@ -60,6 +63,56 @@ def copies(draft: Draft, request: r.Copies) -> None:
             draft.do(AddAsset(asset=asset), request.span)
             new[model.name] = asset.name
         draft.do(AddCondition(goal=rename(line.node, new)), request.span)
+
+
+def climb(draft: Draft, request: r.Climb) -> None:
+    """A staircase goes up another way, or one way at all."""
+    figure = next((figure for figure in draft.view.figures if isinstance(figure.node, Staircase)), None)
+    node = figure.node if figure is not None else None
+    if figure is None or not isinstance(node, Staircase):
+        raise draft.refusal("no-such-object", "the task builds no staircase", request.span, "say which way blocks go")
+    if node.up == request.to:
+        raise draft.refusal("nothing-to-do", f"it goes up to the {request.to} already", request.span)
+    draft.aim("EXTEND" if node.up is None else "MODIFY")
+    draft.note("up", request.to)
+    draft.do(SetField(at=figure.path, field="up", value=request.to), request.span)
+
+
+def closer(draft: Draft, request: r.Closer) -> None:
+    """The only relation of this kind asks for more: to be exactly on that side, or close by."""
+    kind = WAYS.get(request.rel)
+    found = [(path, atom) for path, atom in draft.view.atoms if kind is not None and isinstance(atom, kind)]
+    flags = [mod for mod in request.mods if mod in ("directly", "immediate")]
+    if len(found) != 1 or len(flags) != len(request.mods):
+        told, hint = "it is not settled what this is about", "say which block is to be where"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    path, atom = found[0]
+    draft.aim("EXTEND")
+    draft.note("closer", flags)
+    for flag in flags:
+        if getattr(atom, flag):
+            raise draft.refusal("nothing-to-do", "it is so already", request.span)
+        draft.do(SetField(at=path, field=flag, value=True), request.span)
+
+
+def divide(draft: Draft, request: r.Divide) -> None:
+    """So many blocks of this colour, so many of that one, where the goal does not say which block is where."""
+    names = draft.view.busy
+    line, figure = draft.view.main_line(), draft.view.main_figure()
+    names = line.members if line is not None else figure.members if figure is not None else names
+    wanted = [color for number, color in request.parts for _ in range(number)]
+    if len(wanted) != len(names):
+        told = f"there are {len(names)} blocks, and these are {len(wanted)}"
+        raise draft.refusal("count-mismatch", told, request.span, "say a colour for every block")
+    free = isinstance(line.node, Stack | Row) and line.node.order.by == "any" if line is not None else True
+    if not free or any(Traits(draft.view.world).symbol(name) for name in names):
+        told, hint = "the goal says which block is where", "say which ones: make the top block red"
+        raise draft.refusal("ambiguous-object", told, request.span, hint)
+    draft.aim("TWEAK")
+    draft.note("restyle", dict(request.parts and [(color, number) for number, color in request.parts]))
+    blocks = [draft.view.world.blocks[name] for name in names]
+    pairs = zip(blocks, wanted, strict=True)
+    exchange(draft, {block.name: block.model_copy(update={"color": color}) for block, color in pairs}, request.span)
 
 
 def turn(draft: Draft, request: r.Turn) -> None:

@@ -1,0 +1,85 @@
+"""What a request says again after a colon, "swap them: green on blue, yellow on red": it must be so in the result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.core.diagnostics import Diagnostic, Refusal, Span
+from rpg.ir import goal as g
+from rpg.ir.relations import On, OnPatch
+from rpg.ir.schema import TaskSchema
+from rpg.steer.language import Parser, longest, m, noun_phrase, tokenize
+from rpg.steer.refer import matches
+from rpg.steer.shape import conjuncts
+from rpg.steer.view import View
+
+_GOES = "goes | go | should go | belongs | comes | must be | should be | is | lies | has to be | will be"
+
+
+def divided(request: str) -> tuple[str, int] | None:
+    """The request before its colon, and where what it says again begins."""
+    before, colon, after = request.partition(":")
+    if not colon or not before.strip() or not after.strip() or _pairs(after, 0) is None:
+        return None
+    return before, len(before) + 1
+
+
+def check(request: str, begin: int, task: TaskSchema) -> None:
+    """Refuse a request whose second half is not so in the task that its first half led to."""
+    pairs = _pairs(request[begin:], begin)
+    view = View(task)
+    for upper, lower, span in pairs or ():
+        if not any(_is_on(part, upper, lower, view) for part in conjuncts(task.goal)):
+            message = "this is not what the first half of the request comes to"
+            hint = "say only one of the two"
+            raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
+
+
+def _is_on(part: g.Goal, upper: m.Noun, lower: m.Noun, view: View) -> bool:
+    if isinstance(part, OnPatch):
+        below: tuple[str, ...] = (part.patch,)
+    elif isinstance(part, On) and isinstance(part.b, tuple):
+        below = part.b
+    else:
+        return False
+    if not isinstance(part.a, tuple):
+        return False
+    patches = set(view.world.patches)
+    kind = {"patch": patches, "block": set(view.world.blocks)}.get(lower.head, patches | set(view.world.blocks))
+    fits = all(name in kind and matches(view, name, lower.traits) for name in below)
+    return fits and all(matches(view, name, upper.traits) for name in part.a)
+
+
+def _pairs(text: str, begin: int) -> list[tuple[m.Noun, m.Noun, Span]] | None:
+    """Every "green on blue" of a list; None where the text says anything else."""
+    p = Parser(tokenize(text)[0])
+    while p.end and p.words[p.end - 1] in (".", "!"):
+        p = Parser(p.tokens[: p.end - 1])
+    found: list[tuple[m.Noun, m.Noun, Span]] = []
+    i = 0
+    while i < p.end:
+        one = max(_pair(p, i), key=lambda each: each[2], default=None)
+        if one is None:
+            return None
+        upper, lower, j = one
+        start, end = p.span(i, j)
+        found.append((upper, lower, (start + begin, end + begin)))
+        i = longest(p, j, ", and | and | , | ;") or j
+        if i == j and j < p.end:
+            return None
+    return found or None
+
+
+def _pair(p: Parser, i: int) -> Iterator[tuple[m.Noun, m.Noun, int]]:
+    for upper, j in noun_phrase(p, i):
+        j = longest(p, j, _GOES) or j
+        k = longest(p, j, "on top of | onto | on")
+        for lower, end in noun_phrase(p, k) if k else ():
+            if isinstance(upper, m.Noun) and isinstance(lower, m.Noun) and _plain(upper) and _plain(lower):
+                yield upper, lower, end
+
+
+def _plain(noun: m.Noun) -> bool:
+    """Whether a phrase says one colour or one symbol and nothing else."""
+    one = len(noun.traits.colors) + len(noun.traits.labels) == 1
+    return one and not (noun.conditions or noun.part_of or noun.amount)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import combinations, pairwise, permutations
 from typing import Any
@@ -11,10 +12,13 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
-from rpg.language.meaning import Loc
+from rpg.language.meaning import Loc, Noun
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negation
-from rpg.passes.schema.resolve.operands import LEVEL, foot
-from rpg.passes.schema.resolve.world import Ref, refuse
+from rpg.passes.schema.resolve.operands import DIRECTIONS, LEVEL, foot
+from rpg.passes.schema.resolve.things import matching
+from rpg.passes.schema.resolve.world import Ref, Scene, refuse
+
+Relate = Callable[[Ref, Ref, Loc, Scene, Span], g.Goal]
 
 MOST_CHAINED = 4
 """Structures that may stand side by side in any order."""
@@ -39,6 +43,21 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
     if loc.rel in ("near", "apart"):
         return [LEVEL[loc.rel](a=a, b=b, span=span) for a, b in combinations(units, 2)]
     return [_close(names, units, loc, span)]
+
+
+def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate) -> Atoms | None:
+    """ "no blue block touches another block": no blue block and any block besides it that there is."""
+    mark, denied = loc.landmark, theme.quant is not None and theme.quant.high == 0
+    if not denied or not isinstance(mark, Noun) or mark.det not in ("another", "other") or mark.head == "patch":
+        return None
+    there = [thing.name for thing in matching(mark.traits, scene, False) if not thing.extra]
+    pairs = dict.fromkeys((a, b) for a in theme.names for b in there if a != b)
+    both_ways = loc.rel in ("on", "above", "under", *DIRECTIONS)
+    kept = [(a, b) for a, b in pairs if both_ways or a < b or (b, a) not in pairs]
+    if not kept:
+        raise refuse("no-referent", "there is no other block", loc.span, "say which blocks there are")
+    related = [relate(Ref(names=(a,)), Ref(names=(b,)), loc, scene, span) for a, b in kept]
+    return [g.Not(goal=goal, span=span) for goal in related]
 
 
 def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:

@@ -14,7 +14,7 @@ from rpg.ir.order import Order
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.corners import corners
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
-from rpg.passes.schema.resolve.mutual import reciprocal
+from rpg.passes.schema.resolve.mutual import none_another, reciprocal
 from rpg.passes.schema.resolve.operands import (
     DIRECTIONS,
     LEVEL,
@@ -25,9 +25,11 @@ from rpg.passes.schema.resolve.operands import (
     foot,
     measure,
     one_by_one,
+    so_far,
     spread,
 )
 from rpg.passes.schema.resolve.patches import (
+    each_its_own,
     indefinite,
     matching_patches,
     on_patches,
@@ -97,6 +99,8 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         and len(theme.names) > 1
     ):
         return reciprocal(theme, loc, span)
+    if (none := none_another(theme, loc, scene, span, _relate)) is not None:
+        return none
     before = scene.last_landmark_patch and scene.last_landmark_at < loc.span[0]
     like = scope.like_patch or (before and loc.rel in ("on", "in"))
     if (apart := on_separate_patches(theme, loc, scene, scope, span)) is not None:
@@ -160,6 +164,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [x for part in mark.parts for x in negation(related(theme, part, loc, scene, span), span)]
     if mark.table:
         return [_table(theme, loc, scene, span)]
+    if (shared := each_its_own(theme, mark, loc, scene)) is not None:
+        return [x for one, other in shared for x in related(one, other, loc, scene, span)]
     if loc.rel in ("between", "sandwiched"):
         return [_between(theme, mark, loc, scene, span)]
     if (
@@ -277,18 +283,11 @@ def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g
     if theme.quant is not None or theme.op in ("or", "xor", "except") or theme.mixed:
 
         def far(a: Operand) -> g.Goal:
-            return conj([node(a=a, b=b, span=span, **flags), *_so_far(a, b, loc, span)], span)
+            return conj([node(a=a, b=b, span=span, **flags), *so_far(a, b, loc, span)], span)
 
         return spread(theme, far, span)
     goal = node(a=carrier(foot(theme), scene, moved=True), b=b if mark.patch else carrier(b, scene), span=span, **flags)
-    return conj([goal, *_so_far(foot(theme), b, loc, span)], span)
-
-
-def _so_far(a: Operand, b: Operand, loc: Loc, span: Span) -> Atoms:
-    """ "10 cm to the left of": how far that is."""
-    if loc.low is None and loc.high is None:
-        return []
-    return [r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, span=span)]
+    return conj([goal, *so_far(foot(theme), b, loc, span)], span)
 
 
 def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

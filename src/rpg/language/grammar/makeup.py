@@ -168,12 +168,15 @@ _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", 
 _EACH = ("each", "apiece", "in each one", "in each", "in each of them", "in every one", "per tower", "in each tower",
          "per stack", "in each stack")  # fmt: skip
 """What says that a number of blocks is that of each of several structures."""
+_OF_EACH = ("each made of", "each of", "each made from", "each built of", "each consisting of", "each made up of",
+            "each built from", "each composed of", "each with")  # fmt: skip
 
 
 def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     from rpg.language.grammar.nouns import noun_phrase
 
     k = p.any_of(j, _OF) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
+    k = k or (p.any_of(p.opt(j, ","), _OF_EACH) if base.plural else 0)
     if not k or (p.words[k - 1] == "from" and run(p, k)):
         return
     for start in dict.fromkeys((k, p.one(k, "each"))):
@@ -211,6 +214,7 @@ def _number_of_each(p: Parser, j: int, k: int, base: Structure, members: Meaning
     if members_amount(members) is None or not base.plural:
         return False
     of = p.words[k - 1] == "of" and p.words[j] != "out"
+    of = of or "each" in p.words[j:k]
     return of or p.words[k - 1] in ("with", "containing") or p.one(end, frozenset({"each", "apiece"})) > 0
 
 

@@ -126,7 +126,7 @@ def _inside(value: object) -> Iterator[float]:
     if isinstance(value, BaseModel):
         low, high = getattr(value, "minimum", None), getattr(value, "maximum", None)
         if low is not None and high is not None:
-            yield from _inside((low + high) / 2)
+            yield from (*_inside((low + high) / 2), *_inside((high - low) / 2))
         for name, field in type(value).model_fields.items():
             told = getattr(value, name)
             if name != "span" and (told != field.default or name in LENGTHS):

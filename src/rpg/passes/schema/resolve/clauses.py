@@ -125,9 +125,8 @@ def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
 def not_both(goals: Goals, span: Span) -> Goals:
     """ "either ... or ..., but not both"."""
     if len(goals) != 1 or not isinstance(goals[0], g.Any):
-        raise refuse(
-            "misplaced", "'but not both' needs two alternatives", span, "say 'either ... or ..., but not both'"
-        )
+        hint = "say 'either ... or ..., but not both'"
+        raise refuse("misplaced", "'but not both' needs two alternatives", span, hint)
     parts = goals[0].goals
     return [g.All(goals=(goals[0], g.Not(goal=g.All(goals=parts, span=span), span=span)), span=span)]
 
@@ -183,6 +182,21 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         case "part":
             raise refuse("no-referent", "it is not clear of which structure this is a part", clause.span,
                          "say it in the sentence that builds the structure")  # fmt: skip
+    if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
+        return goals
+    if is_shape(clause.theme) or (clause.theme is None and spec.intos):
+        return shaped(clause, spec, scene, scope)
+    if clause.theme is None:
+        return _themeless(clause, spec, scene, scope)
+    if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
+        return turning.turn(clause, spec, scene, scope)
+    if clause.lemma == "balance" and any(isinstance(x, In) for x in spec.places):
+        raise refuse("misplaced", "blocks lie flat: none is balanced on an edge or a corner", clause.span, "say 'on'")
+    return _arranged(clause, clause.theme, spec, scene, scope)
+
+
+def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """What the manner of a clause settles before its theme is looked at: looks, staying, moving; else None."""
     if spec.manner("partial") is not None:
         return _partly(clause, scene, scope)
     if spec.qualities and clause.verb in ("be", "keep"):
@@ -204,14 +218,11 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return [spread(theme, lambda a: r.Moved(a=a, span=clause.span), clause.span, together=True)]
     if clause.negated and clause.verb == "place" and all(getattr(a, "kind", "") == "always" for a in clause.adjuncts):
         return turning.stay(clause, spec, scene, scope, stays=True)
-    if is_shape(clause.theme) or (clause.theme is None and spec.intos):
-        return shaped(clause, spec, scene, scope)
-    if clause.theme is None:
-        return _themeless(clause, spec, scene, scope)
-    if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
-        return turning.turn(clause, spec, scene, scope)
-    if clause.lemma == "balance" and any(isinstance(x, In) for x in spec.places):
-        raise refuse("misplaced", "blocks lie flat: none is balanced on an edge or a corner", clause.span, "say 'on'")
+    return None
+
+
+def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """Blocks that a verb arranges, with what the verb itself says of their order and their places."""
     if clause.lemma == "line" and not spec.intos:
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
     if clause.lemma in _ORDERING:
@@ -224,7 +235,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     ):
         each = Pronoun(word="each other", span=clause.span)
         spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
-    theme = refer(counted(clause.theme, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
+    theme = refer(counted(said, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     _sandwich(clause, spec)
     in_sequence(clause, theme, spec, scene)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)

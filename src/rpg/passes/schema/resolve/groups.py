@@ -116,6 +116,20 @@ def attribute_of(spec: Spec) -> str | None:
     return None
 
 
+def _to_be_sorted(shape: Structure | None, spec: Spec, scene: Scene) -> tuple[str, ...]:
+    """The blocks of groups of which nothing else says what they are made of."""
+    count = shape.amount.low if shape and shape.amount and shape.amount.low > 1 else DEFAULT_GROUPS
+    source = shape.members if shape is not None else None
+    source = source or (spec.usings.pop(0).members if spec.usings else None)
+    if source is not None:
+        from rpg.passes.schema.resolve.refer import refer
+
+        count = shape.amount.low if shape and shape.amount else DEFAULT_GROUPS
+        return refer(source, scene, Scope(need=count * DEFAULT_EACH, need_each=DEFAULT_EACH, role="member")).names
+    scene.assume(f"the number of blocks is not said: {count * DEFAULT_EACH}")
+    return new_members(Traits(), count * DEFAULT_EACH, None, scene)
+
+
 def sort_into(
     members: tuple[str, ...] | None,
     attribute: str | None,
@@ -127,22 +141,7 @@ def sort_into(
 ) -> Made:
     """Groups that lie apart, one for each value of the attribute."""
     if members is None:
-        source = (
-            shape.members
-            if shape is not None and shape.members is not None
-            else (spec.usings.pop(0).members if spec.usings else None)
-        )
-        if source is not None:
-            from rpg.passes.schema.resolve.refer import refer
-
-            count = shape.amount.low if shape and shape.amount else DEFAULT_GROUPS
-            members = refer(
-                source, scene, Scope(need=count * DEFAULT_EACH, need_each=DEFAULT_EACH, role="member")
-            ).names
-        else:
-            count = shape.amount.low if shape and shape.amount and shape.amount.low > 1 else DEFAULT_GROUPS
-            members = new_members(Traits(), count * DEFAULT_EACH, None, scene)
-            scene.assume(f"the number of blocks is not said: {count * DEFAULT_EACH}")
+        members = _to_be_sorted(shape, spec, scene)
     wanted = shape.amount.low if shape is not None and shape.amount and shape.amount.low > 1 else DEFAULT_GROUPS
     if all(scene.things[n].elastic for n in members) and len(members) < wanted * DEFAULT_EACH:
         members = scene.fit(members, wanted * DEFAULT_EACH)

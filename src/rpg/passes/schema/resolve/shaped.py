@@ -13,58 +13,27 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.structures import make
-from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
 def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """A structure as the theme ("build a tower of ..."), or what the clause is to form ("arrange in a circle")."""
+    if (goals := _remade(clause, spec, scene, scope)) is not None:
+        return goals
     shapes: list[Meaning]
-    if isinstance(clause.theme, Coord) and len(clause.theme.items) == 2 and isinstance(clause.theme.items[0], Noun):
-        last = clause.theme.items[1]
-        if isinstance(last, Structure) and last.members is None and clause.theme.cost:
-            theme = refer(clause.theme.items[0], scene, scope)
-            spec.intos.append(Into(structure=last, span=last.span))
-            return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
-    if clause.lemma == "alphabetize":
-        spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
-        if isinstance(clause.theme, Structure) and clause.theme.det == "the":
-            again = Structure(kind=clause.theme.kind, span=clause.theme.span)
-            spec.intos.append(Into(structure=again, span=clause.theme.span))
-    made_of = isinstance(clause.theme, Structure) and bool(spec.intos)
-    remade = clause.lemma in ("turn into", "alphabetize") or _known_already(clause, scene)
-    if made_of and clause.theme is not None and remade:
-        begun = replace(scope, start=True, given=True) if not _known_already(clause, scene) else scope
-        there = refer(clause.theme, scene, begun)
-        return arrange_blocks(Ref(names=there.names, plural=True), "arrange", spec, scene, scope, clause.span)
     if clause.theme is None:
         shapes = [spec.intos.pop(0).structure]
     else:
         shapes = list(clause.theme.items) if isinstance(clause.theme, Coord) else [clause.theme]
-    built: list[Built] = []
-    goals: Goals = []
     parts: list[Ref] = []
+    goals = []
     for shape in shapes:
-        if isinstance(shape, Structure) and not _spoken_of(shape, clause, scene):
-            if shape.kind == "pile" and spec.places and clause.verb == "stack":
-                raise refuse("misplaced", "piles lie on the table", shape.span)
-            if shape.det == "the" and clause.verb not in ("build", "arrange"):
-                check_built(shape)
-            more, atoms = make(shape, spec, None, scene, scope)
-            spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
-            goals += atoms
-            built += more
-            parts.append(Ref(names=tuple(n for b in more for n in b.members), built=tuple(more), span=shape.span))
-        else:
-            ref = refer(shape, scene, scope)
-            if not ref.built and not spec.places:
-                raise refuse(
-                    "no-goal", "it is not said where these blocks should be", shape.span, "say where they should be"
-                )
-            built += ref.built
-            parts.append(ref)
-    names = tuple(dict.fromkeys(n for p in parts for n in p.names))
+        part, atoms = _part(shape, clause, spec, scene, scope)
+        parts.append(part)
+        goals += atoms
+    built = [b for part in parts for b in part.built]
     ref = Ref(
-        names=names,
+        names=tuple(dict.fromkeys(n for p in parts for n in p.names)),
         built=tuple(built),
         plural=len(built) > 1,
         parts=tuple(parts) if len(parts) > 1 else (),
@@ -87,6 +56,43 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if not used and not goals:
         raise refuse("no-goal", "it is not said what to do with it", clause.span)
     return goals
+
+
+def _remade(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """ "the blocks: a circle", "turn the row into a tower", "alphabetize the row D, B, A": of blocks that are there."""
+    theme = clause.theme
+    if isinstance(theme, Coord) and len(theme.items) == 2 and isinstance(theme.items[0], Noun):
+        last = theme.items[1]
+        if isinstance(last, Structure) and last.members is None and theme.cost:
+            blocks = refer(theme.items[0], scene, scope)
+            spec.intos.append(Into(structure=last, span=last.span))
+            return arrange_blocks(blocks, "arrange", spec, scene, scope, clause.span)
+    if clause.lemma == "alphabetize":
+        spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
+        if isinstance(theme, Structure) and theme.det == "the":
+            again = Structure(kind=theme.kind, span=theme.span)
+            spec.intos.append(Into(structure=again, span=theme.span))
+    known = _known_already(clause, scene)
+    if isinstance(theme, Structure) and spec.intos and (known or clause.lemma in ("turn into", "alphabetize")):
+        there = refer(theme, scene, scope if known else replace(scope, start=True, given=True))
+        return arrange_blocks(Ref(names=there.names, plural=True), "arrange", spec, scene, scope, clause.span)
+    return None
+
+
+def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:
+    """One of the structures that a clause speaks of: built, or known already."""
+    if isinstance(shape, Structure) and not _spoken_of(shape, clause, scene):
+        if shape.kind == "pile" and spec.places and clause.verb == "stack":
+            raise refuse("misplaced", "piles lie on the table", shape.span)
+        if shape.det == "the" and clause.verb not in ("build", "arrange"):
+            check_built(shape)
+        built, atoms = make(shape, spec, None, scene, scope)
+        spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
+        return Ref(names=tuple(n for b in built for n in b.members), built=tuple(built), span=shape.span), atoms
+    ref = refer(shape, scene, scope)
+    if not ref.built and not spec.places:
+        raise refuse("no-goal", "it is not said where these blocks should be", shape.span, "say where they should be")
+    return ref, []
 
 
 def _beside_the_other(parts: list[Ref], spec: Spec, scene: Scene, clause: Clause) -> Goals:

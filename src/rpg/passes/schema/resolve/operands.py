@@ -130,3 +130,10 @@ def _moved(name: str, scene: Scene) -> bool:
     """Whether a block was put somewhere since it was said where it starts."""
     begun = scene.on_clause.get(name, 0)
     return any(m.role == "theme" and begun < m.clause < scene.clause and name in m.ref.names for m in scene.mentions)
+
+
+def so_far(a: Operand, b: Operand, loc: Loc, span: Span) -> list[g.Goal]:
+    """ "10 cm to the left of": how far that is."""
+    if loc.low is None and loc.high is None:
+        return []
+    return [r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, span=span)]

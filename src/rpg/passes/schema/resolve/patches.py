@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH
-from rpg.language.meaning import Loc, Noun
+from rpg.language.meaning import Amount, Loc, Noun
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.refer import refer
@@ -85,6 +85,17 @@ def _just_these(theme: Ref, scene: Scene) -> bool:
         and theme.quant.low == len(theme.names)
         and not any(scene.things[n].declared for n in theme.names)
     )
+
+
+def each_its_own(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> list[tuple[Ref, Ref]] | None:
+    """ "on each of the three blue blocks there is one of the three red ones": one on each, as there are as many."""
+    if theme.quant != Amount(1, 1, True) or not mark.each or mark.built or mark.quant is not None or loc.rel != "on":
+        return None
+    alike_ = len({(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in theme.names)}) == 1
+    if len(theme.names) != len(mark.names) or len(mark.names) < 2 or not alike_ or loc.negated:
+        return None
+    pairs = zip(theme.names, mark.names, strict=True)
+    return [(Ref(names=(a,)), Ref(names=(b,), patch=mark.patch)) for a, b in pairs]
 
 
 def one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:

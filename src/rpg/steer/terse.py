@@ -90,6 +90,9 @@ def _rather(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "do a T instead of the plus", "make it a square rather than a circle"."""
     start = longest(p, i, _LEADS) or i
     for shape, j in noun_phrase(p, start):
+        end = p.one(j, frozenset({"instead", "rather"}))
+        if end and isinstance(shape, m.Structure) and shape.det in ("a", "bare") and _plainly(shape):
+            yield r.Reshape(structure=shape, span=p.span(i, end), cost=3), end
         n = longest(p, j, "instead of | rather than | in place of | and not | , not | not")
         for given_up, end in noun_phrase(p, n) if n and isinstance(shape, m.Structure) else ():
             if isinstance(given_up, m.Structure) and isinstance(shape, m.Structure) and _plainly(given_up):
@@ -129,7 +132,8 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if len(listed) == 1:
             yield Tint(color=listed[0], span=p.span(i, j), cost=5), j
     text = literal(p, i)
-    if text is not None and len(text) > 1 and text.isalpha():
+    first = i == 0 or p.words[i - 1] in (",", ".", "!", "please", "now", "no")
+    if first and text is not None and len(text) > 1 and text.isalpha():
         word = m.Structure(kind="word", letter=text.upper(), span=p.span(i, i + 1))
         yield r.Reshape(structure=word, span=p.span(i, i + 1), cost=5), i + 1
 

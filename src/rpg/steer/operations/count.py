@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
-from rpg.ir.assets import Asset, Block
+from rpg.ir.assets import Asset, Block, ColoredCube, SemanticCube
 from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetField
 from rpg.ir.order import Pattern
 from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase
@@ -167,14 +167,38 @@ def _figure(draft: Draft, figure: Shape, request: r.Recount) -> None:
     needed = cells_of(changed, asked)
     if needed == len(there) and changed == node:
         raise draft.refusal("nothing-to-do", "it has this size already", request.span)
-    for name in there[needed:]:
-        draft.do(SetField(at=figure.path, field="blocks", value=tuple(n for n in there[:needed])), request.span)
+    pair = _pair(draft, figure, changed)
+    kept = [name for k, look in enumerate(pair) for name in look[: (needed + 1 - k) // 2]] if pair else there[:needed]
+    gone = [name for name in there if name not in kept]
+    for name in gone:
+        draft.do(SetField(at=figure.path, field="blocks", value=tuple(kept)), request.span)
         draft.do(RemoveAsset(name=name), request.span)
-    new = _filling(draft, figure, changed, needed - len(there))
+    if pair:
+        new = [asset for k, look in enumerate(pair) for asset in like(draft, look[:1], (needed + 1 - k) // 2 - len(look))]
+        new = [asset.model_copy(update={"name": name}) for asset, name in zip(new, _free(draft, new), strict=True)]
+    else:
+        new = _filling(draft, figure, changed, needed - len(there))
     for asset in new:
         draft.do(AddAsset(asset=asset), request.span)
-    blocks = (*there[:needed], *(asset.name for asset in new))
+    blocks = (*kept, *(asset.name for asset in new))
     draft.do(ChangeCondition(at=figure.path, to=changed.model_copy(update={"blocks": blocks})), request.span)
+
+
+def _pair(draft: Draft, figure: Shape, changed: Cells) -> list[list[str]]:
+    """The blocks of the two looks that alternate in a figure, the more numerous first; none where none alternate."""
+    pattern = changed.pattern
+    if pattern is None or not (pattern.kind == "checkerboard" or pattern.order.by == "alternating"):
+        return []
+    found: dict[object, list[str]] = {}
+    for name in figure.members:
+        found.setdefault(draft.view.world.look[name], []).append(name)
+    return sorted(found.values(), key=len, reverse=True) if len(found) == 2 else []
+
+
+def _free(draft: Draft, assets: Sequence[Asset]) -> list[str]:
+    """Names that none of the task's objects has, one for each."""
+    blocks = [asset for asset in assets if isinstance(asset, ColoredCube | SemanticCube)]
+    return [asset.name for asset in named(draft, blocks)]
 
 
 def _dimensions(draft: Draft, figure: Shape, request: r.Recount) -> dict[str, object] | None:

@@ -45,23 +45,27 @@ def equate(draft: Draft, request: Equate) -> None:
     draft.do(ChangeCondition(at=line.path, to=node), request.span)
     for name in spare:
         draft.do(RemoveAsset(name=name), request.span)
+    model = kept[0]
     if taken:
         blocks = draft.view.world.blocks
         new = {n: blocks[n].model_copy(update={"label": text[k], "labels": None}) for k, n in taken}
         renamed = exchange(draft, new, request.span)
         for k, name in taken:
             places[k] = renamed[name]
+        model = renamed.get(model, model)
     for k, place in enumerate(places):
         if place is None:
-            places[k] = _cube(draft, text[k])
+            places[k] = _cube(draft, text[k], model)
     final = tuple(name for name in places if name is not None)
     draft.do(ChangeCondition(at=line.path, to=node.model_copy(update={"blocks": final, "text": text})), request.span)
     draft.look_at(final)
 
 
-def _cube(draft: Draft, symbol: str) -> str:
-    """The name of a new cube that shows a symbol."""
+def _cube(draft: Draft, symbol: str, model: str) -> str:
+    """The name of a new cube that shows a symbol and is otherwise like `model`."""
     (block,) = describe(draft, m.Traits(labels=(symbol,)), 1)
+    world = draft.view.world
+    block = block.model_copy(update={"color": world.blocks[model].color, "size": world.edge[model]})
     name = free_name(block, {asset.name for asset in draft.schema.assets})
     draft.do(AddAsset(asset=block.model_copy(update={"name": name})))
     return name
@@ -89,4 +93,4 @@ def carry_on(draft: Draft, request: Continue) -> None:
     for symbol in new:
         now = draft.view.line_of(line.members)
         assert now is not None
-        insert(draft, now, len(now.members) if at_end else 0, _cube(draft, symbol), request.span)
+        insert(draft, now, len(now.members) if at_end else 0, _cube(draft, symbol, line.members[-1]), request.span)

@@ -51,6 +51,7 @@ def _other_letters(draft: Draft, line: Line, node: Spells, span: Span) -> None:
     places, spare = _shared(draft, line, symbols)
     changed = {k: spare.pop(0) for k, name in enumerate(places) if name is None and spare}
     left = tuple(name for name in line.members if name not in spare)
+    body = _body(draft, left)
     draft.do(ChangeCondition(at=line.path, to=node.model_copy(update={"blocks": left})), span)
     for name in spare:
         draft.do(RemoveAsset(name=name), span)
@@ -64,7 +65,7 @@ def _other_letters(draft: Draft, line: Line, node: Spells, span: Span) -> None:
             places[k] = renamed[name]
     new = [k for k, name in enumerate(places) if name is None]
     if new:
-        traits = m.Traits(labels=tuple(symbols[k] for k in new), colors=_body(draft, left))
+        traits = m.Traits(labels=tuple(symbols[k] for k in new), colors=body)
         added = draft.add(new_assets(draft, m.Noun(head="block", plural=True, traits=traits, span=span)), span)
         for k, name in zip(new, added, strict=True):
             places[k] = name

@@ -175,13 +175,20 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
         yield Marks({"rank": "last"}), p.reach(i + 1)
     for (labels, more), j in label_list(p, i):
         plural = lexicon.BLOCK.get(p.words[j]) if j < p.end else None
+        several = plural and labels[0].isalpha() and _counted(p, i)
         if len(labels) == 1 and (
-            plural is not False or (labels[0].isdigit() and not (i and _introduces_a_digit(p.words[i - 1])))
+            (plural is not False and not several)
+            or (labels[0].isdigit() and not (i and _introduces_a_digit(p.words[i - 1])))
         ):
             continue
         if len(labels) > 1 and plural is not True:
             continue
         yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
+
+
+def _counted(p: Parser, i: int) -> bool:
+    """ "two A blocks": so many with the same letter."""
+    return i > 0 and p.number(i - 1) is not None and p.tokens[i].raw.isupper()
 
 
 def _introduces_a_digit(word: str) -> bool:
@@ -207,17 +214,25 @@ _SCHEMES = {
     "of assorted colors": "mixed", "of mixed colors": "mixed", "of any color": "mixed", "in assorted colors": "mixed",
 }  # fmt: skip
 """What is said of the colours of several blocks or patches."""
-_MATCHING = (
-    "with the same color", "of its color", "of its own color", "of the same color", "of matching color",
-    "of that color", "of the corresponding color", "of their color", "in its color", "of their own color",
-    "of the matching color", "with matching color", "that matches its color", "matching its color",
-    "that matches their color", "matching their color", "matching in color", "with its color", "that match its color",
-    "that match their color", "with the matching color", "that has the same color", "that has its color",
-    "in the same color", "in its own color", "of equal color", "in the matching color", "in matching color",
-    "with its own color",
+_MATCHING = tuple(
+    dict.fromkeys(
+        phrase.replace("color", word)
+        for phrase in (
+            "with the same color", "of its color", "of its own color", "of the same color", "of matching color",
+            "of that color", "of the corresponding color", "of their color", "in its color", "of their own color",
+            "of the matching color", "with matching color", "that matches its color", "matching its color",
+            "that matches their color", "matching their color", "matching in color", "with its color",
+            "that match its color", "that match their color", "with the matching color", "that has the same color",
+            "that have the same color", "which have the same color", "which has the same color", "that has its color",
+            "that have their color", "in the same color", "in its own color", "of equal color",
+            "in the matching color", "in matching color", "with its own color", "that matches it in color",
+            "that matches in color", "that match in color", "with that color", "in that color", "in their color",
+        )
+        for word in ("color", "colors")
+    )
 )  # fmt: skip
 """What is said of a patch that has the colour of what goes on it."""
-_EDGES = (
+_EDGE_OF = (
     "of size", "of edge", "with edges of", "with sides of", "of edge length", "of", "measuring",
     *(
         f"{lead}{edge}{of}"
@@ -230,6 +245,9 @@ _EDGES = (
 """What stands before the length of a block's edge."""
 _OWN = ("of its own", "of their own", "to itself", "to themselves")
 _MARKED = tuple(f"{how}on the table" for how in ("", "designated ", "marked ", "painted ", "drawn "))
+
+
+_EDGES = ("edges", "edge", "sides", "side", "edge length", "side length", "edge lengths", "side lengths")
 
 
 @rule
@@ -250,10 +268,23 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     for phrase, j in p.standing(i, _MATCHING):
         if head == "patch" or "same" not in phrase:
             yield Marks({"matching": True}), j
-    if j := p.any_of(i, _EDGES):
+    if j := p.any_of(i, _EDGE_OF):
         yield from ((Marks({"edge": metres}), k) for metres, k in length(p, j))
+    if j := p.any_of(i, ("with", "having", "that has", "which has", "with a")):
+        for metres, k in length(p, j):
+            if end := p.any_of(k, _EDGES):
+                yield Marks({"edge": metres}), end
     if j := p.any_of(i, ("in", "in color", "colored", "coloured", "painted", "of color", "with color")):
-        yield from ((Marks({"colors": listed, "either": either}), k) for (listed, either), k in colors(p, j))
+        for (listed, either), k in colors(p, j):
+            if not (p.words[i] in ("colored", "painted") and _goes_on(p, k)):
+                yield Marks({"colors": listed, "either": either}), k
+
+
+def _goes_on(p: Parser, k: int) -> bool:
+    """ "coloured red, white and blue": the first colours alone are not what is said."""
+    j = p.opt(p.opt(k, ","), "and")
+    after = p.words[j + 1]
+    return j > k and p.words[j] in lexicon.COLOR and after not in lexicon.BLOCK and after not in ("one", "ones")
 
 
 def _symbols_after(p: Parser, i: int) -> Results[Marks]:
@@ -265,7 +296,7 @@ def _symbols_after(p: Parser, i: int) -> Results[Marks]:
     yield from _labelled(p, i)
     if p.words[i - 1] in ("blocks", "cubes", "bricks"):
         for (listed, either), k in colors(p, p.opt(i, ":")):
-            if len(listed) > 1 and not either:
+            if len(listed) > 1 and not either and not _goes_on(p, k):
                 yield Marks({"colors": listed}), k
 
 

@@ -44,15 +44,48 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
             for lot, last in each_of(p, end) if base.plural else ():
                 yield replace(whole, details=(*whole.details, lot), span=p.span(i, last)), last
             yield from _sided(p, i, end, whole)
+            yield from _in_colors(p, i, end, whole)
             yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
         yield from _sided(p, i, k, sized)
         for lot, end in each_of(p, k) if base.plural else ():
             yield replace(sized, details=(*sized.details, lot), span=p.span(i, end)), end
         yield from _piled(p, i, k, sized)
+        yield from _in_colors(p, i, k, sized)
         if base.kind in ("stack", "row", "line", "column"):
             for items, end in listed(p, p.opt(k, ":", ",")):
                 given = OrderBy(by="named", items=items, span=p.span(k, end))
                 yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
+
+
+_COLORS = tuple(
+    f"{lead}{word}{of}"
+    for lead in (
+        "in ", "in the ", "with ", "with the ", "of ", "of the ", ", ", "", "whose ", "where the ", "with its ",
+        "using the ",
+    )
+    for word in ("colors", "color", "colored", "painted")
+    for of in ("", " :", " are", " are :", " being", " of")
+)  # fmt: skip
+"""What the colours of a line's blocks are listed after."""
+
+
+def _in_colors(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "a row in the colours red, white and blue", "a tower of three blocks coloured red, white and blue"."""
+    members = base.members
+    lead = p.any_of(k, _COLORS) if base.kind in ("stack", "row", "line", "column") and not base.plural else 0
+    if not lead or base.traits.colors or not (members is None or _uncoloured(members)):
+        return
+    size = base.size or members_amount(members) if members is not None else base.size
+    for items, end in listed(p, lead):
+        colored = all(isinstance(x, Noun) and x.traits == Traits(colors=x.traits.colors[:1]) for x in items)
+        if colored and (size is None or size.low == size.high == len(items)):
+            whole = Coord(op="and", items=items, span=p.span(lead, end))
+            yield replace(base, members=whole, sizes=(), span=p.span(i, end)), end
+
+
+def _uncoloured(members: Meaning) -> bool:
+    """Blocks of which no look is said."""
+    return isinstance(members, Noun) and members.traits == Traits() and members.head == "block" and not members.part_of
 
 
 def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:

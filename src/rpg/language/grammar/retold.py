@@ -21,9 +21,9 @@ def tally(items: tuple[Meaning, ...]) -> int:
 def retold(items: tuple[Meaning, ...]) -> bool:
     """ "two blocks, one red and one blue": the list tells the first item again, it does not add to it."""
     whole = items[0]
-    if not isinstance(whole, Noun) or whole.traits != Traits() or whole.amount is None or len(items) < 3:
+    if not isinstance(whole, Noun) or whole.traits != Traits() or whole.amount is None:
         return False
-    return tally(items[1:]) == whole.amount.low
+    return tally(items[1:]) > 1
 
 
 def universal(item: Meaning) -> bool:

@@ -35,7 +35,7 @@ _PLAIN = {
     "circle ring": "circle",
     "equation": "equation",
     "evenly": "evenly spacing",
-    "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored",
+    "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",
     "neither nor": "not count",
     "pyramid": "pyramid",
     "rainbow": "rainbow",

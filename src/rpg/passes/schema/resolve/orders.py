@@ -55,6 +55,10 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
                 "name the order, such as 'in reverse alphabetical order'",
             )
         found = found.model_copy(update={"descending": not found.descending})
+    looks = [(scene.things[n].color, scene.things[n].label) for n in names]
+    if found.by == "mirrored" and spec.listed and looks == looks[::-1]:
+        found = Order()
+        spec.orders = [o for o in spec.orders if o.by != "mirrored"]
     if found.by == "any" and not spec.orders and spec.listed and (first or _doubled(names, scene)):
         found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
     placed = positions(spec, names, kind, scene)

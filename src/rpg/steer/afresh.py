@@ -49,6 +49,17 @@ _ONE_MORE = re.compile(
 )
 
 
+_NUMBER = re.compile(
+    r"^\W*(?:(?:just|only|now|then|and)\s+)*(?:\d+|two|three|four|five|six|seven|eight|nine|ten|eleven|twelve)\s",
+    re.IGNORECASE,
+)
+
+
+def only_a_number(request: str) -> bool:
+    """Whether a request begins with how many, and has no verb before it."""
+    return bool(_NUMBER.match(request)) and by_itself(request) == request
+
+
 def one_more(request: str) -> bool:
     """Whether a request speaks of one more of what the task has: no instruction of its own does."""
     return bool(_ONE_MORE.search(request))

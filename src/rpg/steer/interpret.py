@@ -23,6 +23,7 @@ from rpg.steer.afresh import (
     mentions_known,
     names_structure,
     one_more,
+    only_a_number,
     only_known,
     reused,
 )
@@ -54,7 +55,7 @@ from rpg.steer.parse import Parsed, is_edit, parse
 from rpg.steer.parties import NewTower
 from rpg.steer.parts import Part
 from rpg.steer.refer import resolve
-from rpg.steer.shape import same_structure
+from rpg.steer.shape import STRUCTURES, same_structure, structures
 from rpg.steer.starts import Begin
 from rpg.steer.symbols import Continue, Equate
 from rpg.steer.terse import Bound, Bring, PileUp, Shift, Tint
@@ -264,6 +265,7 @@ def _otherwise(
     longest = next((reading for reading in readings if not reading.whole), None)
     edits = is_edit(request) or any(reading.whole and _adds_at_end(reading) for reading in readings)
     reasons: list[Diagnostic] = []
+    _not_of_what_is_built(request, history, read)
     if not edits and not Fresh.adds(request) and (not refusals or "instead" in request.lower()):
         try:
             return _reused(request, history, read)
@@ -286,6 +288,19 @@ def _otherwise(
         except Refusal as refusal:
             reasons += refusal.diagnostics
     raise refusals[0] if refusals else _not_understood(request, longest, reasons, edits)
+
+
+def _not_of_what_is_built(request: str, history: History, read: Reader) -> None:
+    """Refuse "three towers" where there are two: as an instruction of its own it would make up the blocks."""
+    if not only_a_number(request):
+        return
+    schema, _ = read(by_itself(request))
+    built = structures(history.current.schema.goal) & STRUCTURES
+    if schema is not None and structures(schema.goal) & built:
+        message = "this may be about what is there, or an instruction of its own"
+        hint = "say 'add ...' or 'remove ...' for what is there, or 'build ...' for another task"
+        span = (0, len(request))
+        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
 
 
 def _about_new_things(request: str, history: History, read: Reader) -> bool:

@@ -6,7 +6,9 @@ from html import escape
 
 from rpg.gallery.collect import Album, Card
 
-STEP, LANE, RADIUS, MARGIN = 150, 56, 15, 28
+STEP, LANE, RADIUS, MARGIN = 250, 68, 15, 28
+LONGEST = 32
+"""Signs of an edit that its edge has room for; the rest is in its title and on the card."""
 
 
 def lineage_svg(album: Album) -> str:
@@ -52,15 +54,21 @@ def _point(place: tuple[int, int]) -> tuple[int, int]:
 def _edge(card: Card, places: dict[int, tuple[int, int]]) -> str:
     assert card.parent is not None and card.steering is not None
     (x1, y1), (x2, y2) = _point(places[card.parent]), _point(places[card.number])
-    middle = (x1 + x2) / 2
-    level = y1 == y2
-    label = f'x="{middle}" y="{y1 - 6}"' if level else f'x="{x2 - RADIUS - 6}" y="{y2 + 16}" class="branch"'
-    category = card.category
+    middle = (x1 + x2 + RADIUS) / 2
+    out = f"M{x1 + RADIUS},{y1}" if y1 == y2 else f"M{x1},{y1 + RADIUS} V{y2 - RADIUS} Q{x1},{y2} {x1 + RADIUS},{y2}"
+    category = card.category.lower()
+    goals = card.steering.proof.get("goals")
+    kind = f"{category}: {goals['relation']}" if goals else category
     return (
-        f'<g class="edge {category.lower()}"><title>{escape(told(card))}</title>'
-        f'<path d="M{x1 + RADIUS},{y1} C{middle},{y1} {middle},{y2} {x2 - RADIUS},{y2}"/>'
-        f"<text {label}>{category.lower()}</text></g>"
+        f'<g class="edge {category}"><title>{escape(told(card))}</title>'
+        f'<path d="{out} H{x2 - RADIUS}"/>'
+        f'<text x="{middle}" y="{y2 - 6}">{escape(kind)}</text>'
+        f'<text x="{middle}" y="{y2 + 16}" class="said">{escape(_short(card.steering.request))}</text></g>'
     )
+
+
+def _short(request: str) -> str:
+    return request if len(request) <= LONGEST else f"{request[: LONGEST - 1].rstrip()}…"
 
 
 def _node(card: Card, place: tuple[int, int]) -> str:

@@ -119,7 +119,7 @@ def reused(draft: Draft, request: str, read: Callable[[str], tuple[TaskSchema | 
     it needs all blocks that the old one spoke of, and no others."""
     span = (0, len(request))
     only_known(draft, request, 0)
-    if names_structure(draft, request) or re.search(r"\b(?:it|its|this|that|one)\b", request, re.IGNORECASE):
+    if names_structure(draft, request) or re.search(r"\b(?:it|its|this|that)\b", request, re.IGNORECASE):
         raise Refusal([_vague(*span)])
     there = ". ".join(objects(draft.schema, Speaker(draft.view.world)))
     schema, _ = read(f"{there}. {_AGAINST.sub('', by_itself(request))}")

@@ -140,7 +140,8 @@ def _told_again(before: Clause, item: Meaning) -> Clause | None:
 
 def _apposed(before: Clause, item: Meaning) -> bool:
     """ "a square of red blocks, three rows of three": a comma alone brings no structure without blocks of its own."""
-    theme = item.theme if isinstance(item, Clause) and not item.adjuncts else None
+    told = isinstance(item, Clause) and not item.adjuncts and item.mode != "command"
+    theme = item.theme if told and isinstance(item, Clause) else None
     return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)
 
 
@@ -167,6 +168,8 @@ def _link(p: Parser, i: int) -> Results[str]:
     elif k := p.any_of(j, _ALSO):
         k = p.opt(k, "also", "both")
         yield "and", k
+        if p.words[k : k + 1] == [","] and "," in p.words[k + 1 :]:
+            yield "and", k + 1
     elif j > i:
         yield "and", j
 

@@ -79,12 +79,31 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     if mode != "start":
         yield from part_clause(p, i)
     yield from _for_each(p, i)
+    yield from _what(p, i, when)
     yield from inventory(p, i)
     yield from terse(p, i, when)
     for (theme, start), _ in about(p, i):
         for found, j in _command(p, start):
             if (said := said_of(theme, found)) is not None:
                 yield said, j
+
+
+_GOES = (
+    "goes", "should go", "must go", "has to go", "is", "should be", "must be", "lies", "should lie", "sits", "stands",
+    "comes", "should come", "belongs", "should sit", "should stand", "must lie", "must stand", "i want",
+)  # fmt: skip
+
+
+@rule
+def _what(p: Parser, i: int, mode: str) -> Results[Clause]:
+    """ "what goes on top of the yellow block is the pink one": the pink one goes there."""
+    j = p.any_of(i, ("what", "the block that", "the one that", "the cube that"))
+    j = p.any_of(j, _GOES) if j else 0
+    for place, k in adjunct(p, j) if j else ():
+        end = p.any_of(k, ("is", "should be", "must be", "has to be"))
+        for theme, last in simple(p, end) if end and isinstance(place, Loc | In) else ():
+            if isinstance(theme, Noun) and theme.head != "patch":
+                yield Clause(verb="be", theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, last), cost=1), last
 
 
 @rule
@@ -185,6 +204,15 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     return found
 
 
+def nothing_at_all(found: Clause) -> Clause:
+    """ "do not put anything on it": nothing is put there."""
+    theme = found.theme
+    if not found.negated or not isinstance(theme, Pronoun) or theme.word not in ("anything", "anything else"):
+        return found
+    nothing = Pronoun(word="nothing else" if theme.word.endswith("else") else "nothing", span=theme.span)
+    return replace(found, theme=nothing, negated=False, verb="be", lemma="")
+
+
 _AGENTS = (
     "you", "we", "the robot", "the child", "the student", "the user", "somebody", "someone", "the arm", "the agent",
     "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
@@ -219,7 +247,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
                 yield replace(found, adjuncts=(*found.adjuncts, alone), span=p.span(i, end)), end
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
         if negated or found.negated or j > i:
-            found = replace(found, negated=negated, span=p.span(i, k))
+            found = nothing_at_all(replace(found, negated=negated, span=p.span(i, k)))
         yield ever(found, never), k
 
 

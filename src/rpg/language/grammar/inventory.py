@@ -55,6 +55,10 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
         taken = p.words[i] in ("take", "use", "using")
         for theme, told, j in _contents(p, p.opt(lead, "exactly", "just", "only", ":"), taken):
             yield _given(p, i, j, theme, told, 0 if taken and (told or _several(theme)) else 1), j
+    of = p.one(i, "of")
+    for theme, j in simple(p, of) if of else ():
+        if isinstance(theme, Noun) and _counted(theme, True) and theme.det == "the" and p.words[j : j + 1] == [","]:
+            yield _given(p, i, j, theme, (), 2), j
     added = p.one(i, "add")
     for theme, j in simple(p, added) if added else ():
         if isinstance(theme, Noun) and theme.traits.extra:

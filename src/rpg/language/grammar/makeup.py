@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import colors
+from rpg.language.grammar.along import listed_along
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.lists import listed
@@ -55,6 +56,8 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
             for items, end in listed(p, p.opt(k, ":", ",")):
                 given = OrderBy(by="named", items=items, span=p.span(k, end))
                 yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
+            for along, end in listed_along(p, k):
+                yield replace(sized, details=(*sized.details, along), span=p.span(i, end), cost=sized.cost + 1), end
 
 
 _COLORS = tuple(
@@ -172,6 +175,9 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
     ):
         yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
+    if k := p.any_of(j, (", lying flat on the table", "lying flat on the table", ", lying flat", "lying flat",
+                         ", flat on the table", "flat on the table")):  # fmt: skip
+        yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
     plain = base.members is None and not base.traits.colors
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
     if plain and (comma > j or base.kind == "checkerboard"):

@@ -17,6 +17,11 @@ _SIMPLE = {
     "under": "under", "underneath": "under", "beneath": "under", "below": "under",
     "in front of": "front", "ahead of": "front", "to the front of": "front", "on the front side of": "front",
     "at the front of": "front", "on the near side of": "front", "on the front of": "front", "nearer than": "front",
+    "closer to me than": "front", "nearer to me than": "front", "nearer to the viewer than": "front",
+    "closer to the camera than": "front", "nearer to the camera than": "front", "closer to the robot than": "front",
+    "nearer to the robot than": "front", "farther away than": "behind", "farther from me than": "behind",
+    "farther away from me than": "behind", "farther back than": "behind", "farther than": "behind",
+    "farther from the robot than": "behind", "farther from the camera than": "behind",
     "behind": "behind", "in back of": "behind", "to the back of": "behind", "at the back of": "behind",
     "to the rear of": "behind",
     "on the back side of": "behind", "beyond": "behind", "on the far side of": "behind", "at the rear of": "behind",
@@ -92,7 +97,8 @@ def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
             starts.append(((mod,), p.opt(p.reach(i + 1), "and")))
     for mods, j in starts:
         for phrase, k in p.standing(j, _SIMPLE):
-            yield (_SIMPLE[phrase], mods), k
+            loose = mods if not phrase.endswith("than") or phrase == "nearer than" else (*mods, "somewhere")
+            yield (_SIMPLE[phrase], loose if _SIMPLE[phrase] in ("front", "behind") else mods), k
         for (side, how), k in side_relation(p, j):
             if not side.endswith("?"):
                 extra = {"immediate": ("immediate",), "direct": ("directly",), "side": ("side",)}.get(how, ())

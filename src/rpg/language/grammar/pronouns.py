@@ -27,7 +27,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
                    "both of them", "all of them",
                    "everything", "both",
                    "all of it", "the first one", "the second one", "the remaining ones", "the remainder", "another",
-                   "the other", "one", "nothing else", "nothing", "either of them", "neither of them", "each of them",
+                   "the other", "one", "nothing else", "nothing", "anything else",
+                   "anything", "either of them", "neither of them", "each of them",
                    "none of them", "that", "this", "those", "these", "each one", "any other one", "any other",
                    "any of the others", "each", "all others", "all the others", "all the rest",
                    "all")):  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.measures import limited, measured, measured_bare
+from rpg.language.grammar.measures import bounds, limited, measured, measured_bare
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.prepositions import relation, side_relation
 from rpg.language.grammar.regions import region
@@ -155,6 +155,9 @@ def _bare(p: Parser, i: int) -> Results[Meaning]:
     for phrase, j in p.standing(i, _UNSAID):
         landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
+        if _UNSAID[phrase] == "apart" and p.words[j : j + 1] == [","]:
+            for (low, high), k in bounds(p, j + 1):
+                yield Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, k)), k
 
 
 _UNSAID = {

@@ -17,6 +17,7 @@ from rpg.language.meaning import (
     At,
     Chain,
     Clause,
+    Coord,
     In,
     Loc,
     Manner,
@@ -216,9 +217,16 @@ _SO_ARE = ("should be", "must be", "should", "must", "is", "are", "does", "do", 
 """What stands for the whole predicate of the clause before: "... and the blue one should be"."""
 
 
+_SO_IS = ("so is", "so are", "so should", "so must", "so does", "so do", "so will", "so shall", "likewise")
+
+
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
+    so = p.any_of(i, _SO_IS) if before.adjuncts and before.verb in ("be", "place") and not before.negated else 0
+    for theme, j in noun_phrase(p, so) if so else ():
+        if isinstance(theme, Noun | Coord):
+            yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
     for theme, j in noun_phrase(p, i) if before.adjuncts else ():
         yield from _too(p, i, j, theme, before)
         for found, k in adjuncts(p, j):

@@ -17,6 +17,8 @@ _OTHER = frozenset({"the other one", "the other", "the second one", "another"})
 
 def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     """What a pronoun stands for."""
+    if word.word.startswith("anything"):
+        raise refuse("misplaced", f"{word.word!r} names no block", word.span, "say 'any block', or 'nothing'")
     if word.word in _EACH_OTHER:
         return Ref(reciprocal=True, span=word.span)
     if word.word.startswith("="):

@@ -235,9 +235,10 @@ class Absolute(Meaning):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Using(Meaning):
-    """ "with / from / using" the blocks to be used."""
+    """ "with / from / using" the blocks to be used; `lead`: which of these words was said."""
 
     members: Meaning
+    lead: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Span
+from rpg.language import lexicon
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,7 +156,10 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         before = out[-1] if out else None
         after = tokens[index + 1] if index + 1 < len(tokens) else None
         adjoining = before is not None and before.span[1] == token.span[0]
-        if before and adjoining and before.kind == "number" and token.word in _ORDINAL_TAIL:
+        if before and _counts(before) and len(token.raw) == 2 and token.raw[0].isupper() and token.raw[1] == "s":
+            letter = Token("word", token.word[0], token.raw[0], (token.span[0], token.span[0] + 1))
+            out += [letter, replace(token, word="blocks", span=(token.span[0] + 1, token.span[1]))]
+        elif before and adjoining and before.kind == "number" and token.word in _ORDINAL_TAIL:
             out[-1] = Token("word", before.word + token.word, before.raw + token.raw, (before.span[0], token.span[1]))
         elif token.word == "-" and before and after and adjoining and after.span[0] == token.span[1]:
             if _is_range(before, after):
@@ -172,6 +176,11 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         else:
             out.append(token)
     return out
+
+
+def _counts(token: Token) -> bool:
+    """ "two As": before the plural of a letter stands a number."""
+    return token.kind == "number" or (token.kind == "word" and token.word in lexicon.NUMBER)
 
 
 def _is_range(before: Token, after: Token) -> bool:

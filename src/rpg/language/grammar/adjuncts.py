@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.language.grammar.absolutes import absolute
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each import each_of
+from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
@@ -68,6 +69,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from _into(p, i)
     yield from _using(p, i)
     yield from absolute(p, i)
+    yield from each_line(p, i)
     yield from _that(p, i)
     yield from manner(p, i)
     yield from size_phrase(p, i)
@@ -154,10 +156,10 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _using(p: Parser, i: int) -> Results[Meaning]:
-    for _, j in p.standing(i, _USING):
+    for lead, j in p.standing(i, _USING):
         for members, k in noun_phrase(p, j):
             if not any(isinstance(part, Structure) for part in parts_of(members)):
-                yield Using(members=members, span=p.span(i, k), cost=1), k
+                yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
     if j := p.any_of(i, ("in", "by", "written in", "written with", "spelled with", "spelled in")):
         for members, k in noun_phrase(p, j):
             if isinstance(members, Noun) and members.head == "block" and members.plural and members.traits.kind:

@@ -104,6 +104,8 @@ def quantity(p: Parser, i: int) -> Results[Quantity]:
             "some but not all of",
             "some , but not all of",
             "at least one , but not all of",
+            "at least one , but not all , of",
+            "some , but not all , of",
         ),
     ):
         yield Quantity("some", Amount(1, -1, True), True, partitive=True), j

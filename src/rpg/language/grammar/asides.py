@@ -43,7 +43,13 @@ _FREE = (
     "up to you", "as you like", "you choose", "either is fine", "any order will do", "any order is fine",
     "any order works", "any direction will do",
     "any direction is fine", "whichever", "whatever", "either will do", "either one will do", "either one is fine",
-    "it does not matter which", "does not matter which", "no matter which", "that is all", "that is it", "i think",
+    "it does not matter which", "does not matter which", "no matter which",
+    "any color", "any colors", "of any color", "whatever color", "whatever colors",
+    "the color does not matter",
+    "color does not matter", "colors do not matter", "the colors do not matter", "any color will do",
+    "any color is fine", "i do not care which", "i do not care", "i do not mind which", "i do not care which one",
+    "it does not matter which one", "i do not mind", "rather",
+    "that is all", "that is it", "i think",
     "all good",
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""

@@ -12,7 +12,7 @@ from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
 from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
-from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Structure
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, Using
 
 _LEADS = (
     ("after", "then"), ("once", "then"), ("as soon as", "then"), ("when", "then"), ("before", "before"),
@@ -52,7 +52,7 @@ def _alternatives(p: Parser, i: int, had: tuple[Chain, ...]) -> Results[Chain]:
         found = (*had, part)
         if k := p.seq(j, ", or"):
             yield from _alternatives(p, k, found)
-        if len(found) > 1 and any(len(side.clauses) > 1 for side in found):
+        if len(found) > 1:
             links = ("and", *("or" for _ in had))
             yield Chain(clauses=found, links=links, span=p.span(i, j)), j
 
@@ -62,6 +62,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         return
     if colon := p.one(at, ":"):
         for item, k in clause(p, colon):
+            if isinstance(had[-1], Clause) and isinstance(had[-1].theme, Structure) and _mere_colors(item):
+                continue
             if isinstance(item, Clause) and isinstance(had[-1], Clause) and had[-1].adjuncts and item.verb != "exist":
                 whole = (*had, replace(item, cost=item.cost + 3))
                 yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
@@ -105,6 +107,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             nor = isinstance(previous.theme, Coord) and previous.theme.op == "nor"
             neither = link == "or" and (previous.negated or nor)
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
+                item = _same_letters(previous, item) if link == "or" else item
                 same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
                 if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
@@ -126,6 +129,28 @@ def _not_until(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ..
         if isinstance(item, Clause) and not item.negated:
             whole = (*before, replace(last, negated=False), item)
             yield Chain(clauses=whole, links=(*links, "after"), span=p.span(i, k)), k
+
+
+def _mere_colors(item: Meaning) -> bool:
+    """ "red, white, blue from front to back" behind a colon tells of the structure in front of it."""
+    theme = item.theme if isinstance(item, Clause) else None
+    listed = theme.items if isinstance(theme, Coord) else (theme,)
+    return isinstance(item, Clause) and item.verb == "be" and all(
+        isinstance(x, Noun) and x.head == "any" and x.det == "bare" and x.amount is None for x in listed
+    )  # fmt: skip
+
+
+def _same_letters(before: Clause, item: Meaning) -> Meaning:
+    """ "spell TEA or EAT": either word is of the same cubes."""
+    one, two = before.theme, item.theme if isinstance(item, Clause) else None
+    if not (isinstance(one, Structure) and isinstance(two, Structure) and isinstance(item, Clause)):
+        return item
+    same = bool(one.letter) and one.kind == two.kind == "word" and sorted(one.letter or "") == sorted(two.letter or "")
+    own = [a for a in item.adjuncts if isinstance(a, Using)]
+    if not same or any(not isinstance(a.members, Noun) or a.members.traits.labels for a in own):
+        return item
+    them = Using(members=Pronoun(word="them", span=two.span), span=two.span)
+    return replace(item, adjuncts=(*(a for a in item.adjuncts if a not in own), them))
 
 
 def _told_again(before: Clause, item: Meaning) -> Clause | None:

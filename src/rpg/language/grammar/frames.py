@@ -123,7 +123,7 @@ THEN = (
 )  # fmt: skip
 TAG = Phrases(
     "please", "thanks", "thank you", "if you can", "if possible", "for me", "if you could", "thank you very much",
-    "ok", "okay", "would you", "will you", "can you", "could you", "now", "as well", "too",
+    "ok", "okay", "either", "would you", "will you", "can you", "could you", "now", "as well", "too",
     "on your own", "if you please", "thanks a lot", "in the end", "at the end", "when you are done",
     "once finished", "when finished", "at the end of the task", "in the final state",
 )  # fmt: skip

@@ -8,7 +8,21 @@ from rpg.core.diagnostics import Span
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase
-from rpg.language.meaning import Absolute, At, Clause, Loc, Meaning, Noun, PartOf, Places, Pronoun, Structure, TableTop
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Chain,
+    Clause,
+    Loc,
+    Meaning,
+    Noun,
+    PartOf,
+    Places,
+    Pronoun,
+    Structure,
+    TableTop,
+    That,
+)
 
 _HAS = (
     "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have",
@@ -42,13 +56,27 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                         continue
                     places = _owned(found, owner)
                     if places is not None:
-                        yield _stated(p, i, end, theme, places, mode), end
+                        stated = _stated(p, i, end, theme, places, mode)
+                        yield stated, end
+                        yield from _another(p, i, end, owner, stated, mode)
         if k := p.any_of(j, _CARRIES):
             for theme, start in noun_phrase(p, k):
                 for found, end in adjuncts(p, start):
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
                         yield _stated(p, i, end, theme, (place,), mode), end
+
+
+def _another(p: Parser, i: int, at: int, owner: Meaning, first: Clause, mode: str) -> Results[Meaning]:
+    """ "... and the white block on its right": a second thing that the owner has."""
+    joint = p.one(p.opt(at, ","), "and")
+    for theme, j in noun_phrase(p, joint) if joint else ():
+        for found, end in adjuncts(p, j):
+            if (places := _owned(found, owner)) is not None:
+                stated = replace(_stated(p, joint, end, theme, places, mode), cost=0)
+                second = Chain(clauses=(stated,), links=("and",), span=theme.span)
+                told = That(kind="so", clauses=second, span=second.span)
+                yield replace(first, adjuncts=(*first.adjuncts, told), span=p.span(i, end)), end
 
 
 def _on_patch(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:

@@ -40,6 +40,9 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     for n, j in _degrees(p, i):
         yield from _spun(p, i, j, n)
     yield from _strangers(p, i, comma)
+    for many, k in amounts.amount(p, p.any_of(comma, _SO_THAT)) if p.any_of(comma, _SO_THAT) else ():
+        if many.low == many.high and (last := max(_OF_OTHERS.matches(p, k), default=0)):
+            yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last
     if j := max((k for at in {i, comma} for k in _STREWN.matches(p, at)), default=0):
         yield Manner(kind="strewn", span=p.span(i, j)), j
     for phrase, j in p.standing(i, _LITTLE):
@@ -74,6 +77,12 @@ _STREWN = Patterns(
     "at_random|randomly over|around|on|across the table|tabletop|workspace",
 )
 """Of things that lie about: so they begin wherever nothing else is said of it."""
+_SO_THAT = ("so that", "such that", "so", "where", "in such a way that")
+_OF_OTHERS = Patterns(
+    "block|cube|blocks|cubes|one|ones of the|another other? color|kind|group|colors is|are in|inside each|every "
+    "bunch|group|pile|heap|one|of_them",
+)
+"""So many blocks of another colour in each group."""
 _DOWN = (
     "upside down", "flipped upside down", "inverted", "in an inverted orientation", "turned upside down",
     "rotated upside down",
@@ -109,6 +118,10 @@ _COUNTER = ("counterclockwise", "counter clockwise", "anticlockwise", "anti cloc
 def _pointed(p: Parser, i: int, comma: int) -> Results[Meaning]:
     """ "with its foot to the right", "tip pointing left"."""
     j = p.any_of(comma, ("with its", "with the", "its", "with", "the"))
+    if opened := p.any_of(comma, ("open to", "open towards", "open toward", "opening to", "opening towards", "open at",
+                                  "that opens to", "which opens to", "opens to", "opened to")):  # fmt: skip
+        for side, e in direction(p, p.opt(opened, "the")):
+            yield Manner(kind="pointing:opening", value=side, span=p.span(i, e)), e
     end = p.any_of(j, _POINTERS) if j else 0
     if end:
         for side, e in direction(p, p.any_of(end, _POINTING) or end):
@@ -178,6 +191,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "while doing so": ("always", None), "while doing this": ("always", None), "while you do so": ("always", None),
     "while you do that": ("always", None), "while you do this": ("always", None), "in the process": ("always", None),
     "at any moment": ("always", None), "at any stage": ("always", None), "in the meantime": ("always", None),
+    ", where it starts": ("begun", None), ", where they start": ("begun", None), "where it starts": ("begun", None),
+    ", where it begins": ("begun", None), ", where they begin": ("begun", None), ", as at the start": ("begun", None),
     "any more": ("gone", None), "anymore": ("gone", None), "any longer": ("gone", None),
     "all the time": ("always", None), "from start to finish": ("always", None),
     "during the whole task": ("always", None), "during the task": ("always", None), "at any time": ("always", None),

@@ -199,7 +199,9 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
 
 def _spaced(p: Parser, i: int) -> Results[Meaning]:
     """ "leaving a 2 cm gap between them", "with gaps of 2 cm"."""
-    if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")):
+    if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")) or (
+        i if i and p.words[i - 1] == "," else 0
+    ):
         for (low, high), k in bounds(p, j):
             if gap := p.any_of(k, _ROOM):
                 end = p.any_of(gap, _AMONG) or gap

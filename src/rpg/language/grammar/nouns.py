@@ -277,12 +277,16 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
 
     yield noun, j
     tried = [(noun, j)]
-    if (k := p.one(j, "number")) and k < p.end and (counted := _numbered(p, i, k, noun)) is not None:
+    k = p.one(j, "number") or j
+    long = k < p.end and (k > j or (p.tokens[k].kind == "number" and len(p.words[k]) > 1))
+    if long and (counted := _numbered(p, i, k, noun)) is not None:
         yield counted, p.reach(k + 1)
     if (k := _as_many_colors(p, j, noun)) and (told := _with(noun, {"scheme": "different"}, p.span(i, k))) is not None:
         yield told, k
         tried.append((told, k))
     for update, k in of_quality(p, j, noun.head):
+        if noun.head == "patch" and noun.det == "the" and noun.amount is None and update == {"scheme": "same"}:
+            continue
         changed = _numbered(p, i, j, noun) if k == j + 1 else None
         changed = changed or _with(noun, update, p.span(i, k))
         if changed is not None:

@@ -19,6 +19,8 @@ _LEADS = frozenset(
     {"reading", "sorted", "ordered", "arranged", "lined", "organized", "organised", "going", "running", "placed"}
 )
 
+_READABLE = ("row by row", "so that they can be read", "so they can be read", "so that it can be read", "to be read",
+             "so that they are", "so that they read", "so that they stand", "so that you can read them")  # fmt: skip
 _NAMED = {
     first: [entry for entry in NAMED if entry[0].split()[0] == first] for first in {e[0].split()[0] for e in NAMED}
 }
@@ -29,12 +31,14 @@ _NAMED["into"] = [entry for entry in NAMED if entry[0].split()[0] in ("in", "int
 @rule
 def order(p: Parser, i: int) -> Results[Meaning]:
     """An order, a direction, a pattern, a spacing."""
-    j = p.one(i, _LEADS) or p.seq(i, "row by row") or i
+    j = p.one(i, _LEADS) or p.any_of(i, _READABLE) or i
     for start in {i: None, j: None}:
         for phrase, by, extra in _NAMED.get(p.words[start], ()):
             into = phrase.startswith("in ") and p.words[start] == "into"
             if k := p.seq(start + 1, phrase[3:]) if into else p.seq(start, phrase):
-                yield OrderBy(by=by, span=p.span(i, k), descending=bool(extra.get("descending"))), k
+                paged = p.any_of(k, (", row by row", "row by row", ", row after row", "row after row"))
+                for end in dict.fromkeys((paged or k, k)):
+                    yield OrderBy(by=by, span=p.span(i, end), descending=bool(extra.get("descending"))), end
         yield from toward(p, start)
         yield from _explicit(p, start)
         yield from _run(p, start)

@@ -106,6 +106,8 @@ def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool
         where = p.words[k - 1]
         yield At(side=where, index=int(side), span=p.span(i, k)), k
     found = _UNITS.get(p.words[j]) if j < p.end else None
+    if found and unit and p.words[j] in ("one", "ones"):
+        found = unit
     if found:
         end = p.any_of(p.reach(j + 1), ("of it", "of them", "of blocks", "of cubes")) or j + 1
         yield _place(p, i, end, side, found, several, each), end

@@ -17,7 +17,8 @@ def reverse(p: Parser, i: int, j: int) -> Results[Clause]:
     """ "reverse the tower", "reverse the order of the row", "reverse its order"."""
     if k := p.any_of(j, _ITS_ORDER):
         it = Pronoun(word="it", span=p.span(j, k))
-        yield _clause(p, i, k, "reverse", it, ()), k
+        for found, end in adjuncts(p, k):
+            yield _clause(p, i, end, "reverse", it, found), end
     start = p.any_of(j, _ORDER_OF) or j
     for theme, k in noun_phrase(p, start):
         for found, end in adjuncts(p, k):

@@ -8,6 +8,7 @@ from rpg.language.tokens import Token
 _PHRASES = {
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
+    "fill a": "build a filled", "fill the": "build the filled", "fill one": "build one filled",
     "in front from": "in front of", "behind from": "behind",
     "consists out of": "consists of", "consist out of": "consist of", "consisting out of": "consisting of",
     "consists out": "consists of", "consist out": "consist of", "composed out of": "composed of",

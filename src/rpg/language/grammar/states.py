@@ -228,8 +228,11 @@ def _predicate_after_be(
 
 
 def _stays(found: Clause) -> Clause:
-    """ "stays on the patch": there from the start on; "stays empty" is about the end."""
+    """ "stays on the patch": there from the start on; "stays empty", "must not stay there" are about the end."""
     placed = any(isinstance(a, Loc | In) for a in found.adjuncts)
+    if placed and (found.negated or getattr(found.theme, "det", "") == "no"):
+        gone = Manner(kind="gone", span=found.span)
+        return replace(found, adjuncts=(*found.adjuncts, gone)) if found.negated else found
     return ever(found, placed)
 
 

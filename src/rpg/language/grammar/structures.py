@@ -172,7 +172,8 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
     if (k := p.any_of(j, ("number", "year", "pin", "code"))) and (digits := digits_of(p, k)) is not None:
         yield Structure(kind="word", det="the", letter=digits, span=p.span(j, k + 1)), k + 1
     for text, k in equation(p, j):
-        yield Structure(kind="equation", det="the", letter=text, span=p.span(j, k)), k
+        end = p.any_of(k, ("in cubes", "in blocks", "with cubes", "with blocks", "out of cubes", "out of blocks")) or k
+        yield Structure(kind="equation", det="the", letter=text, span=p.span(j, end)), end
 
 
 def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:

@@ -19,6 +19,7 @@ from rpg.language.meaning import (
     Clause,
     Coord,
     In,
+    Into,
     Loc,
     Manner,
     Meaning,
@@ -135,6 +136,11 @@ def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
     j = p.any_of(k, ("to", "and", "in order to", "for"))
     if not j:
         return
+    for shape, end in noun_phrase(p, j) if p.words[j - 1] == "for" else ():
+        if isinstance(shape, Structure) and shape.members is None:
+            for found, last in adjuncts(p, end):
+                into = Into(structure=shape, span=shape.span)
+                yield Clause(verb="arrange", theme=theme, adjuncts=(into, *found), span=p.span(i, last), cost=1), last
     for inner, end in verb_phrase(p, j, ("base", "ing")):
         using = Using(members=theme, span=theme.span)
         yield replace(inner, adjuncts=(using, *inner.adjuncts), span=p.span(i, end)), end
@@ -213,7 +219,8 @@ def _too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[M
 
 _SO_ARE = ("should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
            "must not", "should not be", "must not be", "is not", "are not", "can be", "may be", "has to", "have to",
-           "will be", "will")  # fmt: skip
+           "will be", "will", "shall", "does not", "do not", "may not", "can not", "shall not", "will not",
+           "can not be", "may not be")  # fmt: skip
 """What stands for the whole predicate of the clause before: "... and the blue one should be"."""
 
 
@@ -227,6 +234,11 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     for theme, j in noun_phrase(p, so) if so else ():
         if isinstance(theme, Noun | Coord):
             yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
+    if before.verb == "spell" and isinstance(before.theme, Structure) and (text := literal(p, i)) is not None:
+        word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
+        own = tuple(a for a in before.adjuncts if isinstance(a, Using))
+        for found, k in adjuncts(p, i + 1) if len(text) > 1 else ():
+            yield replace(before, theme=word, adjuncts=(*own, *found), span=p.span(i, k)), k
     for theme, j in noun_phrase(p, i) if before.adjuncts else ():
         yield from _too(p, i, j, theme, before)
         for found, k in adjuncts(p, j):
@@ -241,8 +253,10 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         if k and isinstance(theme, Structure) and p.words[k - 1] == "not":
             continue
         if k and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
+            leave = p.words[k - 1] in ("may", "can") or p.words[k - 2] in ("may", "can")
+            kept = tuple(a for a in before.adjuncts if leave or not (isinstance(a, Manner) and a.kind == "allowed"))
             yield replace(before, theme=theme, negated=p.words[k - 1] == "not" or p.words[k - 2] == "not",
-                          span=p.span(i, k), cost=1), k  # fmt: skip
+                          adjuncts=kept, span=p.span(i, k), cost=1), k  # fmt: skip
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):
             if found and (isinstance(found[0], Loc | In) or (isinstance(found[0], Manner) and found[0].kind == "stay")):

@@ -16,9 +16,9 @@ _WHO = (
     "the_teacher|my_friend|my_daughter|my_son"
 )
 _WOULD = "would|will|should|'d|do|may|might|can|could|must|am|are|is|was|were"
-_ALSO = "just|also|simply|now|like|here|still"
+_ALSO = "have_always|always|just|also|simply|now|like|here|still"
 _WANT = (
-    "want|wants|like|likes|love|loves|need|needs|prefer|prefers|wish|wishes|hope|hopes|ask|asks|require|requires|"
+    "want|wants|wanted|like|likes|love|loves|need|needs|prefer|prefers|wish|wishes|hope|hopes|ask|asks|require|requires|"
     "expect|expects|imagine|imagines|request|requests|have_in_mind|picture|propose|suggest|envision|look|looking|"
     "hoping|asking|wondering|wanting|dreaming|thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing"
 )
@@ -84,7 +84,7 @@ def _stands(p: Parser, at: int, phrase: tuple[str, ...]) -> int:
 COMMAND_WISHES = Patterns(
     "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
     "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
-    "engineer ,",
+    "engineer ,?",
     "for|in the|this|our|my|today_'s demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|"
     "photo|picture|figure|paper ,?",
     f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? {_DO} {_ALSO}?",
@@ -131,7 +131,7 @@ STATE_WISHES = Patterns(
     "acceptance|success|completion|goal|pass|test|definition_of? criteria|criterion|condition|conditions|requirement|"
     "requirements|done|user_story|specification|spec|deliverable|deliverables :|is|are that?",
     "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
-    "engineer ,",
+    "engineer ,?",
     "for|in the|this|our|my|today_'s demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|"
     "photo|picture|figure|paper ,?",
     f"the|our|my final|finished|end|desired|expected|target|goal? deliverable|product|end_product|{_RESULT} "

@@ -307,6 +307,8 @@ def _sets_scene(chain: Chain) -> bool:
 
 def _of_everything(chain: Chain) -> bool:
     """ "All blocks are 5 cm wide": what all look like can only be said of those that the other sentences bring up."""
+    if all(isinstance(clause, Clause) and _begins_with_all(clause) for clause in chain.clauses):
+        return True
     return all(
         isinstance(clause, Clause)
         and clause.verb == "be"
@@ -318,6 +320,14 @@ def _of_everything(chain: Chain) -> bool:
         and all(isinstance(adjunct, Quality) for adjunct in clause.adjuncts)
         for clause in chain.clauses
     )
+
+
+def _begins_with_all(clause: Clause) -> bool:
+    """ "The blocks start in a heap": those that the other sentences bring up."""
+    theme = clause.theme
+    if clause.mode != "start" or not isinstance(theme, Noun) or theme.head != "block" or not theme.plural:
+        return False
+    return theme.det in ("the", "all") and (theme.traits, theme.amount, theme.part_of) == (Traits(), None, None)
 
 
 def _no_goal(scene: Scene, text: str) -> Refusal:

@@ -15,10 +15,12 @@ from rpg.language.meaning import (
     Clause,
     Coord,
     In,
+    Into,
     Loc,
     Meaning,
     Noun,
     OrderBy,
+    Pronoun,
     Structure,
     Toward,
     Traits,
@@ -100,6 +102,8 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if temporal is not None or (theme.op == "then" and spec.places):
         spec.orders = [o for o in spec.orders if o is not temporal]
         return _one_by_one(theme, temporal, spec, scene, scope, span)
+    if theme.op == "then" and (verb == "stack" or _lined(verb, spec, theme)) and not any(o.items for o in spec.orders):
+        spec.orders = [*(o for o in spec.orders if o.by != "given"), OrderBy(by="given", span=theme.span)]
     again = None if len(spec.ats) != 1 or scope.start else moved_within(theme, spec.ats[0], scene, span)
     if again is None and len(spec.ats) == 1 and verb in ("place", "be") and not scope.start and not spec.intos:
         again = topped(theme, spec.ats[0], scene, span)
@@ -111,6 +115,10 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     structured = True
     if _spelt_later(verb, spec, scene, theme):
         return []
+    if not spec.intos and verb in ("be", "arrange", "place") and any(z.what == "dims" for z in spec.sizes):
+        sized = next(z for z in spec.sizes if z.what == "dims")
+        kind = "cube" if len(sized.dims) == 3 else "grid"
+        spec.intos = [Into(structure=Structure(kind=kind, span=sized.span), span=sized.span)]
     if spec.intos:
         ref, goals = _into(theme, spec, scene, scope)
     elif heaped or verb == "stack":
@@ -137,8 +145,9 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
 
 def _moved_from(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> None:
     """ "move the red block from the blue patch to the green one": where it starts."""
-    for using in list(spec.usings):
-        if isinstance(using.members, Noun) and using.members.det == "the" and not using.members.plural:
+    for using in [using for using in spec.usings if using.lead == "from"]:
+        late = any(place.span[0] < using.span[0] for place in spec.places)
+        if isinstance(using.members, Noun) and using.members.det == "the" and not using.members.plural and not late:
             spec.usings.remove(using)
             picked_from(theme, using, scene, scope, span)
 
@@ -197,11 +206,11 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
     if not units:
         units = tuple(Ref(names=(n,)) for n in theme.names)
     stages = []
-    under = _block_below(spec, scene, scope)
+    mark = _one_mark(spec, scene, scope)
     for unit in units:
-        if under is not None and isinstance(on := spec.places[0], Loc):
-            stages.append(g.Stage(goal=conj(related(unit, under, on, scene, span), span)))
-            under = unit
+        if mark is not None and isinstance(on := spec.places[0], Loc):
+            stages.append(g.Stage(goal=conj(related(unit, mark, on, scene, span), span)))
+            mark = mark if mark.patch else unit
             continue
         again = Spec(places=list(spec.places), ats=list(spec.ats), manners=list(spec.manners))
         stages.append(g.Stage(goal=conj(places(unit, again, scene, scope, span), span)))
@@ -209,14 +218,28 @@ def _one_by_one(theme: Ref, temporal: OrderBy | None, spec: Spec, scene: Scene, 
     return [g.Sequence(stages=tuple(stages), span=span)]
 
 
-def _block_below(spec: Spec, scene: Scene, scope: Scope) -> Ref | None:
-    """ "yellow, then green on the black block": there is room for one on it; what comes later goes on that one."""
+def _one_mark(spec: Spec, scene: Scene, scope: Scope) -> Ref | None:
+    """ "yellow, then green on a mat": one for all of them. "... on the black block": there is room for one on it, and
+    what comes later goes on that one."""
     item = spec.places[0] if len(spec.places) == 1 else None
-    if not isinstance(item, Loc) or item.rel != "on" or item.negated or item.landmark is None:
+    mark = item.landmark if isinstance(item, Loc) and item.rel in ("on", "in") and not item.negated else None
+    if isinstance(mark, Noun):
+        single = mark.det in ("a", "the", "bare") and not mark.plural and not mark.traits.matching
+    else:
+        single = isinstance(mark, Pronoun) and mark.word in ("it", "that")
+    if mark is None or not single:
         return None
-    mark = refer(item.landmark, scene, replace(scope, role="landmark"))
-    single = len(mark.names) == 1 and mark.quant is None and not mark.patch and not mark.table
-    return mark if single else None
+    like = scope.like_patch or (scene.last_landmark_patch and scene.last_landmark_at < mark.span[0])
+    found = refer(mark, scene, replace(scope, role="landmark", like_patch=like, pool=(), need=None))
+    return found if len(found.names) == 1 and found.quant is None and not found.table else None
+
+
+def _lined(verb: str, spec: Spec, theme: Ref) -> bool:
+    """Whether blocks are to form a line or a tower: "red, then blue" says how they follow each other."""
+    kinds = [getattr(into.structure, "kind", "") for into in spec.intos]
+    if kinds:
+        return kinds[0] in ("stack", "row", "line", "column")
+    return _wants_row(verb, spec, theme)
 
 
 def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:

@@ -40,6 +40,7 @@ from rpg.passes.schema.resolve.sorting import in_sequence, sort
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.spelled import spell
 from rpg.passes.schema.resolve.stacking import Towers
+from rpg.passes.schema.resolve.started import laid_down, was_so
 from rpg.passes.schema.resolve.structures import make
 from rpg.passes.schema.resolve.towers import on_matching_patches
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -64,8 +65,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     towers.after(scene, start=start, denied=clause.negated)
     if clause.negated and len(scene.loose) > loose:
         _deny(loose, goals, scene, clause.span)
-    if spec.manner("gone") is not None:
-        _was_so(goals, clause, scene)
+    was_so(goals, clause, spec, scene)
     built = scene.goals.pop(number, [])
     if not clause.negated:
         built, goals = [], [*built, *goals]
@@ -93,13 +93,6 @@ def _forbids(goal: g.Goal) -> bool:
     if isinstance(goal, g.All):
         return all(_forbids(x) for x in goal.goals)
     return isinstance(goal, g.Not | r.Clear | r.Empty) or (isinstance(goal, g.Count) and goal.at_least == 0)
-
-
-def _was_so(goals: Goals, clause: Clause, scene: Scene) -> None:
-    """ "the red block is no longer on the patch": it is so at the start."""
-    if not clause.negated:
-        raise refuse("misplaced", "this goes with 'not'", clause.span, "say 'no longer'")
-    scene.start_goals += [x for x in goals if isinstance(x, r.On | r.OnPatch) and x not in scene.start_goals]
 
 
 def _deny(loose: int, goals: Goals, scene: Scene, span: Span) -> None:
@@ -168,6 +161,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         if clause.verb not in ("be", "place"):
             raise refuse("ambiguous", "it is not clear what of this is denied", clause.span, "use two sentences")
         return places(refer(clause.theme, scene, scope), spec, scene, scope, clause.span)
+    if laid_down(clause, spec):
+        return _exist(replace(clause, verb="exist", lemma="", mode="given"), Spec(), scene, scope)
     match clause.verb:
         case "exist":
             return _exist(clause, spec, scene, scope)

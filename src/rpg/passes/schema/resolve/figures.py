@@ -116,7 +116,7 @@ def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | Non
 
 _POINTERS = {"V": ("tip", "point", "apex", "corner", "base"), "triangle": ("tip", "point", "apex", "top"),
     "L": ("foot", "base"), "U": ("opening", "side", "end", "top"),
-             "T": ("stem", "tail", "base")}  # fmt: skip
+             "T": ("stem", "tail", "base", "foot", "leg")}  # fmt: skip
 
 
 def _pointing(kind: str, spec: Spec) -> str | None:
@@ -136,7 +136,7 @@ def _pointing(kind: str, spec: Spec) -> str | None:
             found.span,
             "say for example 'with its foot to the right'",
         )
-    side = {"up": "back", "down": "front"}.get(str(found.value), str(found.value))
+    side = {"up": "back", "down": "front", "viewer": "front"}.get(str(found.value), str(found.value))
     if side not in ("left", "right", "front", "back"):
         raise refuse("misplaced", "a figure on the table points left, right, front or back", found.span)
     return side

@@ -80,6 +80,7 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     """Every place of the clause, for the theme or the structure it became."""
     goals: Goals = []
     _merge_sides(spec)
+    _alone(ref, spec)
     if len(ref.names) == 1:
         _merge_distance(spec)
     _no_chain(spec)
@@ -96,6 +97,34 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
         goals += _place_one(ref, item, scene, scope, span, respectively)
     spec.places = []
     return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
+
+
+def _alone(ref: Ref, spec: Spec) -> None:
+    """ "white in front of black, touching", "..., 5 cm apart": of one block, it is said of what it is placed by."""
+    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and not p.negated and not _mutual(p)]
+    if len(ref.names) != 1 or len(marks) != 1 or not isinstance(marks[0], Noun) or marks[0].head == "patch":
+        return
+    known = replace(marks[0], det="the", amount=None) if marks[0].amount in (None, Amount(1, 1)) else marks[0]
+    spec.places = [replace(p, landmark=known) if isinstance(p, Loc) and _mutual(p) else p for p in spec.places]
+
+
+def _mutual(place_: Loc) -> bool:
+    each_other = isinstance(place_.landmark, Pronoun) and place_.landmark.word == "each other"
+    return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart")
+
+
+def _alone(ref: Ref, spec: Spec) -> None:
+    """ "white in front of black, touching", "..., 5 cm apart": of one block, it is said of what it is placed by."""
+    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and not p.negated and not _mutual(p)]
+    if len(ref.names) != 1 or len(marks) != 1 or not isinstance(marks[0], Noun) or marks[0].head == "patch":
+        return
+    known = replace(marks[0], det="the", amount=None) if marks[0].amount in (None, Amount(1, 1)) else marks[0]
+    spec.places = [replace(p, landmark=known) if isinstance(p, Loc) and _mutual(p) else p for p in spec.places]
+
+
+def _mutual(place_: Loc) -> bool:
+    each_other = isinstance(place_.landmark, Pronoun) and place_.landmark.word == "each other"
+    return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart")
 
 
 def _no_chain(spec: Spec) -> None:
@@ -209,6 +238,9 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     goals: Goals = []
     for item in spec.absolutes:
         if is_extra(item.theme):
+            placed = [a for a in item.adjuncts if not isinstance(getattr(a, "landmark", None), TableTop)]
+            if any(not isinstance(a, Manner) for a in placed):
+                raise refuse("misplaced", "distractors lie anywhere", item.span, "say only what they look like")
             refer(item.theme, scene, Scope())
             scene.mentions.pop()
             continue

@@ -160,7 +160,10 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
 
 
 def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    there = {t.name: bool(t.color or t.label or t.kind) for t in scene.blocks()}
     found = _described(noun, scene, scope)
+    if noun.head == "any" and noun.traits == Traits() and any(there.values()) and not found.patch:
+        _no_other_look(noun, [n for n in found.names if n not in there], scene)
     if noun.conditions and (noun.det == "no" or (found.quant is not None and found.quant.high == 0)):
         raise refuse("ambiguous", "it is not clear which blocks are there at the start", noun.span, "use two sentences")
     for condition in noun.conditions:
@@ -179,6 +182,8 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         from rpg.passes.schema.resolve.ranks import ranked
 
         return ranked(noun, scene, scope)
+    if (told := _structure_like(noun, scene, scope)) is not None:
+        return told
     patch = _is_patch(noun, scene, scope)
     if not patch and (noun.traits.long or noun.traits.shape not in (None, "square")):
         raise refuse("misplaced", "blocks are cubes, all of one shape", noun.span, "leave the shape out")
@@ -195,6 +200,20 @@ def _elliptical(noun: Noun, scene: Scene, scope: Scope) -> bool:
     """ "at least two", "exactly one" without a noun: of the blocks that were spoken of, never further ones."""
     bare = noun.head == "any" and noun.traits == Traits() and noun.det in ("bare", "some") and not scope.like_patch
     return bare and noun.amount is not None and noun.amount.strict and bool(scene.blocks())
+
+
+def _structure_like(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
+    """ "the blue one" beside the red tower: of several structures of one kind, the one whose blocks all look so."""
+    marks = noun.traits
+    if scope.role != "landmark" or noun.head != "any" or noun.det != "the" or noun.plural or noun.amount is not None:
+        return None
+    if len(marks.colors) != 1 or marks != Traits(colors=marks.colors) or len(matching(marks, scene, False)) < 2:
+        return None
+    like = [b for b in scene.built if {scene.things[n].color for n in b.members} == set(marks.colors)]
+    if len(like) != 1 or len({b.kind for b in scene.built}) > 1 or len(scene.built) < 2:
+        return None
+    now = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme" and m.ref.built]
+    return Ref(names=like[0].members, built=(like[0],)) if now else None
 
 
 def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:
@@ -232,6 +251,12 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     names = _denied(noun, scene, patch) or _counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     return quantified(found, noun)
+
+
+def _no_other_look(noun: Noun, new: list[str], scene: Scene) -> None:
+    """ "two red blocks on the mat and three on the table": three more red ones, not three of whatever look."""
+    if any(not scene.things[n].declared and scene.things[n].color is None and not scene.things[n].kind for n in new):
+        raise refuse("ambiguous", "it is not said what these blocks look like", noun.span, "name their colour")
 
 
 def _denied(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:

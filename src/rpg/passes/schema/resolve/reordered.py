@@ -97,6 +97,8 @@ def _ordered(theme: Ref, scene: Scene, span: Span) -> Built:
         if theme.built
         else next((b for b in reversed(scene.built) if set(b.members) == set(theme.names)), None)
     )
+    if built is None and len(scene.built) == 1 and set(theme.names) <= set(scene.built[0].members):
+        built = scene.built[0]
     if built is None or built.kind not in FIRST or len(theme.built) > 1:
         raise refuse(
             "no-referent", "it is not clear which row or tower this is about", span, "name its blocks in order"

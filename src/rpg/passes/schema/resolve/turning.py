@@ -10,7 +10,7 @@ from rpg.ir import relations as r
 from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, TableTop, That, Using
 from rpg.passes.schema.resolve.finish import label_of
 from rpg.passes.schema.resolve.logic import conj
-from rpg.passes.schema.resolve.operands import spread
+from rpg.passes.schema.resolve.operands import crown, spread
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.spec import Spec
@@ -132,7 +132,7 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return goals
     scene.picked = clause.span
     scene.held.update(dict.fromkeys(theme.names, clause.span))
-    if spec.usings and len(spec.usings) == 1:
+    if len(spec.usings) == 1 and spec.usings[0].lead == "from":
         picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
     return []
 
@@ -160,6 +160,8 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
     theme = theme or (refer(clause.theme, scene, scope) if clause.theme else Ref())
     if theme.patch:
         return [r.Empty(patch=p, span=clause.span) for p in theme.names]
+    if theme.part == "top" and clause.lemma in ("clear", "empty") and not spec.places:
+        return [r.Clear(a=crown(theme), span=clause.span)]
     if theme.table:
         raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where the blocks should go")
     sources: list[Meaning] = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]

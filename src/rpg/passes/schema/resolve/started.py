@@ -1,0 +1,29 @@
+"""What a clause about the end says of the start besides."""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Clause, Loc, Noun, TableTop
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Scene, refuse
+
+
+def was_so(goals: list[g.Goal], clause: Clause, spec: Spec, scene: Scene) -> None:
+    """ "the red block is no longer on the patch", "... on the patch, where it starts": it is so at the start."""
+    gone, begun = spec.manner("gone"), spec.manner("begun")
+    if gone is not None and not clause.negated:
+        raise refuse("misplaced", "this goes with 'not'", gone.span, "say 'no longer'")
+    if gone is not None or begun is not None:
+        scene.start_goals += [x for x in goals if isinstance(x, r.On | r.OnPatch) and x not in scene.start_goals]
+
+
+def laid_down(clause: Clause, spec: Spec) -> bool:
+    """ "put a long blue patch on the table": patches are there from the start."""
+    theme = clause.theme
+    new = isinstance(theme, Noun) and theme.head == "patch" and theme.det in ("a", "bare") and theme.amount is not None
+    table = [p for p in spec.places if isinstance(p, Loc) and p.rel == "on" and isinstance(p.landmark, TableTop)]
+    if not new or clause.verb != "place" or clause.negated or len(table) != 1 or len(clause.adjuncts) != 1:
+        return False
+    spec.places = []
+    return True

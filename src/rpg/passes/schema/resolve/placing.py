@@ -113,20 +113,6 @@ def _mutual(place_: Loc) -> bool:
     return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart")
 
 
-def _alone(ref: Ref, spec: Spec) -> None:
-    """ "white in front of black, touching", "..., 5 cm apart": of one block, it is said of what it is placed by."""
-    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and not p.negated and not _mutual(p)]
-    if len(ref.names) != 1 or len(marks) != 1 or not isinstance(marks[0], Noun) or marks[0].head == "patch":
-        return
-    known = replace(marks[0], det="the", amount=None) if marks[0].amount in (None, Amount(1, 1)) else marks[0]
-    spec.places = [replace(p, landmark=known) if isinstance(p, Loc) and _mutual(p) else p for p in spec.places]
-
-
-def _mutual(place_: Loc) -> bool:
-    each_other = isinstance(place_.landmark, Pronoun) and place_.landmark.word == "each other"
-    return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart")
-
-
 def _no_chain(spec: Spec) -> None:
     """ "A left of B left of C", with nothing between: of B, or of A?"""
     for one, two in itertools.pairwise(p for p in spec.places if isinstance(p, Loc)):

@@ -55,6 +55,18 @@ _NUMBER = re.compile(
 )
 
 
+_PARTS = re.compile(
+    r"\b(?:each|every|both|all|the|its)\s+(?:\w+\s+)?(?:corner|end|edge|side|middle|centre|center|top|bottom)s?\b"
+    r"(?!\s+(?:of|half|side))",
+    re.IGNORECASE,
+)
+
+
+def speaks_of_parts(request: str) -> bool:
+    """Whether a request speaks of places that something built has, and not of the table's."""
+    return bool(_PARTS.search(request)) and "table" not in request.lower()
+
+
 def only_a_number(request: str) -> bool:
     """Whether a request begins with how many, and has no verb before it."""
     return bool(_NUMBER.match(request)) and by_itself(request) == request

@@ -10,10 +10,8 @@ from pydantic import ValidationError
 
 from rpg.blocks.english import describe, describe_goal
 from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.ir.edits import AddCondition, Edit, Overwrite, SetText, apply
-from rpg.ir.relations import Stayed
+from rpg.ir.edits import Edit, Overwrite, SetText, apply
 from rpg.ir.schema import TaskSchema
-from rpg.ir.shrink import TooSmall
 from rpg.steer import requests as r
 from rpg.steer.afresh import (
     Fresh,
@@ -26,8 +24,10 @@ from rpg.steer.afresh import (
     only_a_number,
     only_known,
     reused,
+    speaks_of_parts,
 )
 from rpg.steer.backrefs import Reference
+from rpg.steer.carry import WEAK, carry_out
 from rpg.steer.classify import Category
 from rpg.steer.draft import Draft
 from rpg.steer.history import History, Past
@@ -35,69 +35,14 @@ from rpg.steer.identity import look
 from rpg.steer.language import tokenize
 from rpg.steer.manners import plainly
 from rpg.steer.naming import tidied
-from rpg.steer.operations.add import add
-from rpg.steer.operations.count import recount
-from rpg.steer.operations.kinds import mixed
-from rpg.steer.operations.move import move
-from rpg.steer.operations.order import group, reorder, trade
-from rpg.steer.operations.parties import new_tower, told_apart
-from rpg.steer.operations.parts import part
-from rpg.steer.operations.remove import remove
-from rpg.steer.operations.reshape import reshape
-from rpg.steer.operations.restyle import replace as replace_blocks
-from rpg.steer.operations.restyle import restyle
-from rpg.steer.operations.starts import begin
-from rpg.steer.operations.symbols import carry_on, equate
-from rpg.steer.operations.terse import bound, bring, pile_up, shift, tint
-from rpg.steer.operations.tune import loosen, outliers
-from rpg.steer.operations.vary import climb, closer, copies, divide, some, turn
 from rpg.steer.parse import Parsed, is_edit, parse
-from rpg.steer.parties import NewTower
-from rpg.steer.parts import Part
-from rpg.steer.refer import resolve
-from rpg.steer.shape import STRUCTURES, same_structure, structures
-from rpg.steer.starts import Begin
-from rpg.steer.symbols import Continue, Equate
-from rpg.steer.terse import Bound, Bring, PileUp, Shift, Tint
+from rpg.steer.shape import STRUCTURES, conjuncts, same_structure, structures
 from rpg.steer.told import check, divided
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
 
-OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
-    r.Add: add,
-    r.Remove: remove,
-    r.Replace: replace_blocks,
-    r.Restyle: restyle,
-    r.Recount: recount,
-    r.Reorder: reorder,
-    r.Trade: trade,
-    r.Move: move,
-    r.Reshape: reshape,
-    r.Loosen: loosen,
-    r.Outliers: outliers,
-    r.Kinds: mixed,
-    r.Group: group,
-    r.Some: some,
-    r.Copies: copies,
-    r.Divide: divide,
-    r.Closer: closer,
-    r.Climb: climb,
-    r.Turn: turn,
-    NewTower: new_tower,
-    Part: part,
-    Equate: equate,
-    Tint: tint,
-    Bound: bound,
-    PileUp: pile_up,
-    Bring: bring,
-    Shift: shift,
-    Begin: begin,
-    Continue: carry_on,
-}
 KIND_OF = {"label": "letter", "number": "digit"}
-WEAK = (Shift, Bring, Part)
-"""Readings of few words: where they cannot be carried out, the words may still be a sentence about the task."""
 TRIES = 12
 """Readings of a request that are carried out in turn until one can be."""
 
@@ -142,6 +87,8 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
         try:
             return _carried_out(request, parsed, history)
         except Refusal as refusal:
+            if not refusals and refusal.diagnostics[0].code == "nothing-to-do" and _moves(parsed):
+                raise
             (weak if any(isinstance(each, WEAK) for each in parsed.requests) else refusals).append(refusal)
     there = [refusal for refusal in weak if refusal.diagnostics[0].code == "ambiguous-object"]
     if there and not refusals and not _about_all_there(request, history, read):
@@ -152,6 +99,10 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
         if weak and not refusals:
             raise weak[0] from None
         raise
+
+
+def _moves(reading: Parsed) -> bool:
+    return any(isinstance(each, r.Move) for each in reading.requests)
 
 
 def _changes(reading: Parsed) -> bool:
@@ -181,24 +132,6 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
         draft.parameters["revert"] = past.number
     carry_out(draft, parsed.requests)
     return finish(request, draft, past)
-
-
-def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
-    """Apply requests in turn; what is to be kept counts for all of them."""
-    told_apart(draft, requests)
-    for request in requests:
-        if isinstance(request, r.Keep):
-            draft.kept += resolve(draft.view, request.theme).names
-    for request in requests:
-        if not isinstance(request, r.Keep):
-            try:
-                OPERATIONS[type(request)](draft, request)
-            except (ValidationError, TooSmall) as error:
-                told, hint = "this is more than the goal of a task can say", "say it as an instruction of its own"
-                raise draft.refusal("edit-unclear", told, request.span, hint) from error
-    if requests and all(isinstance(request, r.Keep) for request in requests):
-        draft.aim("EXTEND")
-        draft.do(AddCondition(goal=Stayed(a=draft.kept)))
 
 
 def _reference(reference: Reference | None, requests: Sequence[r.Request], history: History) -> Past:
@@ -264,6 +197,7 @@ def _otherwise(
     """No edit grammar covers the request, or none could be carried out: an instruction, or a clause of one."""
     longest = next((reading for reading in readings if not reading.whole), None)
     edits = is_edit(request) or any(reading.whole and _adds_at_end(reading) for reading in readings)
+    edits = edits or (speaks_of_parts(request) and bool(structures(history.current.schema.goal) & STRUCTURES))
     reasons: list[Diagnostic] = []
     _not_of_what_is_built(request, history, read)
     if not edits and not Fresh.adds(request) and (not refusals or "instead" in request.lower()):
@@ -348,6 +282,10 @@ def _reused(request: str, history: History, read: Reader) -> Interpretation:
     return finish(request, draft, past)
 
 
+_OF_A_BLOCK = frozenset({"facing", "turned", "moved", "stayed", "clear"})
+"""What a goal asks of a block by itself: said of one that is there, it is said of the task at hand."""
+
+
 def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     """An instruction of its own; one that names some of the task's blocks must not name others that it lacks."""
     draft = Draft(history.current.schema, history.current.focus)
@@ -356,6 +294,11 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
         raise _not_understood(request, None, (), True)
     found = _whole(request, by_itself(request), 0, history, read, "PIVOT")
     _not_of_those_there(found, history.current.schema)
+    there = [look(block) for block in history.current.schema.blocks]
+    if all(part.kind in _OF_A_BLOCK for part in conjuncts(found.task.goal)) and any(
+        look(block) in there for block in found.task.blocks
+    ):
+        return _clause(request, history, read)
     return found
 
 

@@ -56,6 +56,9 @@ def plainly(request: str) -> str:
 
 
 def _blanked(found: re.Match[str]) -> str:
+    """The passage with spaces for what goes; a word in capitals may be what cubes are to spell."""
     start, end = (place - found.start() for place in found.span("gone"))
     whole = found.group()
+    if len(found["gone"]) > 2 and found["gone"].strip(" ,.!:;-").isupper():
+        return whole
     return whole[:start] + " " * (end - start) + whole[end:]

@@ -38,12 +38,17 @@ def parts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for found, k in part_statement(p, j):
         place = found.adjuncts[0]
         rest = isinstance(place, m.Places) and place.side == "rest"
-        if isinstance(found.theme, m.Noun) and isinstance(place, PLACE) and not rest:
+        if isinstance(found.theme, m.Noun) and isinstance(place, PLACE) and not rest and not _on(p, found.theme, j, k):
             yield Part(place=place, look=found.theme, span=p.span(i, k), cost=1), k
     for place, k in (*_block_at(p, j), *((at, k) for at, k in part(p, j) if isinstance(at, PLACE))):
         for look, end in noun_phrase(p, longest(p, k, _IS) or k):
             if isinstance(look, m.Noun) and (look.traits.colors or look.traits.labels) and look.det != "the":
                 yield Part(place=place, look=look, span=p.span(i, end)), end
+
+
+def _on(p: Parser, look: m.Noun, i: int, j: int) -> bool:
+    """Whether a block is to go on a part, which may well mean on top of it: "a red block on each corner"."""
+    return look.head == "block" and "on" in p.words[i:j]
 
 
 def _block_at(p: Parser, i: int) -> Iterator[tuple[PLACE, int]]:

@@ -174,7 +174,9 @@ def _figure(draft: Draft, figure: Shape, request: r.Recount) -> None:
         draft.do(SetField(at=figure.path, field="blocks", value=tuple(kept)), request.span)
         draft.do(RemoveAsset(name=name), request.span)
     if pair:
-        new = [asset for k, look in enumerate(pair) for asset in like(draft, look[:1], (needed + 1 - k) // 2 - len(look))]
+        new = [
+            asset for k, look in enumerate(pair) for asset in like(draft, look[:1], (needed + 1 - k) // 2 - len(look))
+        ]
         new = [asset.model_copy(update={"name": name}) for asset, name in zip(new, _free(draft, new), strict=True)]
     else:
         new = _filling(draft, figure, changed, needed - len(there))

@@ -11,14 +11,14 @@ from rpg.core.diagnostics import Span
 from rpg.ir.edits import ChangeCondition, Permute, SetField, SetGoal
 from rpg.ir.goal import All
 from rpg.ir.order import Order, Pattern
-from rpg.ir.relations import Between
+from rpg.ir.relations import Between, Facing, Moved, Stayed, Turned
 from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Staircase
 from rpg.ir.walk import names as names_in
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.kinds import convert
-from rpg.steer.operations.lines import arranged
+from rpg.steer.operations.lines import arranged, pin
 from rpg.steer.operations.mirror import mirrored
 from rpg.steer.operations.sort import BY, color_pattern, ranks_by_class, sorted_members
 from rpg.steer.refer import Found, resolve
@@ -93,6 +93,10 @@ def _reverse(draft: Draft, line: Line | None, figure: Shape | None, span: Span) 
         order = node.order.model_copy(update={"descending": not node.order.descending})
         draft.do(SetField(at=line.path, field="order", value=order.model_dump()), span)
         return
+    if isinstance(node, Stack | Row) and node.order.by == "given" and len(free) == len(line.members):
+        order = node.order.model_copy(update={"ranks": tuple(reversed(node.order.ranks))})
+        draft.do(SetField(at=line.path, field="order", value=order.model_dump()), span)
+        return
     permute(draft, dict(zip(reversed(free), free, strict=True)), span)
 
 
@@ -140,7 +144,16 @@ def permute(draft: Draft, parts: dict[str, str], span: Span) -> None:
     parts = {name: part for name, part in parts.items() if name != part}
     if not parts:
         raise draft.refusal("nothing-to-do", "they are in this order already", span)
+    own = [(path, atom) for path, atom in draft.view.atoms if isinstance(atom, _OWN)]
     draft.do(Permute(parts=parts), span)
+    now = dict(draft.view.atoms)
+    for path, atom in own:
+        if now.get(path) != atom:
+            draft.do(ChangeCondition(at=path, to=atom), span)
+
+
+_OWN = (Facing, Turned, Stayed, Moved)
+"""What is asked of a block and not of its place: it does not go over to the block that takes the place."""
 
 
 def _given(draft: Draft, line: Line | None, request: r.Reorder) -> None:
@@ -348,6 +361,10 @@ def trade(draft: Draft, request: r.Trade) -> None:
             request.span,
             "name as many blocks on both sides",
         )
+    looks = draft.view.world.look
+    if any(looks.get(one) != looks.get(other) for one, other in zip(a, b, strict=True)):
+        for name in (*a, *b):
+            pin(draft, (name,), request.span)
     before = draft.schema.goal
     permute(draft, {**dict(zip(a, b, strict=True)), **dict(zip(b, a, strict=True))}, request.span)
     if draft.schema.goal == before:

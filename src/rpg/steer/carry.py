@@ -1,0 +1,88 @@
+"""What carries out each kind of request, and requests carried out one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from pydantic import ValidationError
+
+from rpg.ir.edits import AddCondition
+from rpg.ir.relations import Stayed
+from rpg.ir.shrink import TooSmall
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+from rpg.steer.operations.add import add
+from rpg.steer.operations.count import recount
+from rpg.steer.operations.kinds import mixed
+from rpg.steer.operations.move import move
+from rpg.steer.operations.order import group, reorder, trade
+from rpg.steer.operations.parties import new_tower, told_apart
+from rpg.steer.operations.parts import part
+from rpg.steer.operations.remove import remove
+from rpg.steer.operations.reshape import reshape
+from rpg.steer.operations.restyle import replace as replace_blocks
+from rpg.steer.operations.restyle import restyle
+from rpg.steer.operations.starts import begin
+from rpg.steer.operations.symbols import carry_on, equate
+from rpg.steer.operations.terse import bound, bring, pile_up, shift, tint
+from rpg.steer.operations.tune import loosen, outliers
+from rpg.steer.operations.vary import climb, closer, copies, divide, some, turn
+from rpg.steer.parties import NewTower
+from rpg.steer.parts import Part
+from rpg.steer.refer import resolve
+from rpg.steer.starts import Begin
+from rpg.steer.symbols import Continue, Equate
+from rpg.steer.terse import Bound, Bring, PileUp, Shift, Tint
+
+OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
+    r.Add: add,
+    r.Remove: remove,
+    r.Replace: replace_blocks,
+    r.Restyle: restyle,
+    r.Recount: recount,
+    r.Reorder: reorder,
+    r.Trade: trade,
+    r.Move: move,
+    r.Reshape: reshape,
+    r.Loosen: loosen,
+    r.Outliers: outliers,
+    r.Kinds: mixed,
+    r.Group: group,
+    r.Some: some,
+    r.Copies: copies,
+    r.Divide: divide,
+    r.Closer: closer,
+    r.Climb: climb,
+    r.Turn: turn,
+    NewTower: new_tower,
+    Part: part,
+    Equate: equate,
+    Tint: tint,
+    Bound: bound,
+    PileUp: pile_up,
+    Bring: bring,
+    Shift: shift,
+    Begin: begin,
+    Continue: carry_on,
+}
+WEAK = (Shift, Bring, Part)
+"""Readings of few words: where they cannot be carried out, the words may still be a sentence about the task."""
+
+
+def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
+    """Apply requests in turn; what is to be kept counts for all of them."""
+    told_apart(draft, requests)
+    for request in requests:
+        if isinstance(request, r.Keep):
+            draft.kept += resolve(draft.view, request.theme).names
+    for request in requests:
+        if not isinstance(request, r.Keep):
+            try:
+                OPERATIONS[type(request)](draft, request)
+            except (ValidationError, TooSmall) as error:
+                told, hint = "this is more than the goal of a task can say", "say it as an instruction of its own"
+                raise draft.refusal("edit-unclear", told, request.span, hint) from error
+    if requests and all(isinstance(request, r.Keep) for request in requests):
+        draft.aim("EXTEND")
+        draft.do(AddCondition(goal=Stayed(a=draft.kept)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.orders import implied_kind
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -48,6 +48,8 @@ def members_of(
                 "name one colour for both",
             )
         spec.listed = spec.listed or named.listed
+        if named.op == "then" and shape.kind in ("stack", "row", "line", "column") and not spec.orders:
+            spec.orders.append(OrderBy(by="given", span=source.span))
         names = scene.fit(
             named.names, count or (default if all(scene.things[n].elastic for n in named.names) else None)
         )

@@ -148,6 +148,9 @@ def _onto_patches(theme: Ref, attribute: str | None, spec: Spec, scene: Scene, c
 def _pile_target(spec: Spec) -> Structure | None:
     for into in list(spec.intos):
         if isinstance(into.structure, Structure) and into.structure.kind == "pile":
+            if into.structure.det == "each":
+                raise refuse("misplaced", "it is not clear what is in each of them", into.span,
+                             "say 'with exactly one stranger in each group'")  # fmt: skip
             spec.intos.remove(into)
             return into.structure
     return None

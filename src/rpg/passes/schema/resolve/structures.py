@@ -74,7 +74,12 @@ def _known(shape: Structure, scene: Scene) -> list[Built]:
         colors = shape.traits.colors
         if colors and any(t.color not in colors for t in things):
             continue
-        if shape.letter and shape.kind == "word" and "".join(t.label or "" for t in things) != shape.letter:
+        if (
+            shape.letter
+            and len(shape.letter) > 1
+            and shape.kind in ("word", "equation")
+            and "".join(t.label or "" for t in things) != shape.letter
+        ):
             continue
         if (
             isinstance(shape.members, Noun)

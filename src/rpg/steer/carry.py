@@ -18,7 +18,7 @@ from rpg.steer.operations.kinds import mixed
 from rpg.steer.operations.move import move
 from rpg.steer.operations.order import group, reorder, trade
 from rpg.steer.operations.parties import new_tower, told_apart
-from rpg.steer.operations.parts import part
+from rpg.steer.operations.parts import drop_part, part
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace as replace_blocks
@@ -29,7 +29,7 @@ from rpg.steer.operations.terse import bound, bring, pile_up, shift, tint
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.operations.vary import climb, closer, copies, divide, some, turn
 from rpg.steer.parties import NewTower
-from rpg.steer.parts import Part
+from rpg.steer.parts import DropPart, Part
 from rpg.steer.refer import resolve
 from rpg.steer.starts import Begin
 from rpg.steer.symbols import Continue, Equate
@@ -57,6 +57,7 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Turn: turn,
     NewTower: new_tower,
     Part: part,
+    DropPart: drop_part,
     Equate: equate,
     Tint: tint,
     Bound: bound,
@@ -66,7 +67,7 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     Begin: begin,
     Continue: carry_on,
 }
-WEAK = (Shift, Bring, Part)
+WEAK = (Shift, Bring, Part, DropPart)
 """Readings of few words: where they cannot be carried out, the words may still be a sentence about the task."""
 
 

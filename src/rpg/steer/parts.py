@@ -21,6 +21,14 @@ class Part(r.Request):
     look: m.Noun
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DropPart(r.Request):
+    """The blocks at a place of a line leave it."""
+
+    place: PLACE
+
+
+_DROPS = "remove | delete | take away | take off | take out | drop | without | get rid of | leave out | cut off | lose"
 _LEADS = (
     "make | have | with | let | paint | color | colour | recolor | recolour | repaint | "
     "turn | i want | put | use | change | now with | place"
@@ -34,6 +42,10 @@ _IS = (
 
 def parts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Every way to say how a part of a figure should look."""
+    drop = longest(p, i, _DROPS)
+    for place, k in part(p, drop, "block") if drop else ():
+        if isinstance(place, m.Places) and place.several is not None:
+            yield DropPart(place=place, span=p.span(i, k), cost=1), k
     j = longest(p, i, _LEADS) or i
     for found, k in part_statement(p, j):
         place = found.adjuncts[0]

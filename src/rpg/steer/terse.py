@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from rpg.steer import requests as r
+from rpg.steer.changing import becomes
 from rpg.steer.language import Parser, colors, count, dimensions, literal, longest, m, noun_phrase
 from rpg.steer.phrases import fresh
 from rpg.steer.places import place
@@ -131,6 +132,11 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for (listed, _), j in colors(p, start):
         if len(listed) == 1:
             yield Tint(color=listed[0], span=p.span(i, j), cost=5), j
+    for theme, j in noun_phrase(p, i):
+        if isinstance(theme, m.Noun) and theme.det == "the" and not theme.conditions:
+            for found, end in becomes(p, i, j, theme, cost=4):
+                if isinstance(found, r.Restyle) and not found.traits.labels:
+                    yield found, end
     text = literal(p, i)
     first = i == 0 or p.words[i - 1] in (",", ".", "!", "please", "now", "no")
     if first and text is not None and len(text) > 1 and text.isalpha():

@@ -10,7 +10,7 @@ from rpg.blocks.figures import Cell, ideals, upright
 from rpg.blocks.predicates.pattern import reading_order
 from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import Asset, Block, SemanticCube
-from rpg.ir.edits import SetField
+from rpg.ir.edits import RemoveAsset, SetField
 from rpg.ir.order import Order, Pattern
 from rpg.ir.structures import Cells, Figure, Grid, Pyramid, Staircase
 from rpg.steer.draft import Draft
@@ -19,7 +19,7 @@ from rpg.steer.operations.guard import check_new
 from rpg.steer.operations.lines import pin
 from rpg.steer.operations.make import describe
 from rpg.steer.operations.restyle import exchange
-from rpg.steer.parts import PLACE, Part
+from rpg.steer.parts import PLACE, DropPart, Part
 from rpg.steer.view import BEGINS, ENDS, Shape
 
 _FIRST = {"row": ("back", "front"), "column": ("left", "right"), "layer": ("bottom", "top")}
@@ -73,7 +73,19 @@ def _coloured(old: Block, new: Asset) -> Asset:
     return old.model_copy(update={"color": new.color}) if isinstance(old, SemanticCube) else new
 
 
-def _in_line(draft: Draft, request: Part) -> list[str]:
+def drop_part(draft: Draft, request: DropPart) -> None:
+    """Blocks at a place of a line leave the task; the line closes up."""
+    names = _in_line(draft, request)
+    if (line := draft.view.line_of(names)) is not None and len(line.members) - len(names) < 2:
+        raise draft.refusal("breaks-structure", f"a {line.kind} needs at least two blocks", request.span, "leave two")
+    draft.aim("MODIFY")
+    draft.note("remove", names)
+    for name in names:
+        draft.do(RemoveAsset(name=name), request.span)
+    draft.look_at(tuple(name for name in draft.focus if name not in names))
+
+
+def _in_line(draft: Draft, request: Part | DropPart) -> list[str]:
     """The blocks at a place of the tower or the row that was spoken of last."""
     line, place = draft.view.main_line(), request.place
     if line is None or not line.ordered:

@@ -30,7 +30,11 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return _numbered(word, scene)
     if word.word in _REST or word.word in _OTHER:
         noun = Noun(head="any", det="other", plural=word.word in _REST, span=word.span)
-        return others(noun, scene, scope, scope.like_patch)
+        there = {t.name: bool(t.color or t.label) for t in scene.blocks()}
+        found = others(noun, scene, scope, scope.like_patch)
+        if word.word == "another" and any(there.values()) and not found.patch and not set(found.names) & set(there):
+            raise refuse("ambiguous", "it is not said what this block looks like", word.span, "name its colour")
+        return found
     if word.word in ("the latter", "the former"):
         return _one_of_two(word, scene)
     if word.word in ("it", "that", "this", "the first one"):
@@ -103,7 +107,10 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
     named = sorted((m for m in scene.mentions if m.clause == last), key=lambda m: m.ref.span)
     if len(named) != 2:
         raise refuse("ambiguous", f"{word.word!r} wants two things named before", word.span, "name the block")
-    return named[1 if word.word == "the latter" else 0].ref
+    found = named[1 if word.word == "the latter" else 0].ref
+    if len(found.parts) > 1 or len(found.names) > 1:
+        raise refuse("ambiguous", f"it is not clear which {word.word} is", word.span, "name the block")
+    return found
 
 
 def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:

@@ -161,7 +161,10 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
 
 def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     there = {t.name: bool(t.color or t.label or t.kind) for t in scene.blocks()}
+    there = {t.name: bool(t.color or t.label or t.kind) for t in scene.blocks()}
     found = _described(noun, scene, scope)
+    if noun.head == "any" and noun.traits == Traits() and any(there.values()) and not found.patch:
+        _no_other_look(noun, [n for n in found.names if n not in there], scene)
     if noun.head == "any" and noun.traits == Traits() and any(there.values()) and not found.patch:
         _no_other_look(noun, [n for n in found.names if n not in there], scene)
     if noun.conditions and (noun.det == "no" or (found.quant is not None and found.quant.high == 0)):

@@ -11,9 +11,9 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order
-from rpg.ir.relations import Apart
+from rpg.ir.relations import Apart, Clear, On
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Stack
+from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import instances, rename, transform
 
 EACH_FOR_ITSELF = frozenset({"on_patch", "on_table", "in_region", "clear", "stayed", "moved"})
@@ -40,7 +40,17 @@ def normal(goal: g.Goal) -> g.Goal:
 def _whole(schema: TaskSchema) -> g.Goal:
     """Start and goal as one expression, so that look-alikes keep their identity over both."""
     start = g.Stage(goal=normal(g.All(goals=schema.init.arranged)))
-    return g.Sequence(stages=(start, g.Stage(goal=normal(schema.goal))))
+    blocks = tuple(block.name for block in schema.blocks)
+    goal = transform(schema.goal, lambda node: _covered(node, blocks))
+    return g.Sequence(stages=(start, g.Stage(goal=normal(goal))))
+
+
+def _covered(node: g.Goal, blocks: tuple[str, ...]) -> g.Goal:
+    """A block that is not clear has one of the others on it."""
+    if not isinstance(node, g.Not) or not isinstance(node.goal, Clear) or not isinstance(node.goal.a, tuple):
+        return node
+    a = node.goal.a
+    return g.Any(goals=tuple(On(a=(n,), b=(under,)) for under in a for n in blocks if n != under))
 
 
 def _normal(node: g.Goal) -> g.Goal:
@@ -53,6 +63,8 @@ def _normal(node: g.Goal) -> g.Goal:
             return _counted(node)
         case Stack(order=Order(first=None, by="given" | "label" | "number" | "size")):
             return node.model_copy(update={"order": node.order.model_copy(update={"first": "bottom"})})
+        case Row(order=Order(first=None, descending=True)) | Stack(order=Order(first=None, by="rainbow")):
+            return node.model_copy(update={"order": node.order.model_copy(update={"descending": False})})
         case Apart():
             return _pairwise_apart(node)
     if node.kind in EACH_FOR_ITSELF:

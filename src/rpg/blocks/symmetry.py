@@ -145,7 +145,10 @@ class Canonical:
     def __call__(self, goal: g.Goal, mapping: dict[str, str]) -> Any:
         match goal:
             case g.All() | g.Any():
-                return goal.kind, sorted((self(part, mapping) for part in goal.goals), key=repr)
+                parts = {repr(part): part for part in (self(part, mapping) for part in goal.goals)}
+                if len(parts) == 1:
+                    return next(iter(parts.values()))
+                return goal.kind, [parts[text] for text in sorted(parts)]
             case g.Not() | g.Always():
                 return goal.kind, self(goal.goal, mapping)
             case g.Count():

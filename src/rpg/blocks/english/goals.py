@@ -31,7 +31,7 @@ def spoken(goal: g.Goal, say: Speaker) -> str:
             return spoken(counted, say)
         case g.Any():
             with say.strictly():
-                return _alternatives([spoken(part, say) for part in goal.goals], goal.goals)
+                return _alternatives([spoken(part, say) for part in goal.goals])
         case g.Not():
             with say.strictly():
                 return _negated(goal.goal, say)
@@ -56,16 +56,16 @@ def _any_of(goal: g.Any, say: Speaker) -> g.Count | None:
         for other in others:
             fits = [n for n in names(other) if n not in over and rename(first, {name: n}) == other]
             over += fits[:1]
-        if not say.alike(over) and members(getattr(first, "a", ())) != (name,):
+        if not say.alike(over):
             continue
         if len(over) == len(goal.goals) > 1 and not set(over[1:]) & set(names(first)):
             return g.Count(over=tuple(over), var=ANY, at_least=1, goal=rename(first, {name: ANY}))
     return None
 
 
-def _alternatives(said: list[str], goals: tuple[g.Goal, ...]) -> str:
-    """ "A or B", and "either A and B, or C and D" where one of them has parts."""
-    if any(isinstance(goal, g.All) and len(goal.goals) > 1 for goal in goals):
+def _alternatives(said: list[str]) -> str:
+    """ "A or B", and "either A and B, or C and D" where one of them lists something."""
+    if any(f" {word} " in text for text in said for word in ("and", "or")):
         return f"either {', or '.join(said)}"
     return " or ".join(said)
 
@@ -123,7 +123,7 @@ def _negated(goal: g.Goal, say: Speaker) -> str:
         case g.Any():
             return join([_negated(part, say) for part in goal.goals])
         case g.All():
-            return _alternatives([_negated(part, say) for part in goal.goals], ())
+            return _alternatives([_negated(part, say) for part in goal.goals])
     say.negated = not say.negated
     text = spoken(goal, say)
     say.negated = not say.negated

@@ -51,6 +51,7 @@ def ordered(order: Order, say: Speaker) -> str:
 def along(order: Order, say: Speaker) -> str:
     """An order along a line on the table, which may have its beginning at either end."""
     free = order.first is None and order.by in ("given", "label", "number", "rainbow", "size")
+    order = order.model_copy(update={"descending": False}) if free else order
     return ordered(order, say) + (" in either direction" if free else "")
 
 
@@ -95,23 +96,31 @@ def _rank(rank: tuple[str, ...], by_name: bool, say: Speaker) -> str:
     return join(parts) + (" in no fixed order" if mixed else "")
 
 
-def patterned(pattern: Pattern | None, say: Speaker, *, upright: bool = False) -> str:
-    """A pattern, as it follows the figure's noun; `upright`: the figure has layers."""
+def patterned(pattern: Pattern | None, say: Speaker, *, upright: bool = False, in_rows: bool = False) -> str:
+    """A pattern, as it follows the figure's noun; `upright`: the figure has layers; `in_rows`: it has rows."""
     if pattern is None:
         return ""
     match pattern.kind:
         case "checkerboard":
             return " in a checkerboard pattern"
         case "reading":
-            return _reading(pattern, upright, say)
+            return _reading(pattern, upright, in_rows, say)
         case line:
             return f" where each {line} has a different {ATTRIBUTES[pattern.attribute]}"
 
 
-def _reading(pattern: Pattern, upright: bool, say: Speaker) -> str:
+def _reading(pattern: Pattern, upright: bool, in_rows: bool, say: Speaker) -> str:
     """How cells are filled one after the other, as a page is read."""
     order = pattern.order
     if order.by == "any":
         return ""
-    way = " from bottom to top" if pattern.upward else " from top to bottom" if upright else " row by row"
+    way = (
+        " from bottom to top"
+        if pattern.upward
+        else " from top to bottom"
+        if upright
+        else " row by row"
+        if in_rows
+        else ""
+    )
     return f"{way}{ordered(order, say)}"

@@ -48,12 +48,24 @@ def on_table(node: r.OnTable, say: Speaker) -> str:
 
 
 def clear(node: r.Clear, say: Speaker) -> str:
+    with say.strictly():
+        return _covered(node, say)
+
+
+def _covered(node: r.Clear, say: Speaker) -> str:
     if not say.negated:
         return f"nothing {say.be('nothing')} on {say.the(node.a)}"
     say.negated = False
-    text = f"something {say.be('something')} on {say.the(node.a)}"
+    text = " or ".join(_carries(name, say) for name in members(node.a))
     say.negated = True
     return text
+
+
+def _carries(name: str, say: Speaker) -> str:
+    """Something on a block: one of all the other blocks."""
+    others = tuple(other for other in say.world.blocks if other != name)
+    some = say.the(others) if len(others) == 1 else f"at least one of {say.the(others)}"
+    return f"{some} {say.be('one')} on {say.the(name)}"
 
 
 def on_patch(node: r.OnPatch, say: Speaker) -> str:
@@ -172,6 +184,8 @@ def moved(node: r.Moved, say: Speaker) -> str:
 
 
 def swapped(node: r.Swapped, say: Speaker) -> str:
+    if say.negated:
+        return f"{say.the(node.a)} {say.be(node.a)} swapped with {say.the(node.b)}"
     return f"{say.the(node.a)} and {say.the(node.b)} {say.do((*node.a, *node.b), 'swap', 'swaps')} places"
 
 

@@ -13,7 +13,7 @@ from rpg.ir.relations import Stayed
 from rpg.ir.schema import TaskSchema
 from rpg.ir.walk import names
 
-MOST = 8
+MOST = 6
 """Kinds of objects in one sentence."""
 
 

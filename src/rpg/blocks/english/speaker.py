@@ -31,7 +31,8 @@ class Speaker:
     `aliases` are phrases for names that stand for something else (the counted block of a `Count`), some of them
     `plural`. `numbered`: look-alikes that are told apart by number, "red block 1". `known` are the sets of look-alikes
     spoken of already, which "the other one" and "another" lean on; where `exact`, such a phrase would say too little
-    (in what is denied, counted or always so). `figures`: what structures are called, by their blocks, where the text
+    (in what is denied, counted or always so). `together`: what look-alikes of which
+    all were spoken of at once are called. `figures`: what structures are called, by their blocks, where the text
     has spoken of them. `always`: statements are of every moment, "must never touch".
     """
 
@@ -44,6 +45,7 @@ class Speaker:
     always: bool = False
     plural: set[str] = field(default_factory=set)
     known: list[frozenset[str]] = field(default_factory=list)
+    together: set[str] = field(default_factory=set)
     figures: dict[frozenset[str], str] = field(default_factory=dict)
 
     def be(self, operand: Operand | str) -> str:
@@ -148,20 +150,21 @@ class Speaker:
                 return f"the {whole} blocks"
             if all(_LABEL.fullmatch(noun) for noun in parts):
                 return f"the blocks {whole}"
-        return join([self._reference(noun, mine) for noun, mine in parts.items()])
+        return join([said for noun, mine in parts.items() for said in self._references(noun, mine)])
 
     def _alike(self, noun: str) -> list[str]:
         return [name for name in self.world.assets if self.noun(name) == noun]
 
-    def _reference(self, noun: str, names: list[str]) -> str:
+    def _references(self, noun: str, names: list[str]) -> list[str]:
         if names[0] in self.aliases:
-            return self.aliases[names[0]]
+            return [self.aliases[names[0]]]
         alike = self._alike(noun)
         if len(names) == len(alike):
-            return self._whole(noun, len(names))
+            self.together.add(noun)
+            return [self._whole(noun, len(names))]
         if noun in self.numbered:
-            return join([_numbered(noun, alike.index(name) + 1) for name in names])
-        return self._part(noun, frozenset(names), alike)
+            return [_numbered(noun, alike.index(name) + 1) for name in names]
+        return [self._part(noun, frozenset(names), alike)]
 
     def _whole(self, noun: str, count: int) -> str:
         return f"the {noun}" if count == 1 else f"the {number(count)} {_plural(noun)}"
@@ -169,7 +172,11 @@ class Speaker:
     def _part(self, noun: str, chosen: frozenset[str], alike: list[str]) -> str:
         """Some of several look-alikes: "a red block", "another red block", "the other two red blocks"."""
         spoken = [known for known in self.known if known <= set(alike)]
-        if self.exact or any(chosen & known for known in spoken):
+        if (
+            (spoken and (noun in self.together or _LABEL.fullmatch(noun)))
+            or self.exact
+            or any(chosen & known for known in spoken)
+        ):
             raise Inexpressible(noun)
         self.known.append(chosen)
         count, left = len(chosen), len(alike) - sum(len(known) for known in spoken)

@@ -35,6 +35,8 @@ def stack(node: s.Stack, say: Speaker) -> str:
 
 def _upward(node: s.Stack) -> Any:
     """The order of a stack, with its direction said."""
+    if node.order.by == "rainbow" and node.order.first is None:
+        return node.order.model_copy(update={"descending": False})
     if node.order.by in ("any", "alternating", "mirrored", "together") or node.order.first:
         return node.order
     return node.order.model_copy(update={"first": "bottom"})
@@ -86,7 +88,7 @@ def grid(node: s.Grid, say: Speaker) -> str:
         what = f"a {node.rows}x{node.columns}x{node.layers} cube"
     else:
         what = f"a grid of {number(node.rows)} rows and {number(node.columns)} columns"
-    return _form(node, say, what + patterned(node.pattern, say, upright=node.layers > 1))
+    return _form(node, say, what + patterned(node.pattern, say, upright=node.layers > 1, in_rows=True))
 
 
 def pyramid(node: s.Pyramid, say: Speaker) -> str:
@@ -118,11 +120,7 @@ def figure(node: s.Figure, say: Speaker) -> str:
 
 def group_by(node: s.GroupBy, say: Speaker) -> str:
     blocks = tuple(name for group in node.groups for name in group)
-    odd = (
-        f" with exactly {number(node.outliers)} outlier{'s' * (node.outliers > 1)} in each group"
-        if node.outliers
-        else ""
-    )
+    odd = f" with {number(node.outliers)} outlier{'s' * (node.outliers > 1)} in each group" if node.outliers else ""
     if node.by:
         count = number(len(node.groups))
         return f"{say.the(blocks)} {say.be(blocks)} sorted by {ATTRIBUTES[node.by]} into {count} groups{odd}"

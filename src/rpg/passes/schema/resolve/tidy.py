@@ -77,14 +77,10 @@ def _tower_patches(goals: list[g.Goal]) -> list[g.Goal]:
 
 def _open_tops(goal: g.Goal) -> g.Goal:
     """A counted tower that something else goes on is not exact any more."""
-    topped: set[str] = set()
-    for atom in atoms(goal):
-        if isinstance(atom, r.On | r.Above):
-            topped.update(members(atom.b))
-            topped.update(members(atom.a))
+    on = [{*members(atom.a), *members(atom.b)} for atom in atoms(goal) if isinstance(atom, r.On | r.Above)]
 
     def change(node: g.Goal) -> g.Goal:
-        if isinstance(node, s.Stack) and node.exact and topped & set(node.blocks):
+        if isinstance(node, s.Stack) and node.exact and any(x & set(node.blocks) and x - set(node.blocks) for x in on):
             return node.model_copy(update={"exact": False})
         return node
 

@@ -42,6 +42,8 @@ HEIGHTS = (1, 1, 1, 2, 2, 3, 4)
 """Heights of the stacks in random layouts."""
 PITCHES = (1.02, 1.2, 1.6, 2.2)
 """Distances between the stacks of a close layout, in edges."""
+RANDOM = "random layout"
+"""The source of states that are no version's in particular."""
 RENEWED = 16
 """After so many states another order of the places on the table is drawn."""
 
@@ -269,7 +271,7 @@ class Bank:
         for index, k in enumerate(names):
             position[k] = self._aside(index, k)
         begun = self.begun["new"]
-        return Sample(Layout(position, self._upright), begun[int(draw() * len(begun))], "random layout")
+        return Sample(Layout(position, self._upright), begun[int(draw() * len(begun))], RANDOM)
 
     @cached_property
     def _upright(self) -> dict[str, Quat]:

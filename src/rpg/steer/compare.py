@@ -11,7 +11,7 @@ from rpg.blocks.evaluate import evaluate, rests, satisfied
 from rpg.blocks.state import BlockState
 from rpg.ir import goal as g
 from rpg.ir.walk import names, transform
-from rpg.steer.bank import Bank, Sample, Side
+from rpg.steer.bank import RANDOM, Bank, Sample, Side
 from rpg.steer.identity import Identity, look
 from rpg.steer.shape import conjuncts
 
@@ -71,6 +71,11 @@ class Judge:
             return self.holds(self.side.state(sample))
         return any(self.holds(self.side.state(sample, keys)) for keys in self.choices)
 
+    def alone(self, sample: Sample) -> bool:
+        """The verdict with the version's own blocks in their places."""
+        known = sample.known.get(self.side.label)
+        return self.holds(self.side.state(sample)) if known is None else known
+
     def margin(self, sample: Sample) -> float:
         """By how much of its tolerances the goal holds, or fails, with its own blocks."""
         return evaluate(self.side.goal, self.side.state(sample)).margin
@@ -84,8 +89,12 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
     only_new: list[Sample] = []
     included = _included(bank)
     for sample in bank.samples:
-        before = old(sample)
-        after = before if bank.same else new(sample)
+        before = old.alone(sample)
+        after = before if bank.same else new.alone(sample)
+        if before != after or not (before or sample.source == RANDOM):
+            # Blocks of the other version may stand in; in a random layout that neither accepts it is not worth a look.
+            before = before or old(sample)
+            after = before if bank.same else after or new(sample)
         if after and not before and included:
             before = True
         if (before or after) and rests(bank.whole(sample)):

@@ -58,6 +58,12 @@ def _bound(state: BlockState, a: str, b: str) -> float:
     return math.hypot(ax - bx, ay - by) - (state.world.edge[a] + state.world.edge[b]) * 0.8661
 
 
+def _most(state: BlockState, a: str, b: str) -> float:
+    """A gap that the two are never farther apart than."""
+    (ax, ay, _), (bx, by, _) = state.position[a], state.position[b]
+    return math.hypot(ax - bx, ay - by) - (state.world.edge[a] + state.world.edge[b]) / 2
+
+
 def separation(state: BlockState, groups: Groups) -> Link | None:
     """The nearest two blocks of different groups."""
     pairs = sorted((_bound(state, a, b), a, b) for one, two in combinations(groups, 2) for a in one for b in two)
@@ -105,6 +111,11 @@ def _distinct(options: list[list[Trait]], used: frozenset[Trait]) -> bool:
     return not options or any(_distinct(options[1:], used | {v}) for v in options[0] if v not in used)
 
 
+def _alone(state: BlockState, name: str, group: Sequence[str], reach: float) -> bool:
+    """Is a block farther from every other member of its group than a chain reaches?"""
+    return all(other == name or _bound(state, name, other) > reach for other in group)
+
+
 class GroupByPredicate(Predicate[GroupBy]):
     """Members chained by small gaps; groups apart."""
 
@@ -125,6 +136,19 @@ class GroupByPredicate(Predicate[GroupBy]):
             farther = (nearest.gap - max(inside)) / edge
             parts.append(holds(farther) if farther != 0.0 else FALSE)
         return every(parts)
+
+    def holds(self, node: GroupBy, state: BlockState) -> bool:
+        if not node.outliers:
+            edge = largest_edge(state, [name for group in node.groups for name in group])
+            apart = node.outer_edges * edge - 1e-6
+            pairs = ((a, b) for one, two in combinations(node.groups, 2) for a in one for b in two)
+            if any(_most(state, a, b) < apart for a, b in pairs):
+                return False
+            reach = node.inner_edges * edge + 1e-6
+            for group in node.groups:
+                if len(group) > 1 and any(_alone(state, name, group, reach) for name in group):
+                    return False
+        return self.evaluate(node, state).value
 
     def build(self, node: GroupBy, world: World, rng: Random) -> Iterator[list[Cluster]]:
         found = False

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.meaning import Noun, Pronoun
-from rpg.passes.schema.resolve.world import Mention, Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.world import Mention, Ref, Scene, Scope, Thing, refuse
 
 _EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
 _REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two",
@@ -116,7 +116,7 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
 def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
     """Two things were named in the clause before: the upper one of a stack stands for it; else it is ambiguous."""
     names = [m.ref.names[0] for m in rivals]
-    tops = [m for m in rivals if m.ref.names[0] not in scene.on_top]
+    tops = [m for m in rivals if m.ref.names[0] not in scene.on_top.values()]
     stacked = any(scene.on_top.get(a) == b for a in names for b in names)
     if stacked and len(tops) == 1:
         return tops[0].ref
@@ -184,17 +184,28 @@ def _told_together(ref: Ref) -> bool:
 
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "one":
-        free = [t for t in scene.blocks() if t.declared and t.name not in scene.used and not t.extra]
+        free = _left_over(scene)
         if free:
             scene.used.add(free[0].name)
             return Ref(names=(free[0].name,))
         for mention in reversed(scene.mentions):
             if len(mention.ref.names) > 1 and not mention.ref.patch:
+                if mention.role == "theme" and mention.clause < scene.clause and not mention.ref.built:
+                    raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", word.span,
+                                 "say 'one of them', or name its colour")  # fmt: skip
                 return Ref(names=(mention.ref.names[0],))
         raise refuse(
             "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
         )
     return replace(_them(word, scene, scope), each=True)
+
+
+def _left_over(scene: Scene) -> list[Thing]:
+    """Blocks that there are, and of which nothing has been said yet; those like the ones spoken of last come first."""
+    free = [t for t in scene.blocks() if t.declared and t.name not in scene.used and not t.extra]
+    last = next((m.ref.names for m in reversed(scene.mentions) if m.role == "theme" and not m.ref.patch), ())
+    like = {(scene.things[n].color, scene.things[n].label) for n in last}
+    return [t for t in free if (t.color, t.label) in like] or free
 
 
 def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:

@@ -11,7 +11,7 @@ from rpg.passes.schema.resolve.listing import fewer_than, listed, quantified
 from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
 from rpg.passes.schema.resolve.shares import SHARES, share_of
-from rpg.passes.schema.resolve.things import Premise, alike, compared, create, matching
+from rpg.passes.schema.resolve.things import Premise, alike, compared, create, looks_said, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 OTHERS = 3
@@ -161,12 +161,9 @@ def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
 
 def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     there = {t.name: bool(t.color or t.label or t.kind) for t in scene.blocks()}
-    there = {t.name: bool(t.color or t.label or t.kind) for t in scene.blocks()}
     found = _described(noun, scene, scope)
-    if noun.head == "any" and noun.traits == Traits() and any(there.values()) and not found.patch:
-        _no_other_look(noun, [n for n in found.names if n not in there], scene)
-    if noun.head == "any" and noun.traits == Traits() and any(there.values()) and not found.patch:
-        _no_other_look(noun, [n for n in found.names if n not in there], scene)
+    if not found.patch:
+        looks_said(noun, found.names, there, scene)
     if noun.conditions and (noun.det == "no" or (found.quant is not None and found.quant.high == 0)):
         raise refuse("ambiguous", "it is not clear which blocks are there at the start", noun.span, "use two sentences")
     for condition in noun.conditions:
@@ -187,6 +184,9 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return ranked(noun, scene, scope)
     if (told := _structure_like(noun, scene, scope)) is not None:
         return told
+    bare = noun.head == "any" and noun.det == "bare" and noun.amount is None and not noun.plural
+    if bare and noun.traits == Traits() and not noun.conditions:
+        return pronoun(Pronoun(word="one", span=noun.span), scene, scope)
     patch = _is_patch(noun, scene, scope)
     if not patch and (noun.traits.long or noun.traits.shape not in (None, "square")):
         raise refuse("misplaced", "blocks are cubes, all of one shape", noun.span, "leave the shape out")
@@ -254,12 +254,6 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     names = _denied(noun, scene, patch) or _counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     return quantified(found, noun)
-
-
-def _no_other_look(noun: Noun, new: list[str], scene: Scene) -> None:
-    """ "two red blocks on the mat and three on the table": three more red ones, not three of whatever look."""
-    if any(not scene.things[n].declared and scene.things[n].color is None and not scene.things[n].kind for n in new):
-        raise refuse("ambiguous", "it is not said what these blocks look like", noun.span, "name their colour")
 
 
 def _denied(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:

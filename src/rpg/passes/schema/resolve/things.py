@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits
-from rpg.passes.schema.resolve.world import Scene, Thing
+from rpg.passes.schema.resolve.world import Scene, Thing, refuse
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
 
@@ -160,6 +160,19 @@ class Premise(Meaning):
 
     names: tuple[str, ...]
     condition: Meaning
+
+
+def looks_said(noun: Noun, names: tuple[str, ...], there: dict[str, bool], scene: Scene) -> None:
+    """Refuse further blocks of which no look is said beside ones that have a look (`there`), and symbols not named.
+
+    "Two red blocks on the mat and three on the table": three more red ones, not three of whatever look.
+    """
+    new = [scene.things[name] for name in names if name not in there]
+    if noun.det == "all" and noun.traits.kind and not noun.traits.labels and len(new) == len(names):
+        raise refuse("ambiguous", "it is not said which symbols there are", noun.span, "name them")
+    bare = noun.head == "any" and noun.traits == Traits() and any(there.values())
+    if bare and any(not thing.declared and thing.color is None and not thing.kind for thing in new):
+        raise refuse("ambiguous", "it is not said what these blocks look like", noun.span, "name their colour")
 
 
 def amount_of(meaning: Meaning | None) -> int | None:

@@ -55,6 +55,7 @@ _NUMBER = re.compile(
 )
 
 
+_PUTS = re.compile(r"^\W*(?:(?:now|and|also|then|please)\s+)*(?:put|place|add|set|stick)\s+(?:a|an|one|two)\b", re.IGNORECASE)
 _PARTS = re.compile(
     r"\b(?:each|every|both|all|the|its)\s+(?:\w+\s+)?(?:corner|end|edge|side|middle|centre|center|top|bottom)s?\b"
     r"(?!\s+(?:of|half|side))",
@@ -63,8 +64,8 @@ _PARTS = re.compile(
 
 
 def speaks_of_parts(request: str) -> bool:
-    """Whether a request speaks of places that something built has, and not of the table's."""
-    return bool(_PARTS.search(request)) and "table" not in request.lower()
+    """Whether a request puts something at places that what is built has, and not at the table's."""
+    return bool(_PUTS.match(request) and _PARTS.search(request)) and "table" not in request.lower()
 
 
 def only_a_number(request: str) -> bool:

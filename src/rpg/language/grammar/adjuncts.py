@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.absolutes import absolute
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.each import each_of
+from rpg.language.grammar.each import each_led
 from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.manners import manner
@@ -73,7 +73,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from _that(p, i)
     yield from manner(p, i)
     yield from size_phrase(p, i)
-    yield from each_of(p, i)
+    yield from each_led(p, i)
 
 
 @rule

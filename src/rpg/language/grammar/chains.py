@@ -193,7 +193,7 @@ def _link(p: Parser, i: int) -> Results[str]:
     elif k := p.any_of(j, _ALSO):
         k = p.opt(k, "also", "both")
         yield "and", k
-        if p.words[k : k + 1] == [","] and "," in p.words[k + 1 :]:
+        if p.words[k : k + 1] == [","]:
             yield "and", k + 1
     elif j > i:
         yield "and", j

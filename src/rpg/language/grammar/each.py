@@ -39,14 +39,22 @@ _ON = {"on": True, "on top of": True, "above": True, "over": True, "atop": True,
 @rule
 def each_of(p: Parser, i: int) -> Results[OrderBy]:
     """Behind several structures: ", each of a red and a blue block", "with a red and a blue block each"."""
-    if "each" not in p.words[i:] and "both" not in p.words[i:] and "every" not in p.words[i:]:
-        return
+    yield from each_led(p, i)
+    comma = p.opt(i, ",", ":")
+    j = p.any_of(comma, ("of", "with", "from", "made of"))
+    for found, k in _lot(p, i, j or comma) if j or comma > i else ():
+        if not found.first and (end := p.any_of(k, _EACH)):
+            yield replace(found, span=p.span(i, end)), end
+
+
+@rule
+def each_led(p: Parser, i: int) -> Results[OrderBy]:
+    """As an adjunct: ", each of a red and a blue block", ", green under yellow both times"."""
     comma = p.opt(i, ",", ":")
     if j := p.any_of(comma, _LEADS):
         yield from _lot(p, i, j)
-    for found, j in _lot(p, i, p.any_of(comma, ("of", "with", "from", "made of")) or comma):
-        ends = _TIMES if found.first else _EACH
-        if k := p.any_of(j, ends):
+    for found, j in _lot(p, i, comma) if comma > i else ():
+        if found.first and (k := p.any_of(j, _TIMES)):
             yield replace(found, span=p.span(i, k)), k
 
 

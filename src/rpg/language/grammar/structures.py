@@ -123,7 +123,7 @@ def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     turns = p.one(i, "alternating")
     if i and (p.words[i - 1] in lexicon.COLOR or p.words[i - 1] == "alternating"):
         return
-    for items, j in listed(p, turns or i):
+    for items, j in listed(p, turns or i) if p.lex(turns or i, lexicon.COLOR) is not None else ():
         joined = all(isinstance(x, Noun) and len(x.traits.colors) == 1 for x in items) and "," not in p.words[i:j]
         if not joined or p.lex(j, lexicon.STRUCTURE) is None or (not turns and "and" in p.words[i:j]):
             continue

@@ -73,6 +73,14 @@ def only_a_number(request: str) -> bool:
     return bool(_NUMBER.match(request)) and by_itself(request) == request
 
 
+_ALL = re.compile(r"^\W*(?:(?:and|now|also|then|but)\s+)*(?:each|every|all|both|none|no)\b", re.IGNORECASE)
+
+
+def of_all(request: str) -> bool:
+    """Whether a request begins with "every", "all", "both": of what is there, rather than of blocks it would bring."""
+    return bool(_ALL.match(request))
+
+
 def one_more(request: str) -> bool:
     """Whether a request speaks of one more of what the task has: no instruction of its own does."""
     return bool(_ONE_MORE.search(request))

@@ -20,6 +20,7 @@ from rpg.steer.afresh import (
     fresh_start,
     mentions_known,
     names_structure,
+    of_all,
     one_more,
     only_a_number,
     only_known,
@@ -307,7 +308,8 @@ def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
     counted = any(text.startswith("the number of ") for text in found.task.assumptions)
     looks = [look(block) for block in found.task.blocks]
     there = [look(block) for block in old.blocks]
-    if counted and all(each in there for each in looks) and len(looks) != len(there):
+    made_up = of_all(found.request) and any("not said" in text for text in found.task.assumptions)
+    if made_up or (counted and all(each in there for each in looks) and len(looks) != len(there)):
         message = "this may be about the blocks that are there, or about others"
         hint = "say 'the red blocks', or how many there should be"
         span = (0, len(found.request))

@@ -56,6 +56,8 @@ def test_what_was_lost_is_found(less: str, said: str, lost: str) -> None:
         "put the four blocks inside the green circle",
         "move the red block at least 15 cm",
         "move the red block by at least 5 cm",
+        "Align N cubic blocks in a single straight horizontal line.",
+        "Arrange cubes so that their up-faces read A, B, C… in alphabetical order.",
     ],
 )
 def test_what_was_said_is_found(said: str) -> None:

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from pydantic import BaseModel
 
 from rpg.ir.assets import FACES, Asset, SemanticCube
+from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Figure
 from rpg.ir.walk import atoms, names
@@ -27,6 +28,8 @@ FEW = 2
 LENGTHS = ("at_least", "distance")
 """Fields of goals that are said as often as not; of other fields only values that are not the default are."""
 PRONOUNS = "AI"
+OPEN = "NK"
+"""Letters for a number that is left open: "N blocks"."""
 _PLAIN = {
     "alphabet alphabetic alphabetical alphabetically alphabetized": "label",
     "alternate alternates alternating alternately alternatingly": "alternating checkerboard given",
@@ -54,14 +57,16 @@ def unfounded(words: Iterable[Token], task: TaskSchema) -> Token | None:
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
     numbers: set[float] | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
-    for token in words:
+    terms = {term for part in parts for term in _terms(part)} | _shown_orders(task)
+    words = list(words)
+    for index, token in enumerate(words):
         color = lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word)
         if color is not None and color not in colors:
             return token
         symbol = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper() and token.raw not in PRONOUNS
-        if symbol and token.raw not in shown:
+        if symbol and token.raw not in shown and not (token.raw in OPEN and _counts(words[index + 1 : index + 3])):
             return token
-        if token.word in PLAIN and not any(term in PLAIN[token.word] for part in parts for term in _terms(part)):
+        if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms):
             return token
         said = _number(token)
         if said is not None and said > FEW:
@@ -69,6 +74,23 @@ def unfounded(words: Iterable[Token], task: TaskSchema) -> Token | None:
             if not any(abs(said - number) < 0.02 for number in numbers):
                 return token
     return None
+
+
+def _counts(after: Sequence[Token]) -> bool:
+    """Whether the words that follow are what is counted."""
+    return any(token.kind == "word" and token.word.endswith("s") for token in after)
+
+
+def _shown_orders(task: TaskSchema) -> set[str]:
+    """The orders that a list comes to which a goal gives block by block: A, B, C is the one by label."""
+    symbols = {asset.name: "".join(sorted(_symbols(asset))) for asset in task.assets}
+    orders: list[list[str]] = []
+    for atom in atoms(task.goal):
+        order = getattr(atom, "order", None)
+        if isinstance(order, Order) and order.by == "given":
+            orders.append([symbols.get(rank[0], "") for rank in order.ranks])
+    rising = [one for one in orders if all(one) and one == sorted(one)]
+    return {"number" if "".join(one).isdigit() else "label" for one in rising}
 
 
 def _number(token: Token) -> float | None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, label_list, longest, m, noun_phrase, phrases, simple
-from rpg.steer.phrases import fresh, labelled, plural_kind, things
+from rpg.steer.phrases import fresh, labelled, old, plural_kind, things
 from rpg.steer.places import given_up, place, places
 
 ADD = frozenset(
@@ -163,7 +163,7 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             for lost, n in noun_phrase(p, k + 1) if p.one(k, "where") else ():
                 if end := longest(p, n, "was | is | used to be | stands | stood | sits | has been | was before"):
                     yield r.Replace(old=lost, new=theme, span=p.span(i, end)), end
-        else:
+        elif not isinstance(theme, m.Structure) or old(theme):
             for where, end in place(p, k):
                 end = given_up(p, end)
                 yield r.Move(theme=theme, place=where, span=p.span(i, end)), end

@@ -55,7 +55,9 @@ _NUMBER = re.compile(
 )
 
 
-_PUTS = re.compile(r"^\W*(?:(?:now|and|also|then|please)\s+)*(?:put|place|add|set|stick)\s+(?:a|an|one|two)\b", re.IGNORECASE)
+_PUTS = re.compile(
+    r"^\W*(?:(?:now|and|also|then|please)\s+)*(?:put|place|add|set|stick)\s+(?:a|an|one|two)\b", re.IGNORECASE
+)
 _PARTS = re.compile(
     r"\b(?:each|every|both|all|the|its)\s+(?:\w+\s+)?(?:corner|end|edge|side|middle|centre|center|top|bottom)s?\b"
     r"(?!\s+(?:of|half|side))",

@@ -55,12 +55,23 @@ def _resolved(view: View, phrase: m.Meaning) -> Found:
         case m.Structure():
             return _structure(view, phrase)
         case m.Coord():
-            return Found(tuple(dict.fromkeys(name for item in phrase.items for name in resolve(view, item).names)))
+            return Found(_several(view, phrase))
         case m.PartOf():
             return _part(view, phrase)
     raise Refusal(
         [Diagnostic(code="edit-unclear", message="this does not name a block", span=phrase.span, origin="steer")]
     )
+
+
+def _several(view: View, phrase: m.Coord) -> tuple[str, ...]:
+    """The objects of a list; of all but some, the rest."""
+    first, *others = (resolve(view, item).names for item in phrase.items)
+    if phrase.op == "and":
+        return tuple(dict.fromkeys(name for names in (first, *others) for name in names))
+    if phrase.op == "except":
+        return tuple(name for name in first if not any(name in names for names in others))
+    told = "this leaves open which blocks are meant"
+    raise Refusal([_diagnostic("ambiguous-object", phrase.span, told, "name one of them, or join them with 'and'")])
 
 
 def exists(view: View, phrase: m.Meaning) -> bool:

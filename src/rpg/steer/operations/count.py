@@ -110,6 +110,13 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
         )
     if wanted == now:
         raise draft.refusal("nothing-to-do", f"it has {now} blocks already", request.span)
+    looks = {draft.view.world.look[name] for name in line.members}
+    if not line.ordered and 1 < len(looks) < now:
+        told, hint = (
+            "it is not said which of the blocks are to be more or fewer",
+            "say of which colour, or of each colour",
+        )
+        raise draft.refusal("ambiguous-object", told, request.span, hint)
     for name in reversed(line.members[wanted:]):
         draft.do(RemoveAsset(name=name), request.span)
     if wanted > now:

@@ -20,6 +20,9 @@ SPELT = dict(SIGNS.items())
 def new_assets(draft: Draft, phrase: m.Meaning, count: int | None = None) -> list[Asset]:
     """The objects that `phrase` brings in; `count` where it does not say how many."""
     if isinstance(phrase, m.Coord):
+        if phrase.op != "and":
+            told, hint = "this leaves open which blocks are meant", "name one of them, or join them with 'and'"
+            raise draft.refusal("ambiguous-object", told, phrase.span, hint)
         found: list[Asset] = []
         for item in phrase.items:
             found += _named(draft, item, count, found)

@@ -109,8 +109,10 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         for unit, k in p.standing(j, _BEFORE_UNITS):
             yield _Before(sizes=(Size(what=_BEFORE_UNITS[unit], amount=Amount(n, n), span=p.span(i, k)),)), k
     for marks, j in adjective(p, i):
+        if marks.keys() & {"size", "long"}:
+            continue
         if "labels" not in marks and ("rank" not in marks or marks["rank"] in ("left", "right")):
-            yield _Before(marks=Marks({k: v for k, v in marks.items() if k not in ("target", "long", "size")})), j
+            yield _Before(marks=Marks({k: v for k, v in marks.items() if k != "target"})), j
     if p.lex(i, lexicon.BLOCK) is not None:
         yield _Before(), i + 1
     rank = _RANKS.get(p.words[i]) if i < p.end else None

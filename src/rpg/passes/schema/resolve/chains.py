@@ -23,10 +23,11 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
-    chain = in_that_order(chain)
+    chain = _earlier_first(in_that_order(chain))
     stages: list[Goals] = [[]]
     towers = Towers.of(scene)
-    for link, clause in _given_first(chain):
+    pairs = _given_first(chain)
+    for (link, clause), after in zip(pairs, [*(link for link, _ in pairs[1:]), ""], strict=True):
         if isinstance(clause, Chain):
             _append(stages, link, [conj(chain_goals(clause, scene, start))])
             continue
@@ -43,6 +44,8 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if link == "or":
             towers.after(scene, start=False, denied=True)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+        if after == "or" and len(goals) > 1:
+            goals = [conj(goals, clause.span)]
         if link == "and" and _restacked(stages[-1], goals, scene):
             link = "then"
         if link == "or" and not (goals and (stages[-1] or starts)):
@@ -54,6 +57,25 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if both:
             stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
+
+
+def _earlier_first(chain: Chain) -> Chain:
+    """ "A, but first B, and before that C": the clauses in the order in which they are to be done."""
+    if "after" not in chain.links:
+        return chain
+    groups: list[list[tuple[str, Meaning]]] = []
+    at = 0
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        if groups and link in ("and", "or"):
+            groups[at].append((link, clause))
+        else:
+            if link == "after" and at:
+                raise refuse("ambiguous", "it is not clear before which of these this comes", clause.span,
+                             "say what is done in the order in which it is done")  # fmt: skip
+            at = at if link == "after" and groups else len(groups)
+            groups.insert(at, [("then", clause)])
+    pairs = [pair for group in groups for pair in group]
+    return replace(chain, clauses=tuple(c for _, c in pairs), links=("and", *(link for link, _ in pairs[1:])))
 
 
 def _begun(clause: Clause, lying: bool) -> Clause:
@@ -114,6 +136,16 @@ def time_of(clause: object) -> float | None:
     return float(found[0].value or 0.0) if found else None
 
 
+def unsaid(times: list[float]) -> float:
+    """When a clause comes that does not say so: after the one before it, unless that one comes last."""
+    before = [time for time in times if time < LAST]
+    return before[-1] + 0.5 if before else 1.5
+
+
+LAST = 99.0
+"""The time of what is done last."""
+
+
 def timed(chain: Chain) -> bool:
     """Whether clauses say when: "... first and ... second"."""
     return any(time_of(c) is not None for c in chain.clauses)
@@ -124,7 +156,7 @@ def untimed(chain: Chain) -> Chain:
     times: list[float] = []
     for clause in chain.clauses:
         said = time_of(clause)
-        times.append(said if said is not None else (times[-1] + 0.5 if times else 1.5))
+        times.append(said if said is not None else unsaid(times))
     order = sorted(range(len(times)), key=lambda n: (times[n], n))
     bare = []
     for n in order:
@@ -147,8 +179,6 @@ def _append(stages: list[Goals], link: str, goals: Goals) -> None:
             if stages[-1]:
                 stages.append([])
             stages[-1] += goals
-        case "after":
-            stages.insert(max(0, len(stages) - 1), goals)
         case "or" if stages[-1]:
             last = stages[-1].pop()
             options = list(last.goals) if isinstance(last, g.Any) else [last]

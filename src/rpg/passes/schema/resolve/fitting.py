@@ -49,6 +49,7 @@ _QUALITY = {"even": "even", "odd": "odd", "vowel": "a vowel", "consonant": "a co
 def check_words(chains: Sequence[Chain], scene: Scene) -> None:
     """Refuse words that cannot mean anything where they stand; record those whose sense is not judged."""
     told = any(len(chain.clauses) > 1 for chain in chains)
+    _contrast(chains)
     for chain in chains:
         for part in parts_of(chain):
             match part:
@@ -63,6 +64,23 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                 case Manner(kind="idle", value=str(said)):
                     _idle(said, told, part.span, scene)
         told = True
+
+
+_TALL = frozenset({"tall", "long", "big", "large", "huge", "giant"})
+_SHORT = frozenset({"short", "small", "little", "tiny", "mini"})
+
+
+def _contrast(chains: Sequence[Chain]) -> None:
+    """Refuse "a tall tower and a short one" where it is not said how many blocks they have."""
+    said: dict[str, Structure] = {}
+    for shape in (part for chain in chains for part in parts_of(chain) if isinstance(part, Structure)):
+        counted = shape.sizes or shape.dims or getattr(shape.members, "amount", None) is not None
+        for detail in shape.details if not counted else ():
+            if isinstance(detail, Manner) and detail.kind == "idle":
+                word = str(detail.value).partition(" ")[2]
+                said.setdefault("tall" if word in _TALL else "short" if word in _SHORT else "", shape)
+    if {"tall", "short"} <= set(said):
+        raise _unfit("it is not said how many blocks each of them has", said["short"].span, "say how many blocks")
 
 
 def check_besides(scene: Scene) -> None:

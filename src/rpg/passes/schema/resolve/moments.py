@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from rpg.core.diagnostics import Span
 from rpg.language.meaning import Chain
-from rpg.passes.schema.resolve.chains import time_of
+from rpg.passes.schema.resolve.chains import time_of, unsaid
 from rpg.passes.schema.resolve.world import refuse
 
 
@@ -21,7 +21,7 @@ def in_time(links: list[str], chains: tuple[Chain, ...], spans: Span) -> tuple[l
         )
     times: list[float] = []
     for when in said:
-        times.append(when if when is not None else (times[-1] + 0.5 if times else 1.5))
+        times.append(when if when is not None else unsaid(times))
     order = tuple(sorted(range(len(times)), key=lambda n: (times[n], n)))
     joined = ["and"] * len(times)
     for before, after in pairwise(order):

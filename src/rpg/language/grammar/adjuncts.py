@@ -12,6 +12,7 @@ from rpg.language.grammar.labels import literal
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.orders import order
+from rpg.language.grammar.parts import wholes
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
 from rpg.language.grammar.sizes import size_phrase
@@ -70,6 +71,8 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from _using(p, i)
     yield from absolute(p, i)
     yield from each_line(p, i)
+    if p.words[i] in (",", ":"):
+        yield from ((replace(found, cost=found.cost + 1), k) for found, k in wholes(p, i))
     yield from _that(p, i)
     yield from manner(p, i)
     yield from size_phrase(p, i)

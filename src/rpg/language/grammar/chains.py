@@ -112,7 +112,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
                 if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
                     continue
-                whole = (*had, item)
+                whole = (*_shared(had, item), item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
 
@@ -138,6 +138,18 @@ def _mere_colors(item: Meaning) -> bool:
     return isinstance(item, Clause) and item.verb == "be" and all(
         isinstance(x, Noun) and x.head == "any" and x.det == "bare" and x.amount is None for x in listed
     )  # fmt: skip
+
+
+def _shared(had: tuple[Meaning, ...], item: Meaning) -> tuple[Meaning, ...]:
+    """ "spell SOL or SUN in a tower": what is said behind the last of several words is said of all of them."""
+    last = had[-1]
+    words = isinstance(last, Clause) and isinstance(item, Clause) and last.verb == item.verb == "spell"
+    if not words or not isinstance(last, Clause) or not isinstance(item, Clause):
+        return had
+    if any(not isinstance(a, Using) for a in last.adjuncts):
+        return had
+    own = tuple(a for a in item.adjuncts if not isinstance(a, Using) or not isinstance(a.members, Pronoun))
+    return (*had[:-1], replace(last, adjuncts=tuple(dict.fromkeys((*last.adjuncts, *own)))))
 
 
 def _same_letters(before: Clause, item: Meaning) -> Meaning:
@@ -191,8 +203,10 @@ def _link(p: Parser, i: int) -> Results[str]:
     elif k := p.any_of(j, ("or else", "or")):
         yield "or", k
     elif k := p.any_of(j, _ALSO):
-        k = p.opt(k, "also", "both")
-        yield "and", k
+        both = p.opt(k, "also", "both")
+        yield "and", both
+        if both > k and p.words[k] == "both":
+            yield "and", k
         if p.words[k : k + 1] == [","]:
             yield "and", k + 1
     elif j > i:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.measures import bounds
 from rpg.language.grammar.nouns import noun_phrase
-from rpg.language.meaning import Clause, Loc, Meaning, Pronoun
+from rpg.language.grammar.sides import at
+from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That
 
 _GAPS = (
     ("gap", "faces"),
@@ -64,7 +66,29 @@ def gap(p: Parser, i: int) -> Results[Meaning]:
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):
                 m, measure = centres, "centres"
             for theme, end in noun_phrase(p, m):
-                yield _far_apart(p, i, end, theme, low, high, measure), end
+                apart = _far_apart(p, i, end, theme, low, high, measure)
+                yield apart, end
+                yield from _with_side(p, i, end, apart)
+
+
+def _with_side(p: Parser, i: int, at_: int, apart: Clause) -> Results[Clause]:
+    """ "a gap of 4 cm between yellow and green, yellow on the left": of the two, one is on a side of the other."""
+    pair = apart.theme.items if isinstance(apart.theme, Coord) and apart.theme.op == "and" else ()
+    start = p.any_of(at_, (", with", "with", ",")) if len(pair) == 2 else 0
+    for one, j in noun_phrase(p, start) if start else ():
+        for side, end in at(p, j):
+            name = {"back": "behind"}.get(side.side, side.side) if isinstance(side, At) and side.index is None else ""
+            other = [x for x in pair if isinstance(x, Noun) and isinstance(one, Noun) and not _same_look(x, one)]
+            if name in ("left", "right", "front", "behind") and len(other) == 1:
+                place = Loc(rel=name, landmark=replace(other[0], det="the", amount=None), span=p.span(j, end))
+                span = p.span(start, end)
+                told = Clause(verb="be", theme=one, adjuncts=(place,), mode="goal", span=span)
+                that = That(kind="so", clauses=Chain(clauses=(told,), links=("and",), span=span), span=span)
+                yield replace(apart, adjuncts=(*apart.adjuncts, that), span=p.span(i, end)), end
+
+
+def _same_look(one: Noun, two: Noun) -> bool:
+    return (one.traits.colors, one.traits.labels) == (two.traits.colors, two.traits.labels)
 
 
 def _far_apart(

@@ -121,7 +121,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             yield from more(p, i, whole, j, now)
         else:
             if (same := retelling(items, item)) is not None:
-                yield from ((replace(found, span=p.span(i, j)), j) for found in same)
+                for end in {j: None, p.opt(j, ","): None} if same else ():
+                    yield from ((replace(found, span=p.span(i, j)), end) for found in same)
                 continue
             if not restates(items[-1], item):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j

@@ -214,14 +214,22 @@ def _whole(place: Meaning) -> Places | None:
     return place if isinstance(place, Places) and place.unit == "whole" else None
 
 
-def _kind_of(p: Parser, j: int) -> Results[Noun]:
-    """What one of several structures is made of: a colour, or a number of blocks."""
+def _kind_of(p: Parser, j: int) -> Results[Meaning]:
+    """What one of several structures is made of: a colour, a number of blocks, or one block on another."""
+    from rpg.language.grammar.onto import one_on_another
+
+    piled = list(one_on_another(p, p.opt(j, "with")))
+    for order, end in piled:
+        items = order.items if order.first == "top" else order.items[::-1]
+        yield Coord(op="piled", items=items, span=p.span(j, end)), end
+    if piled:
+        return
     number = p.number(j)
     high = p.any_of(p.opt(j + 1, "blocks", "cubes", "block"), ("high", "tall")) if number else 0
     if number and high:
         amount = Amount(number, number)
         yield Noun(head="block", amount=amount, plural=number > 1, span=p.span(j, high)), high
-    for theme, k in simple(p, j):
+    for theme, k in simple(p, p.opt(j, "with")):
         if not isinstance(theme, Noun) or theme.part_of is not None or theme.head == "patch" or theme.conditions:
             continue
         colors = theme.traits.colors

@@ -41,7 +41,8 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         parted = p.one(i + 1, "apart")
         for theme, k in noun_phrase(p, parted or i + 1):
             if end := k if parted else p.one(k, "apart"):
-                yield _clause(p, i, end, "unstack", theme, ()), end
+                for found, last in adjuncts(p, end):
+                    yield _clause(p, i, last, "unstack", theme, found), last
 
 
 def _turned_into(p: Parser, i: int, j: int) -> Results[Clause]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Pattern, Pronoun, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Pattern, Pronoun, Structure, Traits
 
 
 def tally(items: tuple[Meaning, ...]) -> int:
@@ -44,6 +44,10 @@ def retelling(items: tuple[Meaning, ...], item: Meaning) -> tuple[Noun, ...] | N
     """ "some distractors, exactly three purple ones": the first thing with what a comma adds to it; with nothing where
     "digits, A, B, C" would list things beside a word for all of them. None: the list goes on."""
     first = items[-1]
+    if len(items) == 1 and isinstance(first, Noun) and isinstance(item, Noun) and _counted_symbols(first, item):
+        many = len(item.traits.labels)
+        named = replace(item, det="the" if first.det == "the" else "bare", cost=0)
+        return (named,) if first.amount == Amount(many, many) else ()
     if isinstance(first, Noun) and isinstance(item, Noun) and first.amount is not None and _some_of_it(item):
         return ()
     if not (isinstance(first, Noun) and isinstance(item, Noun)) or first.amount is not None or first.traits.labels:
@@ -52,6 +56,14 @@ def retelling(items: tuple[Meaning, ...], item: Meaning) -> tuple[Noun, ...] | N
         return (replace(first, amount=item.amount, traits=replace(first.traits, colors=item.traits.colors)),)
     general = first.det in ("bare", "the", "all") and first.plural and first.traits.kind is not None
     return () if general and not first.traits.colors and item.traits.labels and item.det == "bare" else None
+
+
+def _counted_symbols(first: Noun, item: Noun) -> bool:
+    """ "two letters, X and Y": symbols behind a number of them tell which these are, they are no further ones."""
+    kind = first.traits.kind
+    fits = kind in ("letter", "symbol") or (kind == "digit" and all(x.isdigit() for x in item.traits.labels))
+    plain = first.traits == Traits(kind=kind) and item.traits == Traits(labels=item.traits.labels)
+    return first.amount is not None and fits and plain and bool(item.traits.labels)
 
 
 def _some_of_it(item: Noun) -> bool:

@@ -106,13 +106,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         )
         if sense == "use":
             yield from _use(p, i, k, theme)
-        if lemma == "separate" and (of := p.one(k, "of")):
-            for other, end in noun_phrase(p, of):
-                using = Using(members=other, span=p.span(k, end))
-                yield (
-                    Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=(using,), span=p.span(i, end), word=word),
-                    end,
-                )
+        if lemma == "separate":
+            yield from _separated(p, i, k, theme)
         if sense in ("keep", "build") and lemma in ("keep", "leave", "make"):
             for marks, end in adjectives(p, k):
                 if marks:
@@ -129,6 +124,15 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         for found, end in adjuncts(p, j):
             if found:
                 yield Clause(verb=sense, lemma=lemma, adjuncts=found, span=p.span(i, end), word=word, cost=1), end
+
+
+def _separated(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+    """ "separate the vowels of the consonants"."""
+    of = p.one(k, "of")
+    for other, end in noun_phrase(p, of) if of else ():
+        using = Using(members=other, span=p.span(k, end))
+        said = Clause(verb="sort", lemma="separate", theme=theme, adjuncts=(using,), span=p.span(i, end))
+        yield replace(said, word=p.span(i, i + 1)), end
 
 
 def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:

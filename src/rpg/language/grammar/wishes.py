@@ -128,6 +128,7 @@ DENIALS = Patterns(
 """What is said after these must not be."""
 _RESULT = "result|outcome|state|scene|configuration|arrangement|layout|picture|setup|situation"
 STATE_WISHES = Patterns(
+    "the|my picture|image|scene|arrangement|idea i|we have|imagine in_mind? :|is :?",
     "acceptance|success|completion|goal|pass|test|definition_of? criteria|criterion|condition|conditions|requirement|"
     "requirements|done|user_story|specification|spec|deliverable|deliverables :|is|are that?",
     "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"

@@ -194,7 +194,11 @@ def _resolved(
         scene.assume(note)
     scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
     check_words(chains, scene)
-    order = sorted(range(len(chains)), key=lambda n: (_of_everything(chains[n]), not _sets_scene(chains[n]), n))
+    pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))
+    order = sorted(
+        range(len(chains)),
+        key=lambda n: (_of_everything(chains[n], pointed), not _sets_scene(chains[n]), n),
+    )
     stated: dict[int, list[g.Goal]] = {}
     for n in order:
         stated[n] = chain_goals(chains[n], scene)
@@ -305,9 +309,12 @@ def _sets_scene(chain: Chain) -> bool:
     )
 
 
-def _of_everything(chain: Chain) -> bool:
+_THEM = frozenset({"them", "they", "these", "those", "everything", "all", "the others", "the rest"})
+
+
+def _of_everything(chain: Chain, pointed: bool) -> bool:
     """ "All blocks are 5 cm wide": what all look like can only be said of those that the other sentences bring up."""
-    if all(isinstance(clause, Clause) and _begins_with_all(clause) for clause in chain.clauses):
+    if not pointed and all(isinstance(clause, Clause) and _begins_with_all(clause) for clause in chain.clauses):
         return True
     return all(
         isinstance(clause, Clause)
@@ -327,7 +334,8 @@ def _begins_with_all(clause: Clause) -> bool:
     theme = clause.theme
     if clause.mode != "start" or not isinstance(theme, Noun) or theme.head != "block" or not theme.plural:
         return False
-    return theme.det in ("the", "all") and (theme.traits, theme.amount, theme.part_of) == (Traits(), None, None)
+    plain = (theme.traits, theme.part_of) == (Traits(), None)
+    return plain and (theme.det == "all" or (theme.det == "the" and theme.amount is None))
 
 
 def _no_goal(scene: Scene, text: str) -> Refusal:

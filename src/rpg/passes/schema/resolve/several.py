@@ -9,11 +9,24 @@ from itertools import pairwise
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Absolute, Amount, At, Loc, Noun, OrderBy, Places, Size, Structure, Traits
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    At,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Places,
+    Size,
+    Structure,
+    Traits,
+)
 from rpg.passes.schema.resolve.members import declared
 from rpg.passes.schema.resolve.operands import foot
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.things import amount_of
+from rpg.passes.schema.resolve.things import amount_of, matching
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 Made = tuple[list[Built], list[g.Goal]]
@@ -73,16 +86,19 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     _one_gap(shape, spec)
     looks, axis = _looks(spec, count)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
-    shape = _fresh(shape, scene)
+    if not any(isinstance(look, Noun) and look.amount is not None for look in looks):
+        shape = _fresh(shape, scene)
     lots = _lots(theme, count, shape, scene)
     built: list[Built] = []
     goals: list[g.Goal] = []
     for index in range(count):
         color = _color(shape, spec, theme, looks, scene)
-        single = _single(shape, looks[index], color)
         own = _copied(spec)
         own.places = []
+        look = looks[index]
+        single = _piled(shape, look, own, scene) if isinstance(look, Coord) else _single(shape, look, color)
         more, atoms = maker(single, own, lots[index], scene, scope)
+        own.orders = [] if isinstance(look, Coord) else own.orders
         built += more
         goals += atoms
         if color and not sized:
@@ -104,6 +120,22 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
         goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
     return built, goals
+
+
+def _piled(shape: Structure, look: Coord, own: Spec, scene: Scene) -> Structure:
+    """ "the left one red on yellow": a tower of these blocks, which are none of those that another one has."""
+    if shape.kind != "stack" or shape.members is not None or shape.sizes or shape.traits != Traits() or own.orders:
+        raise refuse("misplaced", "this does not fit what is said of all of them", look.span, "say it of towers alone")
+    used = {n for b in scene.built for n in b.members}
+    items = tuple(_further(item, used, scene) for item in look.items)
+    own.orders = [OrderBy(by="named", items=items, first="top", span=look.span)]
+    return replace(shape, plural=False, amount=Amount(1, 1), det="a")
+
+
+def _further(item: Meaning, used: set[str], scene: Scene) -> Meaning:
+    if isinstance(item, Noun) and any(t.name in used for t in matching(item.traits, scene, False)):
+        return replace(item, det="another", amount=Amount(1, 1))
+    return item
 
 
 def _one_gap(shape: Structure, spec: Spec) -> None:
@@ -184,7 +216,9 @@ def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Stru
     return replace(shape, plural=False, amount=Amount(1, 1), det="a", traits=traits)
 
 
-def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Noun | None], scene: Scene) -> tuple[str, ...]:
+def _color(
+    shape: Structure, spec: Spec, theme: Ref | None, looks: list[Noun | Coord | None], scene: Scene
+) -> tuple[str, ...]:
     """A colour of its own for each, where nothing is said of the blocks' looks."""
     members = shape.members
     said = members.traits if isinstance(members, Noun) else Traits()
@@ -203,9 +237,9 @@ def _there(scene: Scene) -> bool:
     return bool(declared(Traits(), scene))
 
 
-def _looks(spec: Spec, count: int) -> tuple[list[Noun | None], str | None]:
+def _looks(spec: Spec, count: int) -> tuple[list[Noun | Coord | None], str | None]:
     """What is said of each, and the axis along which they are then told apart."""
-    found: list[Noun | None] = [None] * count
+    found: list[Noun | Coord | None] = [None] * count
     axis: str | None = None
     if (order := _sided(spec)) is not None:
         return _in_order(order, spec, count)
@@ -214,7 +248,7 @@ def _looks(spec: Spec, count: int) -> tuple[list[Noun | None], str | None]:
     for number, (item, place) in enumerate(said):
         theme = item.theme
         index = number if place.side == "one" else _index(place, count)
-        if not isinstance(theme, Noun) or index is None or index >= count or found[index] is not None:
+        if not isinstance(theme, Noun | Coord) or index is None or index >= count or found[index] is not None:
             raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
         found[index] = theme
         if place.side not in ("one", "first", "last"):
@@ -229,7 +263,7 @@ def _looks(spec: Spec, count: int) -> tuple[list[Noun | None], str | None]:
     return found, axis
 
 
-def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Noun | None], str | None]:
+def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Noun | Coord | None], str | None]:
     """The looks of structures that stand in an order, from the left or from the front."""
     first = order.first or spec.first(*_AXES) or "left"
     items = [item for item in order.items if isinstance(item, Noun) and len(item.traits.colors) == 1]

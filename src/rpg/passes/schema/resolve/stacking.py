@@ -42,6 +42,8 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         return spread(theme, lambda a: r.Above(a=a, b=b, span=span), span)
     if theme.quant is None and theme.op == "and" and len(theme.names) > 1 and len(mark.names) == 1 and not theme.built:
         return _several_on_one(theme, mark, scene, span)
+    if len(theme.built) > 1 and len(mark.names) == 1:
+        raise refuse("ambiguous", "two towers have no room on one block", loc.span, "say which of them stands on it")
     if theme.built and theme.built[0].kind == "stack":
         return _tower_on(theme, mark, scene, span)
     if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:

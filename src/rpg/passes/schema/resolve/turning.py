@@ -91,7 +91,7 @@ def without(that: That, scene: Scene) -> Goals:
 
             if clause.verb == "use":
                 raise refuse("misplaced", "only blocks that are called for are used", that.span, "leave this out")
-            goals.append(g.Not(goal=conj(clause_goals(clause, scene, False), that.span), span=that.span))
+            goals += clause_goals(replace(clause, negated=not clause.negated), scene, False)
         else:
             raise refuse("misplaced", "this cannot be forbidden here", clause.span, "say 'without moving ...'")
     return goals
@@ -180,6 +180,10 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
         spec.places = []
         return goals
     names = theme.names
+    if clause.negated:
+        if not goals:
+            raise refuse("misplaced", "it is not clear what must not be taken away", clause.span, "say 'do not move'")
+        return [conj(goals, clause.span)]
     if clause.verb == "unstack":
         scene.unstacked.update(names)
     if theme.built and clause.verb == "unstack":

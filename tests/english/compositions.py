@@ -12,7 +12,7 @@ from typing import Any
 
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.symmetry import assignments, interchangeable
+from rpg.blocks.symmetry import assignments, interchangeable, link
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.assets import Asset, GoalPatch
@@ -138,8 +138,9 @@ def _pairs(node: s.Towers) -> int:
 
 
 def _line_order(order: Order) -> Order:
-    """An order of which the beginning is said only where it has one."""
-    return order.model_copy(update={"first": None}) if order.by in ("any", "together") else order
+    """An order of which the beginning is said only where it has one; the compiler finds what is compared by name."""
+    first = None if order.by in ("any", "together") else order.first
+    return order.model_copy(update={"first": first, "match": "look"})
 
 
 def _unlike(parts: list[g.Goal]) -> Iterator[g.Goal]:
@@ -190,4 +191,5 @@ def _schema(goal: g.Goal, world: World, init: InitialState, rng: Random) -> Task
     for asset in world.assets.values():
         if asset.name in kept:
             assets.append(asset.model_copy(update={"position": None}) if isinstance(asset, GoalPatch) else asset)
+    goal = link(goal, World(assets))
     return TaskSchema(name="random", instruction="random", assets=tuple(assets), goal=goal, init=init)

@@ -45,7 +45,7 @@ def ordered(order: Order, say: Speaker) -> str:
         case "mirrored":
             return f"{way} with mirrored {_values(order.attribute)}"
         case "together":
-            return f"{way} with blocks of the same {ATTRIBUTES[order.attribute]} next to each other"
+            return f"{way} with blocks of the same {ATTRIBUTES[order.attribute]} together"
 
 
 def along(order: Order, say: Speaker) -> str:
@@ -84,10 +84,13 @@ def _at_the_ends(order: Order, say: Speaker) -> str:
 def _ranks(order: Order, say: Speaker) -> str:
     """ "red, blue, red", "the red block, the A block", "a red block, then two blue blocks"."""
     single = all(len(rank) == 1 for rank in order.ranks)
-    if single and order.match == "look" and (short := say.short(rank[0] for rank in order.ranks)):
+    if order.match == "name":
+        with say.strictly():
+            return (", " if single else ", then ").join(_rank(rank, True, say) for rank in order.ranks)
+    if single and (short := say.short(rank[0] for rank in order.ranks)):
         return ", ".join(short)
     joint = ", " if single else ", then "
-    return joint.join(_rank(rank, order.match == "name", say) for rank in order.ranks)
+    return joint.join(_rank(rank, False, say) for rank in order.ranks)
 
 
 def _rank(rank: tuple[str, ...], by_name: bool, say: Speaker) -> str:

@@ -30,6 +30,9 @@ def stack(node: s.Stack, say: Speaker) -> str:
     order = ordered(_upward(node), say)
     if node.exact:
         return _form(node, say, f"a tower of exactly {number(len(node.blocks))}{place}{order}")
+    if say.negated:
+        # "Not stacked" would be said of every two of them.
+        return _form(node, say, f"a tower{place}{order}")
     return f"{say.the(node.blocks)} {say.be(node.blocks)} stacked{place}{order}"
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from contextlib import suppress
 from itertools import product
 
 from rpg.blocks.english.goals import spoken
@@ -81,25 +80,24 @@ STYLES: tuple[tuple[Mood, str, dict[str, str]], ...] = (
 
 
 def variants(schema: TaskSchema) -> Iterator[str]:
-    """Texts that should mean what `schema` says, the more natural ones first; not all of them need to compile.
-
-    None where look-alikes are told apart in ways that no short phrase has.
-    """
-    with suppress(Inexpressible):
-        yield from _variants(schema)
-
-
-def _variants(schema: TaskSchema) -> Iterator[str]:
+    """Texts that should mean what `schema` says, the more natural ones first; not all of them need to compile."""
+    world = World(schema.assets)
+    numbered: frozenset[str] = frozenset()
     for brief, turn in product((True, False), (0, 1)):
         for style, (mood, frame, nouns) in enumerate(STYLES):
-            text = _text(schema, mood, frame, style % 2 != turn, brief)
+            while True:
+                try:
+                    say = Speaker(world, modal=MARK, numbered=numbered)
+                    text = _text(schema, say, mood, frame, style % 2 != turn, brief and not numbered)
+                    break
+                except Inexpressible as failure:
+                    numbered |= {failure.noun}
             if text is not None:
                 yield _renamed(text, nouns)
 
 
-def _text(schema: TaskSchema, mood: Mood, frame: str, turned: bool, brief: bool) -> str | None:
-    say = Speaker(World(schema.assets), modal=MARK)
-    opening = [] if brief else objects(schema, Speaker(World(schema.assets)))
+def _text(schema: TaskSchema, say: Speaker, mood: Mood, frame: str, turned: bool, brief: bool) -> str | None:
+    opening = [] if brief else objects(schema, Speaker(say.world))
     opening += starts(schema, say)
     parts, timed = _parts(schema.goal)
     if turned and not timed:

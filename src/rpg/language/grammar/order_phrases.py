@@ -123,7 +123,7 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("with blocks of the same color next to each other", "by_color", {}),
     ("with blocks of the same label next to each other", "by_label", {}),
     ("with blocks of the same letter next to each other", "by_label", {}),
-    ("with the same letters together", "by_label", {}), ("with equal letters together", "by_label", {}),
+    ("with blocks of the same label together", "by_label", {}), ("with the same letters together", "by_label", {}), ("with equal letters together", "by_label", {}),
     ("with the same numbers together", "by_label", {}), ("with equal numbers together", "by_label", {}),
     ("grouped by color", "by_color", {}),
     ("with like colors together", "by_color", {}), ("with blocks of the same color side by side", "by_color", {}),

@@ -44,10 +44,11 @@ _THEN = (
 _FIRST = ("first ,", "firstly", "first put", "first place", "first stack", "first build", "first make", "first move",
           "first the", "start by", "begin by")  # fmt: skip
 """Words that a following sentence comes after, even if it does not say so."""
-_LEADING = frozenset(
+_LEADING_WORDS = (
     "to must should shall may might can could will would do does not never please and then or but you i we just so "
-    "that first now finally next a an the one two three four five six each every this that".split()
+    "that first now finally next a an the one two three four five six each every this"
 )
+_LEADING = frozenset(_LEADING_WORDS.split())
 """What stands before a verb, or a noun that looks like one, in the middle of a sentence."""
 _EARLIER = (
     "before that",

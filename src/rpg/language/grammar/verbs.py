@@ -92,10 +92,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         k = p.opt(k, "places", "positions") if sense == "swap" else k
         if sense == "swap" and (end := p.one(k, "back")):
             back = Manner(kind="stay", span=p.span(k, end))
-            yield (
-                Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=p.span(i, end), word=word),
-                end,
-            )
+            span = p.span(i, end)
+            yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
         k = p.opt(
             k,
             *(

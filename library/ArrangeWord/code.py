@@ -6,8 +6,8 @@ from rpg.env import BlockTask, SemanticCube, Verdict
 class ArrangeWord(BlockTask):
     """Five letter blocks (R, O, B, O, T).
 
-    Goal: The R block, the two blocks labelled O, the B block and the T block must spell the word
-    ROBOT.
+    Goal: The R block, the two blocks labelled 'O', the B block and the T block must spell the
+    word ROBOT.
     Success: robot_spelled; every block released, supported and at rest.
     """
 

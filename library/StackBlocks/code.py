@@ -6,7 +6,7 @@ from rpg.env import BlockTask, ColoredCube, Verdict
 class StackBlocks(BlockTask):
     """Two red blocks.
 
-    Goal: One of the two red blocks must be on the other red block.
+    Goal: A red block must be on the other red block.
     Success: red_1_on_red_2; every block released, supported and at rest.
     """
 

@@ -29,8 +29,9 @@ from rpg.language.meaning import (
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
-from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.logic import conj, negation
 from rpg.passes.schema.resolve.members import certain
+from rpg.passes.schema.resolve.mutual import of_every_two
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, places
@@ -96,8 +97,10 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         ]
     if spec.ats and not spec.intos and verb == "be":
         spec.orders = [o for o in spec.orders if o.by != "any"]
-    heaped = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
+    heaped = [p for p in spec.places if isinstance(p, Loc) and p.rel == "heaped"]
     spec.places = [p for p in spec.places if p not in heaped]
+    if (separate := _not_on_each_other(theme, verb, heaped, spec, scene, span)) is not None:
+        return [*separate, *places(theme, spec, scene, scope, span)]
     temporal = next((o for o in spec.orders if o.by == "temporal" or _in_time(o, verb, theme, spec)), None)
     if temporal is not None or (theme.op == "then" and spec.places):
         spec.orders = [o for o in spec.orders if o is not temporal]
@@ -115,10 +118,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     structured = True
     if _spelt_later(verb, spec, scene, theme):
         return []
-    if not spec.intos and verb in ("be", "arrange", "place") and any(z.what == "dims" for z in spec.sizes):
-        sized = next(z for z in spec.sizes if z.what == "dims")
-        kind = "cube" if len(sized.dims) == 3 else "grid"
-        spec.intos = [Into(structure=Structure(kind=kind, span=sized.span), span=sized.span)]
+    _by_dims(verb, spec)
     if spec.intos:
         ref, goals = _into(theme, spec, scene, scope)
     elif heaped or verb == "stack":
@@ -143,6 +143,17 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     return goals
 
 
+def _not_on_each_other(theme: Ref, verb: str, heaped: list[Loc], spec: Spec, scene: Scene, span: Span) -> Goals | None:
+    """ "not on top of each other", "do not stack the blocks": none of them on another, not just no tower of all."""
+    more = spec.intos or spec.orders or spec.toward or spec.patterns or spec.ats or spec.absolutes
+    if more or theme.op not in ("and", "nor") or theme.quant is not None or len(theme.names) < 2:
+        return None
+    pairs = of_every_two(theme.names, Loc(rel="heaped", span=span), span)
+    if not scene.denying:
+        return negation(pairs, span) if any(item.negated for item in heaped) else None
+    return pairs if heaped or (verb == "stack" and not spec.places) else None
+
+
 def _moved_from(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> None:
     """ "move the red block from the blue patch to the green one": where it starts."""
     for using in [using for using in spec.usings if using.lead == "from"]:
@@ -154,10 +165,17 @@ def _moved_from(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) 
 
 def _evenly_on_patches(spec: Spec) -> None:
     """ "evenly over three patches": so many on each, or evenly spaced?"""
-    even = next((x for x in spec.spacings if x.kind == "even"), None)
     marks = [x for place in spec.places for x in parts_of(place) if isinstance(x, Noun) and x.head == "patch"]
-    if even is not None and (len(marks) > 1 or any(mark.plural for mark in marks)):
+    for even in (x for x in spec.spacings if x.kind == "even" and (len(marks) > 1 or any(m.plural for m in marks))):
         raise refuse("ambiguous", "evenly spaced, or as many on each patch?", even.span, "say 'two on each patch'")
+
+
+def _by_dims(verb: str, spec: Spec) -> None:
+    """ "eight orange blocks, 2 by 2 by 2": the structure that so many by so many are."""
+    sized = next((z for z in spec.sizes if z.what == "dims"), None)
+    if sized is not None and not spec.intos and verb in ("be", "arrange", "place"):
+        kind = "cube" if len(sized.dims) == 3 else "grid"
+        spec.intos = [Into(structure=Structure(kind=kind, span=sized.span), span=sized.span)]
 
 
 def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:

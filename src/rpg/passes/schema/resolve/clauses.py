@@ -62,6 +62,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"
     scene.denying = clause.negated
     goals = _dispatch(clause, spec, scene, scope)
+    scene.denying = False
     towers.after(scene, start=start, denied=clause.negated)
     if clause.negated and len(scene.loose) > loose:
         _deny(loose, goals, scene, clause.span)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from itertools import combinations, pairwise, permutations
 from typing import Any
 
@@ -24,8 +23,8 @@ MOST_CHAINED = 4
 """Structures that may stand side by side in any order."""
 
 
-def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
-    """ "next to each other", "5 cm apart", "on top of each other"."""
+def reciprocal(theme: Ref, loc: Loc, span: Span, *, denied: bool = False) -> Atoms:
+    """ "next to each other", "5 cm apart", "on top of each other". `denied`: what comes of it is denied."""
     names = theme.names
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
@@ -37,6 +36,8 @@ def reciprocal(theme: Ref, loc: Loc, span: Span) -> Atoms:
         raise refuse(
             "ambiguous", "it is not clear which block is in which tower", loc.span, "name the towers one by one"
         )
+    if denied and loc.rel not in ("together", "one_behind") and theme.quant is None and len(theme.built) < 2:
+        return of_every_two(names, loc, span)
     units = _units(theme)
     if loc.rel == "distance":
         return _distances(theme, units, loc, span)
@@ -62,11 +63,14 @@ def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate)
 
 def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:
     """No two of the blocks are so related."""
-    names = theme.names
+    return negation(of_every_two(theme.names, loc, span), span)
+
+
+def of_every_two(names: tuple[str, ...], loc: Loc, span: Span) -> Atoms:
+    """The relation of every two of the blocks, by itself: what "not next to each other" denies is each of these."""
     if loc.rel in ("on", "above", "heaped", "under"):
-        return [g.Not(goal=r.Above(a=(a,), b=(b,), span=span), span=span) for a in names for b in names if a != b]
-    inside = [replace(theme, names=pair, quant=None, built=(), parts=()) for pair in combinations(names, 2)]
-    return negation([x for two in inside for x in reciprocal(two, loc, span)], span)
+        return [r.Above(a=(a,), b=(b,), span=span) for a in names for b in names if a != b]
+    return [goal for two in combinations(names, 2) for goal in reciprocal(Ref(names=two), loc, span)]
 
 
 def _units(theme: Ref) -> list[Operand]:

@@ -90,7 +90,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         and loc.landmark.word in ("another", "any other", "any other one", "any of the others")
         and len(theme.names) > 1
     ):
-        return reciprocal(theme, loc, span)
+        return reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
     if (
         theme.everything
         and isinstance(loc.landmark, Noun)
@@ -98,7 +98,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         and not loc.landmark.traits.colors
         and len(theme.names) > 1
     ):
-        return reciprocal(theme, loc, span)
+        return reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
     if (none := none_another(theme, loc, scene, span, _relate)) is not None:
         return none
     before = scene.last_landmark_patch and scene.last_landmark_at < loc.span[0]
@@ -157,7 +157,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if mark.mixed or (theme.mixed and mark.reciprocal):
         raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
     if mark.reciprocal:
-        return reciprocal(theme, loc, span)
+        return reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
     if theme.op == "nor":
         return [x for part in theme.parts for x in negation(related(part, mark, loc, scene, span), span)]
     if mark.op == "nor":

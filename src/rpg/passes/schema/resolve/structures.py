@@ -125,6 +125,8 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     _known_sizes(shape)
+    if shape.filled is False and shape.kind in _MASSIVE:
+        raise refuse("unsupported-structure", f"a {shape.kind} has no hole here", shape.span, "say 'an outline square'")
     if shape.kind == "again":
         shape = replace(shape, kind=scene.built[-1].kind if scene.built else "pile")
     if shape.kind not in ("stack", "pile", "again") and any(p.unit == "stack" and p.different for p in spec.patterns):
@@ -139,6 +141,9 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if one_by_one(shape, spec):
         return each_of(shape, spec, theme, maker, scene, scope)
     return maker(shape, spec, theme, scene, scope)
+
+
+_MASSIVE = ("grid", "checkerboard", "cube", "wall", "pyramid", "staircase", "stack", "row", "line", "column", "pile")
 
 
 def _totals(shape: Structure) -> tuple[Size, ...]:
@@ -339,6 +344,7 @@ def row_node(
     for place in list(spec.places):
         if (
             getattr(place, "rel", "") in ("distance", "side_by_side", "adjacent", "touching", "heaped_row")
+            and not getattr(place, "negated", False)
             and getattr(getattr(place, "landmark", None), "word", "") == "each other"
         ):
             spec.places.remove(place)

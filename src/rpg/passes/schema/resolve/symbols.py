@@ -72,6 +72,9 @@ def _along(spec: Spec) -> bool:
         kind = getattr(into.structure, "kind", "")
         if upright and kind in ("row", "line"):
             raise refuse("contradiction", "a row does not stand upright", into.span, "say 'in a tower'")
+        if getattr(getattr(into.structure, "traits", None), "rank", None) is not None:
+            raise refuse("misplaced", "it is not clear of which rows this is one", into.span,
+                         "say where one word is relative to the other")  # fmt: skip
         stands, several = getattr(into.structure, "upright", None), getattr(into.structure, "plural", False)
         if several or (kind == "column" and not stands) or (kind in ("row", "line") and stands):
             raise refuse("misplaced", "a word or an equation is read along one row, or down one tower", into.span,
@@ -81,6 +84,8 @@ def _along(spec: Spec) -> bool:
                 upright = True
             spec.intos.remove(into)
     for place in list(spec.places):
+        if getattr(place, "negated", False):
+            continue
         if getattr(place, "rel", "") in ("side_by_side", "adjacent"):
             spec.places.remove(place)
         elif getattr(place, "rel", "") == "heaped":

@@ -168,7 +168,7 @@ def looks_said(noun: Noun, names: tuple[str, ...], there: dict[str, bool], scene
     "Two red blocks on the mat and three on the table": three more red ones, not three of whatever look.
     """
     new = [scene.things[name] for name in names if name not in there]
-    if noun.det == "all" and noun.traits.kind and not noun.traits.labels and len(new) == len(names):
+    if noun.det == "all" and noun.traits.quality and not noun.traits.labels and len(new) == len(names):
         raise refuse("ambiguous", "it is not said which symbols there are", noun.span, "name them")
     bare = noun.head == "any" and noun.traits == Traits() and any(there.values())
     if bare and any(not thing.declared and thing.color is None and not thing.kind for thing in new):

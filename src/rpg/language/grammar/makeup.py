@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
+from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.along import listed_along
@@ -96,6 +97,7 @@ def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     from rpg.language.grammar.onto import one_on_another
 
     lead = p.any_of(k, ("of", ",", ":", "with", "in which", "where", "made of", ", with", "that is"))
+    lead = lead or (k if base.det in ("the", "a") and k < p.end and p.words[k] in lexicon.COLOR else 0)
     if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
         return
     for order, end in one_on_another(p, lead):

@@ -98,7 +98,7 @@ def print_proof(console: Console, proof: Proof) -> None:
     if positions.blocks:
         told = f"the same for {positions.identical} of {positions.seeds} seeds"
         moved = f"; moved: {', '.join(positions.moved)}" if positions.moved else ""
-        console.print(Text.assemble(("  starts of untouched blocks: ", "bold"), told + moved))
+        console.print(Text.assemble(("  starts of blocks that keep their size: ", "bold"), told + moved))
     axes = ", ".join(f"{axis} ({AXES[axis]})" for axis in proof.axes)
     console.print(Text.assemble(("  changed: ", "bold"), axes or "nothing"))
     console.print()

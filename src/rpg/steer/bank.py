@@ -49,10 +49,11 @@ RENEWED = 16
 
 
 class Layout(NamedTuple):
-    """Where objects are, by key."""
+    """Where objects are, by key. `upright`: none is turned."""
 
     position: dict[str, Vec3]
     orientation: dict[str, Quat]
+    upright: bool = False
 
 
 class Sample(NamedTuple):
@@ -78,6 +79,7 @@ class Side:
         self.goal = rename(schema.goal, keys)
         self.world = World(asset.model_copy(update={"name": key(asset)}) for asset in schema.assets)
         self.keys = {k: k for k in self.world.blocks}
+        self.upright = dict.fromkeys(self.keys, IDENTITY)
         self.looks_back = any(atom.kind in CHANGES for atom in atoms(schema.goal))
 
     def state(self, sample: Sample, keys: Mapping[str, str] | None = None) -> BlockState:
@@ -90,7 +92,7 @@ class Side:
         position, orientation = layout.position, layout.orientation
         if keys is not self.keys or len(keys) < len(position):
             position = {k: position[taken] for k, taken in keys.items()}
-            orientation = {k: orientation[taken] for k, taken in keys.items()}
+            orientation = self.upright if layout.upright else {k: orientation[taken] for k, taken in keys.items()}
         return BlockState(self.world, position, orientation, start=start)
 
     def named(self, sample: Sample) -> BlockState:
@@ -271,7 +273,7 @@ class Bank:
         for index, k in enumerate(names):
             position[k] = self._aside(index, k)
         begun = self.begun["new"]
-        return Sample(Layout(position, self._upright), begun[int(draw() * len(begun))], RANDOM)
+        return Sample(Layout(position, self._upright, True), begun[int(draw() * len(begun))], RANDOM)
 
     @cached_property
     def _upright(self) -> dict[str, Quat]:

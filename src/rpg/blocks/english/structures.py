@@ -48,17 +48,14 @@ def _upward(node: s.Stack) -> Any:
 def towers(node: s.Towers, say: Speaker) -> str:
     what = f"{number(node.count)} towers" if node.count else "towers"
     if node.heights:
-        what = join([_tall(height, node.heights.count(height)) for height in dict.fromkeys(node.heights)])
+        heights = node.heights[:1] if len(set(node.heights)) == 1 else node.heights
+        what = f"{number(len(node.heights))} towers of {join([number(height) for height in heights])}"
     what += " of equal height" if node.equal else ""
     if node.each:
         own = "a different" if node.separate else "a single"
         what += f", each of {own} {ATTRIBUTES[node.each]}"
     what += ", each on a patch of its color" if node.matching else ""
     return _form(node, say, what)
-
-
-def _tall(height: int, count: int) -> str:
-    return f"{number(count)} towers of {number(height)}" if count > 1 else f"a tower of {number(height)}"
 
 
 def row(node: s.Row, say: Speaker) -> str:

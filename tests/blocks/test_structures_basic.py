@@ -126,6 +126,13 @@ def test_a_two_by_two_square_is_no_row() -> None:
     assert not value(Row(blocks=("b0", "b1", "b2", "b3")), state(objects, square))
 
 
+@pytest.mark.parametrize("pitch", [E, 1.1 * E, 0.05])
+def test_three_blocks_in_an_l_are_no_row(pitch: float) -> None:
+    corner = {"red": (0, 0), "green": (0, pitch), "blue": (pitch, 0)}
+    for yaw in (0.0, 0.3, 0.8):
+        assert not value(Row(blocks=THREE), state(RGB, corner, yaw=yaw))
+
+
 def test_row_orders() -> None:
     left = Row(blocks=THREE, order=GIVEN.model_copy(update={"first": "left"}))
     assert value(left, row_of(RGB, THREE))

@@ -176,6 +176,31 @@ def test_flat_pyramid() -> None:
     assert not holds(node, [(0, 0), (0, 1), (0, 2), (0, 3), (0, 0.5, 1), (0, 1.5, 1)])
 
 
+OTHERS = {
+    "a line is no triangle": (Figure(blocks=named(3), shape="triangle"), [(0, 0), (0, 1), (0, 2)]),
+    "a P is no plus": (Figure(blocks=named(5), shape="plus"), [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1)]),
+    "an S is no square": (Figure(blocks=named(4), shape="square"), [(0, 0), (0, 1), (1, 1), (1, 2)]),
+    "a T is no L": (Figure(blocks=named(4), shape="L"), [(0, 0), (0, 1), (0, 2), (1, 1)]),
+}
+
+
+@pytest.mark.parametrize("case", OTHERS)
+@pytest.mark.parametrize("pitch", [E, PITCH])
+def test_blocks_that_plainly_fill_other_cells_are_another_figure(case: str, pitch: float) -> None:
+    node, places = OTHERS[case]
+    for yaw in YAWS:
+        assert not holds(node, places, yaw, pitch=pitch)
+
+
+@pytest.mark.parametrize("slip", [(0, 0.3), (0.3, 0), (0.25, 0.25)])
+def test_a_figure_with_one_block_a_little_out_of_its_cell_is_still_that_figure(slip: tuple[float, float]) -> None:
+    plus = [(0, 0), (0, 1), (0, -1), (1, 0), (-1 - slip[0], slip[1])]
+    square = [(0, 0), (0, 1), (1, 0), (1 + slip[0], 1 + slip[1])]
+    for yaw in YAWS:
+        assert holds(Figure(blocks=named(5), shape="plus"), plus, yaw)
+        assert holds(Figure(blocks=named(4), shape="square"), square, yaw)
+
+
 @pytest.mark.parametrize(("off", "fine"), [(0.5, True), (0.25, True), (0.0, False)])
 def test_a_pyramid_bridges_the_blocks_below(off: float, fine: bool) -> None:
     assert holds(Pyramid(blocks=named(3), base=(2, 1)), [(0, 0), (0, 1), (0, off, 1)], pitch=E) is fine

@@ -25,6 +25,8 @@ from rpg.blocks.predicates.common import (
     swap,
 )
 from rpg.blocks.predicates.fit import EPS, Fit, best_fit, likeness, prepared
+from rpg.blocks.predicates.lattice import cells_of
+from rpg.blocks.predicates.lattice import filled as on_lattice
 from rpg.blocks.predicates.order import fixed_edges
 from rpg.blocks.predicates.pattern import fillings, follows
 from rpg.blocks.predicates.plainly import layers
@@ -71,11 +73,13 @@ def outdone(ideal: Ideal, fit: Fit, places: Sequence[tuple[float, float, int]], 
     """How much better another flat figure fits the blocks than half as badly as `fit` does; negative where none does.
 
     Small figures of different shapes differ by less than the tolerance: blocks that plainly are the one are not the
-    other. Only figures that are as near to this one as the blocks are can fit so well.
+    other. Any cells of a square lattice are a figure here, too. Only figures that are as near to this one as the blocks
+    are can fit so well.
     """
     limit = fit.deviation / 2
-    least = math.inf
-    for form in flat_forms(len(places)):
+    lattice = on_lattice([complex(x, y) for x, y, _ in places], pitches, limit)
+    least = math.inf if lattice is None or lattice.cells == cells_of(ideal) else lattice.deviation
+    for form in flat_forms(len(places)) if len(places) > 3 else ():
         if EPS < likeness(ideal, form) * fit.pitch < 3.0 * limit + EPS:
             rival = best_fit(form, places, pitches, limit)
             least = min(least, rival.deviation if rival is not None else math.inf)
@@ -115,7 +119,7 @@ class CellsPredicate(Predicate[Cells]):
                 continue
             lying = flatness(state, names) if lying is None else lying
             room = min(margin, lying, slack(fit.deviation, tolerance))
-            if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance and len(names) > 3:
+            if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance + EPS and len(names) > 2:
                 room = min(room, -outdone(ideal, fit, places, pitches))
             found = self._judge(node, ideal, fit, room, state)
             if best is None or found.verdict.margin > best.verdict.margin:

@@ -41,6 +41,8 @@ SIDES: dict[str, Axis] = {"left": "y", "right": "y", "front": "x", "back": "x"}
 """The axis that a first side asks for."""
 READ_ORDERS = ("label", "number")
 """Orders of symbols: another symbol that adjoins the row would be read with it."""
+CORNER = 0.1
+"""A step along a row is longer than the step aside by more than this, in edges: three blocks in an L are no row."""
 SLANT = 0.45
 """Turn (radians) of the rows that lie along no axis."""
 
@@ -92,7 +94,7 @@ def straightness(line: Line, state: BlockState, line_edges: float) -> float:
     margin = slack(max(map(abs, line.off)), line_edges * edge)
     for k in range(1, len(line.along)):
         step, aside = line.along[k] - line.along[k - 1], abs(line.off[k] - line.off[k - 1])
-        margin = min(margin, (step - aside) / edge)
+        margin = min(margin, (step - aside) / edge - CORNER)
     return margin
 
 

@@ -98,7 +98,8 @@ def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
     for mods, j in starts:
         for phrase, k in p.standing(j, _SIMPLE):
             loose = mods if not phrase.endswith("than") or phrase == "nearer than" else (*mods, "somewhere")
-            yield (_SIMPLE[phrase], loose if _SIMPLE[phrase] in ("front", "behind") else mods), k
+            loose = (*mods, "besides") if phrase == "apart from" else loose
+            yield (_SIMPLE[phrase], loose if _SIMPLE[phrase] in ("front", "behind", "apart") else mods), k
         for (side, how), k in side_relation(p, j):
             if not side.endswith("?"):
                 extra = {"immediate": ("immediate",), "direct": ("directly",), "side": ("side",)}.get(how, ())

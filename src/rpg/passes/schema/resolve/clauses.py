@@ -9,6 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.walk import names as names_in
+from rpg.language.grammar.retold import universal
 from rpg.language.meaning import (
     Amount,
     Clause,
@@ -57,6 +58,8 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         return []
     if clause.theme is not None:
         _first_thats(clause.theme, spec, scene)
+        for one in (p for p in spec.places if universal(clause.theme) and "besides" in getattr(p, "mods", ())):
+            raise refuse("ambiguous", "all but this one, or all away from it?", one.span, "say 'except' or 'away from'")
     loose = len(scene.loose)
     towers = Towers.of(scene)
     scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"

@@ -67,6 +67,9 @@ def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:
         yield from _absolute_more(p, i, end, (first,))
 
 
+_ENDS = frozenset({"left", "right", "front", "back", "top", "bottom"})
+
+
 @rule
 def sided(p: Parser, i: int) -> Results[Meaning]:
     """Absolutes about the sides of a structure alone."""
@@ -124,9 +127,42 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     for one, end in more:
         if then and len(getattr(one.theme, "items", ())) > 1:
             one = replace(one, cost=one.cost + 1)
-        whole = (*had, one)
-        yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
-        yield from _absolute_more(p, i, end, whole)
+        apart = _one_by_one(p, one) if then or _comes_next(had[-1]) else ()
+        told = [apart] if apart and _has_comma(p, one.theme) else [(one,), apart] if apart else [(one,)]
+        for parts in told:
+            whole = (*had, *parts)
+            yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
+            yield from _absolute_more(p, i, end, whole)
+
+
+def _comes_next(part: Meaning) -> bool:
+    return isinstance(part, Absolute) and isinstance(part.adjuncts[0], At) and part.adjuncts[0].side == "next"
+
+
+def _one_by_one(p: Parser, part: Absolute) -> tuple[Absolute, ...]:
+    """ "then blue, green on top": blue comes next, and green alone is on top. Nothing for a single block."""
+    theme, place = part.theme, part.adjuncts[0]
+    if not isinstance(theme, Noun) or theme.amount is not None or not isinstance(place, At) or place.side not in _ENDS:
+        return ()
+    looks = [replace(theme.traits, colors=(color,)) for color in theme.traits.colors]
+    if len(theme.traits.labels) > 1:
+        looks = [replace(theme.traits, labels=(label,)) for label in theme.traits.labels]
+    if len(looks) < 2:
+        return ()
+    named = [t.span for t in p.tokens if theme.span[0] <= t.span[0] < theme.span[1] and t.word not in (",", "and")]
+    if len(named) != len(looks):
+        return ()
+    single = [
+        replace(theme, traits=look, plural=False, head="any", span=span)
+        for look, span in zip(looks, named, strict=True)
+    ]
+    before = (Absolute(theme=one, adjuncts=(At(side="next", span=one.span),), span=one.span) for one in single[:-1])
+    return (*before, replace(part, theme=single[-1]))
+
+
+def _has_comma(p: Parser, theme: Meaning | None) -> bool:
+    span = theme.span if theme is not None else (0, 0)
+    return any(token.word == "," for token in p.tokens if span[0] <= token.span[0] < span[1])
 
 
 @rule

@@ -32,7 +32,7 @@ from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_
 from rpg.passes.schema.resolve.leftovers import nothing_left
 from rpg.passes.schema.resolve.logic import conj, negation
 from rpg.passes.schema.resolve.operands import spread
-from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, places
+from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, parts_alone, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.reordered import reverse
@@ -179,8 +179,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         case "spell" | "read":
             return spell(clause, spec, scene, scope)
         case "part":
-            raise refuse("no-referent", "it is not clear of which structure this is a part", clause.span,
-                         "say it in the sentence that builds the structure")  # fmt: skip
+            return parts_alone(spec, scene, scope, clause.span)
     if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
         return goals
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):

@@ -219,6 +219,24 @@ def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
     return goals or [g.All(goals=())]
 
 
+def parts_alone(spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """ "red leftmost, then blue, green rightmost": places with no structure, settled once all clauses are read."""
+    goals: Goals = []
+    blocks = [part for part in spec.absolutes if isinstance(part.adjuncts[0], At) and not is_shape(part.theme)]
+    if not blocks or len(blocks) < len(spec.absolutes) or scene.built:
+        raise refuse(
+            "no-referent",
+            "it is not clear of which structure this is a part",
+            span,
+            "say it in the sentence that builds the structure",
+        )
+    for part in spec.absolutes:
+        inner = sort_adjuncts(part.adjuncts)
+        goals += loose_ats(refer(part.theme, scene, replace(scope, role="theme")), inner, scene, part.span)
+    spec.absolutes = []
+    return goals
+
+
 def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "with a red block next to it", "with the letter A on top": further conditions, or parts of the structure."""
     goals: Goals = []

@@ -50,6 +50,8 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks)):
         return _refine(goal, node, loose, scene)
     sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
+    if "next" in sides:
+        return _and(goal, _one_after_another(loose, sides, scene))
     if len(loose) > 1 and any(isinstance(at_, At) and at_.whole == "row" for _, at_, _ in loose):
         return _and(goal, _in_row(loose, scene))
     if all(side in ("top", "bottom", "middle") for side in sides) and len(loose) > 1:
@@ -63,6 +65,32 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     for item in loose:
         _of_what(item, goal, scene)
     return _and(goal, conj([_region(item) for item in loose]))
+
+
+_OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "top": "bottom", "bottom": "top"}
+_TOWARDS: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
+    "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "back": r.Behind,
+}  # fmt: skip
+
+
+def _one_after_another(loose: list[Loose], sides: list[str], scene: Scene) -> g.Goal:
+    """ "A leftmost, then B, C rightmost": from one side to the other, one block after another."""
+    first, others, span = sides[0], sides[1:], (loose[0][2][0], loose[-1][2][1])
+    last = _OPPOSITE.get(first)
+    follow = last is not None and set(others) <= {"next", last} and last not in others[:-1]
+    if not follow or any(len(ref.names) != 1 for ref, _, _ in loose):
+        raise refuse("ambiguous", "it is not clear in which order these are", span, "list them from side to side")
+    blocks = tuple(ref.names[0] for ref, _, _ in loose)
+    if len(set(blocks)) != len(blocks):
+        raise refuse("contradiction", "one block is given two places", span, "name each block once")
+    if first in ("top", "bottom"):
+        ranks = tuple((name,) for name in blocks)
+        tower = s.Stack(blocks=blocks, order=Order(by="given", ranks=ranks, first=first), span=span)  # type: ignore[arg-type]
+        stack_built(tower, scene)
+        return tower
+    node = _TOWARDS[first]
+    goals: list[g.Goal] = [node(a=(a,), b=(b,), span=span) for a, b in itertools.pairwise(blocks)]
+    return conj(goals, span)
 
 
 def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:

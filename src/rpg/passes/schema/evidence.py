@@ -27,6 +27,8 @@ FEW = 2
 """Numbers up to this are said in passing ("the two towers", "no two of them") and are not asked for."""
 LENGTHS = ("at_least", "distance")
 """Fields of goals that are said as often as not; of other fields only values that are not the default are."""
+SIGNS = "+*/="
+"""Signs of arithmetic; in a list of symbols they are nothing else, but for the minus, which may be a dash."""
 PRONOUNS = "AI"
 OPEN = "NK"
 """Letters for a number that is left open: "N blocks"."""
@@ -65,6 +67,9 @@ def unfounded(words: Iterable[Token], task: TaskSchema) -> Token | None:
             return token
         symbol = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper() and token.raw not in PRONOUNS
         if symbol and token.raw not in shown and not (token.raw in OPEN and _counts(words[index + 1 : index + 3])):
+            return token
+        listed = index > 0 and words[index - 1].word in (",", "and")
+        if token.kind == "sign" and listed and token.word in SIGNS and token.word not in shown:
             return token
         if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms):
             return token

@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Refusal
 from rpg.language.grammar.retold import retold
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
+from rpg.passes.schema.resolve.counting import counted_among, denied, elliptical, not_of_a_structure
 from rpg.passes.schema.resolve.listing import fewer_than, listed, quantified
 from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
@@ -172,8 +173,10 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 
 def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
-    if noun.part_of is None and _elliptical(noun, scene, scope):
-        return _of_them(noun, scene, scope)
+    if noun.part_of is None and elliptical(noun, scene, scope):
+        if noun.amount is not None and noun.amount.strict:
+            return _of_them(noun, scene, scope)
+        not_of_a_structure(noun, scene)
     if noun.part_of is not None:
         return _partitive(noun, scene, scope)
     if noun.traits.extra:
@@ -199,12 +202,6 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     return _plain(noun, scene, scope, patch)
 
 
-def _elliptical(noun: Noun, scene: Scene, scope: Scope) -> bool:
-    """ "at least two", "exactly one" without a noun: of the blocks that were spoken of, never further ones."""
-    bare = noun.head == "any" and noun.traits == Traits() and noun.det in ("bare", "some") and not scope.like_patch
-    return bare and noun.amount is not None and noun.amount.strict and bool(scene.blocks())
-
-
 def _structure_like(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
     """ "the blue one" beside the red tower: of several structures of one kind, the one whose blocks all look so."""
     marks = noun.traits
@@ -220,6 +217,7 @@ def _structure_like(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
 
 
 def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    """ "at least two": of the blocks that were spoken of, never further ones."""
     try:
         return _partitive(replace(noun, part_of=Pronoun(word="them", span=noun.span)), scene, scope)
     except Refusal as refusal:
@@ -251,32 +249,9 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         )
     if noun.traits.either:
         return _alternatives(noun, scene, scope, patch)
-    names = _denied(noun, scene, patch) or _counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
+    names = denied(noun, scene, patch) or counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     return quantified(found, noun)
-
-
-def _denied(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
-    """ "no red block": every red block that there is."""
-    if noun.det != "no" or noun.amount is not None or noun.conditions:
-        return ()
-    return tuple(thing.name for thing in matching(noun.traits, scene, patch) if not thing.extra)
-
-
-def _counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
-    """ "at most one white block" counts all the white blocks there are."""
-    amount = noun.amount
-    if amount is None or not amount.strict or noun.det not in ("bare", "some"):
-        return ()
-    there = [t for t in matching(noun.traits, scene, patch) if t.declared or t.name in scene.told]
-    if amount.low == 0 and len(there) <= (amount.high or 0):
-        raise refuse(
-            "ambiguous",
-            "it is not said how many such blocks there are",
-            noun.span,
-            "say for example 'at most one of the three white blocks'",
-        )
-    return tuple(t.name for t in there) if len(there) > amount.low else ()
 
 
 def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:

@@ -119,8 +119,9 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     unit = unit_of(had[-1]) if isinstance(had[-1], Absolute) else ""
     more = list(_one_absolute(p, j, unit))
     if then:
+        more = [(one, end) for one, end in more if not _relative_to_it(one)]
         more += [
-            (Absolute(theme=t, adjuncts=(At(side="next", span=t.span),), span=t.span), k)
+            (Absolute(theme=t, adjuncts=(At(side="next", span=t.span),), span=t.span), _past_it(p, k, had))
             for t, k in simple(p, j)
             if isinstance(t, Noun) or (isinstance(t, Pronoun) and t.word == "one")
         ]
@@ -133,6 +134,26 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
             whole = (*had, *parts)
             yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
             yield from _absolute_more(p, i, end, whole)
+
+
+_ONWARD = {
+    "top": ("below it", "under it", "beneath it", "underneath it", "below that", "under that", "beneath that"),
+    "bottom": ("above it", "on it", "on top of it", "above that", "on that", "over it"),
+}  # fmt: skip
+"""What is said of the one that comes next, from the top or from the bottom on."""
+
+
+def _past_it(p: Parser, i: int, had: tuple[Meaning, ...]) -> int:
+    """ "red on top, then yellow below it": the words after what comes next, where they say no more than that."""
+    first = had[0].adjuncts[0] if isinstance(had[0], Absolute) else None
+    side = first.side if isinstance(first, At) else ""
+    return p.any_of(i, _ONWARD.get(side, ())) or i
+
+
+def _relative_to_it(part: Absolute) -> bool:
+    """Whether a part is told by what "it" is, which may be the part before or the whole."""
+    places = (place.landmark for place in part.adjuncts if isinstance(place, Loc))
+    return any(isinstance(mark, Pronoun) and mark.word in ("it", "that") for mark in places)
 
 
 def _comes_next(part: Meaning) -> bool:

@@ -144,6 +144,7 @@ _STANDS = (
     "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
     "stands", "lies", "go", "you put", "place", "put", "comes then", "come",
 )  # fmt: skip
+_FACTS = frozenset({"is", "are", "sits", "stands", "lies"})
 _SEEN = (
     "there should be", "there must be", "there is", "there are", "put", "it is", "they are", "you see", "we see",
     "i see", "one sees",
@@ -153,6 +154,7 @@ _SEEN = (
 def _stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Results[Meaning]:
     """ "on the left of the blue block there is a red one"."""
     k = p.any_of(j, _STANDS)
+    lemma = "fact" if k and p.words[k - 1] in _FACTS else ""
     for theme, end in noun_phrase(p, k or j):
         bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
         if bare and isinstance(theme, Noun) and not (theme.traits.colors or theme.traits.labels):
@@ -161,10 +163,9 @@ def _stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Resul
             verb = "build" if isinstance(theme, Structure) else "be"
             when = "start" if mode == "start" else "goal"
             span = p.span(i, last)
-            yield (
-                Clause(verb=verb, theme=theme, adjuncts=(first, *more), mode=when, span=span, cost=1 if k else 2),
-                last,
-            )
+            cost = 1 if k else 2
+            there = Clause(verb=verb, lemma=lemma, theme=theme, adjuncts=(first, *more), mode=when, span=span)
+            yield replace(there, cost=cost), last
 
 
 def _listed_along(p: Parser, i: int, j: int, first: Toward) -> Results[Meaning]:

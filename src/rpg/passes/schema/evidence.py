@@ -7,6 +7,7 @@ for part of something else, is caught here.
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -29,6 +30,8 @@ LENGTHS = ("at_least", "distance")
 """Fields of goals that are said as often as not; of other fields only values that are not the default are."""
 SIGNS = "+*/="
 """Signs of arithmetic; in a list of symbols they are nothing else, but for the minus, which may be a dash."""
+ALWAYS_FOUR = ("corners", "sides", "edges")
+"""Of the table and of a square there are four, and nobody has to be told."""
 PRONOUNS = "AI"
 OPEN = "NK"
 """Letters for a number that is left open: "N blocks"."""
@@ -73,10 +76,12 @@ def unfounded(words: Iterable[Token], task: TaskSchema) -> Token | None:
             return token
         if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms):
             return token
-        said = _number(token)
+        said = _number(token) if index + 1 == len(words) or words[index + 1].word not in ALWAYS_FOUR else None
         if said is not None and said > FEW:
             numbers = set(_numbers(task)) if numbers is None else numbers
-            if not any(abs(said - number) < 0.02 for number in numbers):
+            measured = index + 1 < len(words) and words[index + 1].word in lexicon.UNIT
+            known = numbers | _edges(task) if measured else numbers
+            if not any(abs(said - number) < 0.02 for number in known):
                 return token
     return None
 
@@ -129,11 +134,15 @@ def _numbers(task: TaskSchema) -> Iterator[float]:
     # "With three distractors", "all but three": what is left out has its number too.
     yield len(task.assets) - len(set(names(task.goal)))
     for asset in task.assets:
-        yield from _inside(asset.size)
         yield from map(float, re.findall(r"\d+", asset.name))
         yield from (float(symbol) for symbol in _symbols(asset) if symbol.isdigit())
     for part in (task.goal, *task.init.arranged, *task.init.heaps):
         yield from _inside(part)
+
+
+def _edges(task: TaskSchema) -> set[float]:
+    """The extents of all objects, in all units."""
+    return {number for asset in task.assets for number in _inside(asset.size)}
 
 
 def _terms(value: object) -> Iterator[str]:
@@ -162,6 +171,9 @@ def _inside(value: object) -> Iterator[float]:
         yield from map(float, re.findall(r"\d+", value))
     elif isinstance(value, Sequence):
         yield len(value)
+        sides = [item for item in value if isinstance(item, int)]
+        if len(sides) == len(value):
+            yield math.prod(sides)
         for item in value:
             yield from _inside(item)
     elif isinstance(value, int | float) and not isinstance(value, bool):

@@ -40,9 +40,10 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.reordered import moved_within, topped
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.stacking import separately
 from rpg.passes.schema.resolve.structures import either, make, stack_built
 from rpg.passes.schema.resolve.things import bare_colors, plain_colors
-from rpg.passes.schema.resolve.turning import picked_from
+from rpg.passes.schema.resolve.turning import moved_from
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -88,8 +89,9 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         raise refuse("misplaced", "the table stays where it is", theme.span, "name blocks")
     _evenly_on_patches(spec)
     if verb == "place" and spec.places and theme.names and not theme.built and not scope.start:
-        _moved_from(theme, spec, scene, scope, span)
+        moved_from(theme, spec, scene, scope, span)
     if verb == "stack":
+        separately(spec, scene)
         spec.intos = [
             i
             for i in spec.intos
@@ -152,15 +154,6 @@ def _not_on_each_other(theme: Ref, verb: str, heaped: list[Loc], spec: Spec, sce
     if not scene.denying:
         return negation(pairs, span) if any(item.negated for item in heaped) else None
     return pairs if heaped or (verb == "stack" and not spec.places) else None
-
-
-def _moved_from(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> None:
-    """ "move the red block from the blue patch to the green one": where it starts."""
-    for using in [using for using in spec.usings if using.lead == "from"]:
-        late = any(place.span[0] < using.span[0] for place in spec.places)
-        if isinstance(using.members, Noun) and using.members.det == "the" and not using.members.plural and not late:
-            spec.usings.remove(using)
-            picked_from(theme, using, scene, scope, span)
 
 
 def _evenly_on_patches(spec: Spec) -> None:

@@ -12,6 +12,7 @@ from rpg.passes.schema.resolve.placing import Goals, absolutes, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.spoken import known_ones
 from rpg.passes.schema.resolve.structures import make
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -111,8 +112,6 @@ def _known_already(clause: Clause, scene: Scene) -> bool:
 
 
 def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:
-    from rpg.passes.schema.resolve.structures import _known
-
     if clause.verb in ("build", "spell") and shape.det in ("a", "bare", "some"):
         return False
-    return shape.det in ("the", "its", "each", "all", "both") and bool(_known(shape, scene))
+    return shape.det in ("the", "its", "each", "all", "both") and bool(known_ones(shape, scene))

@@ -50,6 +50,10 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks)):
         return _refine(goal, node, loose, scene)
     sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
+    open_ = next((b for b in scene.built if all(_open(scene, name) for name in b.members)), None)
+    if open_ is not None:
+        raise refuse("ambiguous", f"these could be blocks of the {open_.kind} or further ones", loose[0][2],
+                     "name the blocks in the sentence that builds it")  # fmt: skip
     if "next" in sides:
         return _and(goal, _one_after_another(loose, sides, scene))
     if len(loose) > 1 and any(isinstance(at_, At) and at_.whole == "row" for _, at_, _ in loose):
@@ -65,6 +69,12 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     for item in loose:
         _of_what(item, goal, scene)
     return _and(goal, conj([_region(item) for item in loose]))
+
+
+def _open(scene: Scene, name: str) -> bool:
+    """Whether nothing was said of how a block looks."""
+    thing = scene.things[name]
+    return thing.color is None and thing.label is None
 
 
 _OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "top": "bottom", "bottom": "top"}

@@ -8,9 +8,10 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH, Highest, Lowest, Operand
-from rpg.language.meaning import Loc
+from rpg.language.meaning import Loc, Pronoun
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import crown, foot, spread
+from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
 
 
@@ -103,3 +104,12 @@ def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     if not isinstance(upper, Lowest | Highest) and not isinstance(lower, Lowest | Highest):
         scene.on_top.setdefault(upper[0], lower[0])
     return r.Above(a=upper, b=lower, span=span)
+
+
+def separately(spec: Spec, scene: Scene) -> None:
+    """ "and two blue ones stacked separately": apart from the tower before, which a tower of its own is."""
+    apart = [place for place in spec.places if isinstance(place, Loc) and place.rel == "apart"]
+    inner = [place for place in apart if isinstance(place.landmark, Pronoun)]
+    if inner and not scene.built:
+        raise refuse("contradiction", "blocks of one tower are not apart", inner[0].span, "say 'towers', and how many")
+    spec.places = [place for place in spec.places if place not in inner]

@@ -17,6 +17,7 @@ from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.positions import alternatives, lengthened
 from rpg.passes.schema.resolve.several import each_of, one_by_one
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.spoken import exact_size, known_ones
 from rpg.passes.schema.resolve.things import amount_of
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
@@ -26,7 +27,7 @@ Maker = Callable[[Structure, Spec, Ref | None, Scene, Scope], Made]
 
 def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
     """A structure as a noun phrase: one spoken of before, or a new one (whose making joins the goal)."""
-    known = _known(shape, scene) if shape.det in ("the", "its", "each", "all", "both", "bare") else []
+    known = known_ones(shape, scene) if shape.det in ("the", "its", "each", "all", "both", "bare") else []
     if known:
         if shape.amount is not None and shape.amount.low > len(known):
             raise refuse(
@@ -59,49 +60,6 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
     else:
         scene.goals.setdefault(scene.clause, []).extend(goals)
     return ref
-
-
-_FAMILY = {"line": "row", "column": "row"}
-
-
-def _known(shape: Structure, scene: Scene) -> list[Built]:
-    """Structures brought up before that fit the description."""
-    found = []
-    for built in scene.built:
-        if _FAMILY.get(built.kind, built.kind) != _FAMILY.get(shape.kind, shape.kind):
-            continue
-        things = [scene.things[n] for n in built.members]
-        colors = shape.traits.colors
-        if colors and any(t.color not in colors for t in things):
-            continue
-        if (
-            shape.letter
-            and len(shape.letter) > 1
-            and shape.kind in ("word", "equation")
-            and "".join(t.label or "" for t in things) != shape.letter
-        ):
-            continue
-        if (
-            isinstance(shape.members, Noun)
-            and shape.members.traits.colors
-            and any(t.color not in shape.members.traits.colors for t in things)
-        ):
-            continue
-        if (n := exact_size(shape)) is not None and n != len(things):
-            continue
-        found.append(built)
-    return _ranked(shape, found, scene)
-
-
-def _ranked(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
-    """ "the first tower", "the left stack": the one of those built that is meant."""
-    rank = shape.traits.rank
-    if rank is None:
-        return found
-    if len(found) > 1 and (rank.isdigit() or rank == "last"):
-        index = len(found) if rank == "last" else int(rank)
-        return found[index - 1 : index]
-    return [built for built in found if scene.sides.get(built.key) == rank]
 
 
 def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
@@ -187,15 +145,6 @@ def _known_sizes(shape: Structure) -> None:
     for size in shape.sizes:
         if size.what not in allowed:
             raise refuse("misplaced", f"a {shape.kind} has no such size", size.span, "say how many blocks it has")
-
-
-def exact_size(shape: Structure) -> int | None:
-    """The number of blocks along one structure, if it was said."""
-    found = {s.amount for s in shape.sizes if s.amount is not None}
-    if len(found) > 1:
-        raise refuse("contradiction", "two sizes are given", shape.span, "keep one of them")
-    amount = next(iter(found), None)
-    return amount.low if amount is not None and amount.low == amount.high else None
 
 
 def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:

@@ -149,6 +149,15 @@ def _unlifted(theme: Ref, spec: Spec, clause: Clause) -> Goals:
     return [g.Not(goal=r.OnTable(a=theme.names, span=clause.span), span=clause.span)]
 
 
+def moved_from(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> None:
+    """ "move the red block from the blue patch to the green one": where it starts."""
+    for using in [using for using in spec.usings if using.lead == "from"]:
+        late = any(place.span[0] < using.span[0] for place in spec.places)
+        if isinstance(using.members, Noun) and using.members.det == "the" and not using.members.plural and not late:
+            spec.usings.remove(using)
+            picked_from(theme, using, scene, scope, span)
+
+
 def picked_from(theme: Ref, using: Using, scene: Scene, scope: Scope, span: Span) -> None:
     """ "pick up the red block from the blue patch": where it starts."""
     loc = Loc(rel="on", landmark=using.members, span=using.span)

@@ -1,0 +1,72 @@
+"""Structures that were spoken of before, and are meant again."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Noun, Structure
+from rpg.passes.schema.resolve.world import Built, Scene, refuse
+
+_FAMILY = {"line": "row", "column": "row"}
+
+
+def known_ones(shape: Structure, scene: Scene) -> list[Built]:
+    """Structures brought up before that fit the description."""
+    return _fitting(shape, scene) or _with_its_color(shape, scene)
+
+
+def _fitting(shape: Structure, scene: Scene) -> list[Built]:
+    found = []
+    for built in scene.built:
+        if _FAMILY.get(built.kind, built.kind) != _FAMILY.get(shape.kind, shape.kind):
+            continue
+        things = [scene.things[n] for n in built.members]
+        colors = shape.traits.colors
+        if colors and any(t.color not in colors for t in things):
+            continue
+        if (
+            shape.letter
+            and len(shape.letter) > 1
+            and shape.kind in ("word", "equation")
+            and "".join(t.label or "" for t in things) != shape.letter
+        ):
+            continue
+        if (
+            isinstance(shape.members, Noun)
+            and shape.members.traits.colors
+            and any(t.color not in shape.members.traits.colors for t in things)
+        ):
+            continue
+        if (n := exact_size(shape)) is not None and n != len(things):
+            continue
+        found.append(built)
+    return _ranked(shape, found, scene)
+
+
+def _with_its_color(shape: Structure, scene: Scene) -> list[Built]:
+    """ "the red tower" after "red on white": the one that has red in it, where no tower is all red."""
+    if shape.det != "the" or not shape.traits.colors or shape.members is not None:
+        return []
+    there = [built for built in scene.built if built.kind == shape.kind]
+    found = [b for b in there if any(scene.things[n].color in shape.traits.colors for n in b.members)]
+    if there and len(found) != 1:
+        raise refuse("ambiguous", "it is not clear which of those spoken of this is", shape.span, "name its blocks")
+    return found
+
+
+def _ranked(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
+    """ "the first tower", "the left stack": the one of those built that is meant."""
+    rank = shape.traits.rank
+    if rank is None:
+        return found
+    if len(found) > 1 and (rank.isdigit() or rank == "last"):
+        index = len(found) if rank == "last" else int(rank)
+        return found[index - 1 : index]
+    return [built for built in found if scene.sides.get(built.key) == rank]
+
+
+def exact_size(shape: Structure) -> int | None:
+    """The number of blocks along one structure, if it was said."""
+    found = {s.amount for s in shape.sizes if s.amount is not None}
+    if len(found) > 1:
+        raise refuse("contradiction", "two sizes are given", shape.span, "keep one of them")
+    amount = next(iter(found), None)
+    return amount.low if amount is not None and amount.low == amount.high else None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.edits import AddCondition
 from rpg.ir.relations import OnPatch, Stayed
 from rpg.steer import requests as r
@@ -14,6 +15,7 @@ from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.place import join, put, stand_on
 from rpg.steer.operations.relate import relation
 from rpg.steer.refer import Found, resolve
+from rpg.steer.view import View
 
 
 def add(draft: Draft, request: r.Add) -> None:
@@ -61,8 +63,30 @@ def _anchor(draft: Draft, place: r.Place) -> Found | None:
     if isinstance(landmark, m.Pronoun):
         return _mentioned_before(draft, rel) or resolve(draft.view, landmark)
     found = resolve(draft.view, landmark)
+    if isinstance(landmark, m.Noun) and landmark.traits.rank:
+        _told_apart(draft.view, found, landmark)
     draft.beside = rel, found
     return found
+
+
+def _told_apart(view: View, found: Found, landmark: m.Noun) -> None:
+    """ "The middle one" of a line of look-alikes: any of them may come to stand there, so nothing can go with it."""
+    look = view.world.look
+    for line in view.lines:
+        twins = [name for name in line.members if any(look[name] == look[other] for other in found.names)]
+        by_name = getattr(getattr(line.node, "order", None), "match", "") == "name"
+        if set(found.names) <= set(line.members) and len(twins) > len(found.names) and not by_name:
+            raise Refusal(
+                [
+                    Diagnostic(
+                        code="edit-unclear",
+                        message="blocks that look alike are there, and any of them may be this one",
+                        span=landmark.span,
+                        hint="give that block a colour of its own first",
+                        origin="steer",
+                    )
+                ]
+            )
 
 
 def _mentioned_before(draft: Draft, rel: str) -> Found | None:

@@ -36,7 +36,7 @@ PRONOUNS = "AI"
 OPEN = "NK"
 """Letters for a number that is left open: "N blocks"."""
 _PLAIN = {
-    "alphabet alphabetic alphabetical alphabetically alphabetized": "label",
+    "alphabet alphabetic alphabetical alphabetically alphabetized": "label number",
     "alternate alternates alternating alternately alternatingly": "alternating checkerboard given",
     "ascending descending increasing decreasing": "number size label staircase",
     "checkerboard chessboard": "checkerboard",

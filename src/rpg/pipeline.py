@@ -45,7 +45,7 @@ class FrontEnd(Protocol):
 class CompileOptions:
     """What a compile may be told. `front_end` is the built-in one unless given; `listen` hears of progress.
 
-    `paraphrases`: so many other wordings are looked for at most.
+    `paraphrases`: so many other wordings are looked for at most; reading each back costs as much as the instruction.
     """
 
     name: str | None = None
@@ -55,7 +55,7 @@ class CompileOptions:
     measures: Measures = field(default_factory=Measures)
     front_end: FrontEnd | None = None
     listen: Listener = silent
-    paraphrases: int = 6
+    paraphrases: int = 2
 
     def __post_init__(self) -> None:
         if self.seed < 0:

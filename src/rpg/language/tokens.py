@@ -69,7 +69,6 @@ _PIECES = re.compile(
     re.VERBOSE,
 )
 _ORDINAL_TAIL = {"st", "nd", "rd", "th"}
-_NUMERIC = re.compile(r"\d+(?:\.\d+)?")
 
 
 @dataclass(frozen=True, slots=True)

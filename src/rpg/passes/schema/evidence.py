@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from pydantic import BaseModel
 
@@ -55,7 +55,7 @@ PLAIN = {word: frozenset(terms.split()) for words, terms in _PLAIN.items() for w
 """Words whose meaning depends on no other word, with the terms of a goal one of which they come to."""
 
 
-def unfounded(words: Iterable[Token], task: TaskSchema) -> Token | None:
+def unfounded(words: Sequence[Token], task: TaskSchema) -> Token | None:
     """The first word that names something of which nothing in the task comes."""
     colors = {asset.color for asset in task.assets}
     shown = {symbol for asset in task.assets for symbol in _symbols(asset)}
@@ -63,7 +63,6 @@ def unfounded(words: Iterable[Token], task: TaskSchema) -> Token | None:
     numbers: set[float] | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
     terms = {term for part in parts for term in _terms(part)} | _shown_orders(task)
-    words = list(words)
     for index, token in enumerate(words):
         color = lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word)
         if color is not None and color not in colors:

@@ -154,6 +154,7 @@ class BoundGripper:
     def __init__(self, model: mujoco.MjModel, blocks: tuple[str, ...]) -> None:
         self._hand = int(model.joint("hand").qposadr[0])
         self._fingers = [int(model.joint(name).qposadr[0]) for name in ("left_finger", "right_finger")]
+        self._sensed = slice(self._hand, self._hand + self.proprioception_size)
         self._mocap = int(model.body("hand_target").mocapid[0])
         self._actuator = int(model.actuator("fingers").id)
         self._pads = {int(model.geom("left_finger").id): 1, int(model.geom("right_finger").id): 2}
@@ -202,9 +203,10 @@ class BoundGripper:
 
     def proprioception(self, data: mujoco.MjData) -> NDArray[np.float64]:
         """Position and quaternion of the grasp centre in the world, and the opening between the fingers."""
-        sensed = np.empty(self.proprioception_size)
-        sensed[:7] = data.qpos[self._hand : self._hand + 7]
-        sensed[7] = data.qpos[self._fingers[0]] + data.qpos[self._fingers[1]]
+        places = data.qpos
+        # the fingers follow the hand in the model's coordinates, so that one copy has all but the second of them
+        sensed: NDArray[np.float64] = places[self._sensed].copy()
+        sensed[7] += places[self._fingers[1]]
         return sensed
 
     def _move(self, data: mujoco.MjData, delta: tuple[float, float, float]) -> None:

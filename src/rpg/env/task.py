@@ -150,11 +150,12 @@ class BlockTask(Relations, Structures, Setup):
             physics.step(control_steps)
             self._unread = True
             return
+        robot, data = self._robot, physics.data
         for _ in range(control_steps):
-            if self._robot is not None:
-                self._robot.command(self.data, action)
+            if robot is not None:
+                robot.command(data, action)
             physics.step()
-            self._look(self._robot.held(self.data) if self._robot is not None else NOTHING)
+            self._look(physics, robot.held(data) if robot is not None else NOTHING)
             if self._hooked:
                 self._on_step()
                 self._judgement = None
@@ -165,14 +166,15 @@ class BlockTask(Relations, Structures, Setup):
             raise RuntimeError("the task has no state yet: call reset() first")
         if self._unread:
             self._unread = False
-            self._look(NOTHING)
+            self._look(self.physics, NOTHING)
         return self._state
 
     def judge(self) -> Judgement:
         """Success, failure, stage and conditions in the current state."""
-        state = self.state()
-        if self._judgement is None:
-            self._judgement = self._judged(state)
+        if self._judgement is None or self._unread:
+            state = self.state()
+            if self._judgement is None:
+                self._judgement = self._judged(state)
         return self._judgement
 
     def judge_states(self, states: Iterable[BlockState], start: BlockState | None = None) -> list[Judgement]:
@@ -187,7 +189,7 @@ class BlockTask(Relations, Structures, Setup):
                     self._begin(start)
                 self._observe(state.since(start))
             found.append(self.judge())
-        self._state = None
+        self._state = self._judgement = None
         return found
 
     @property
@@ -255,11 +257,11 @@ class BlockTask(Relations, Structures, Setup):
             self.judge()
             self._looks_back = self._memories[0].used
 
-    def _look(self, held: frozenset[str]) -> None:
+    def _look(self, physics: Physics, held: frozenset[str]) -> None:
         """Read the state from the physics, unless it is still what it was."""
         before = self._state
-        if before is None or before.moving or held != before.held or not self.physics.unchanged():
-            self._observe(self.physics.read(before.start if before is not None else None, held))
+        if before is None or before.moving or held != before.held or not physics.unchanged():
+            self._observe(physics.read(before.start if before is not None else None, held))
 
     def _nobody_looks(self) -> bool:
         """May steps pass without a look at each of them? The state is then read when somebody asks for it."""

@@ -17,6 +17,7 @@ from rpg.ir.structures import GroupBy, Towers
 from rpg.ir.walk import atoms, transform
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
+from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.make import PALETTE
 from rpg.steer.refer import resolve
 
@@ -33,8 +34,6 @@ def listed(draft: Draft, names: Sequence[str]) -> list[str]:
 
 def convert(draft: Draft, names: Sequence[str], kind: str, span: Span) -> None:
     """Blocks become letters, digits or plain ones; orders and groups by colour become orders and groups by symbol."""
-    from rpg.steer.operations.restyle import exchange
-
     draft.aim("MODIFY")
     draft.note("kind", {"to": kind, "blocks": list(names)})
     names = [name for name in listed(draft, names) if name in draft.view.world.blocks]
@@ -125,8 +124,6 @@ def _symbol(block: Block, label: str, kind: str) -> Block:
 
 def mix(draft: Draft, names: Sequence[str], kinds: Sequence[str | None], span: Span) -> None:
     """Blocks become a mixture of kinds in equal shares; groups are then told apart by kind."""
-    from rpg.steer.operations.restyle import exchange
-
     draft.aim("MODIFY")
     draft.note("kind", {"to": list(kinds), "blocks": list(names)})
     order = [name for name in names if name in draft.view.world.blocks]

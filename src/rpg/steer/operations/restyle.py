@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir.assets import EDGE, Asset, Block, ColoredCube, GoalPatch, SemanticCube
-from rpg.ir.edits import Exchange, ReplaceAssets, SetField
-from rpg.ir.structures import Equation, Spells
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import lexicon, m
+from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.grow import grow
 from rpg.steer.operations.guard import check_new
 from rpg.steer.operations.kinds import convert, listed, mix
@@ -134,57 +133,6 @@ def _patch(patch: GoalPatch, traits: m.Traits, scale: float | None, color: str |
     return GoalPatch.model_validate(
         {**patch.model_dump(), "size": (width, depth), "shape": shape, "color": color or patch.color}
     )
-
-
-def exchange(draft: Draft, new: Mapping[str, Asset], span: Span | None) -> dict[str, str]:
-    """Give objects their new looks, and the names that fit them; words on cubes follow. Old name -> new name."""
-    same = {name for name, asset in new.items() if _same_words(draft, name, asset)}
-    taken = {asset.name for asset in draft.schema.assets} - set(new) | same
-    exchanges: list[Exchange] = []
-    names: dict[str, str] = {}
-    for name, asset in new.items():
-        called = name if name in same else _called(asset, taken)
-        taken.add(called)
-        names[name] = called
-        exchanges.append(Exchange(name=name, asset=asset.model_copy(update={"name": called})))
-    draft.do(ReplaceAssets(exchanges=tuple(exchanges)), span)
-    draft.look_at(tuple(dict.fromkeys([*(names.get(n, n) for n in draft.focus if n not in names), *names.values()])))
-    _respell(draft)
-    return names
-
-
-def _same_words(draft: Draft, name: str, asset: Asset) -> bool:
-    """Whether the old name still fits: the colour, symbol and size class are as they were."""
-    old = draft.view.world.assets[name]
-    return type(old) is type(asset) and _words(old) == _words(asset)
-
-
-def _words(asset: Asset) -> tuple[object, ...]:
-    if isinstance(asset, GoalPatch):
-        return (asset.color,)
-    size = (asset.size > EDGE) - (asset.size < EDGE)
-    return (asset.label, asset.labels, size) if isinstance(asset, SemanticCube) else (asset.color, size)
-
-
-def _called(asset: Asset, taken: set[str]) -> str:
-    if not isinstance(asset, GoalPatch):
-        return free_name(asset, taken)
-    name, number = f"{asset.color}_patch", 2
-    while name in taken:
-        name, number = f"{asset.color}_patch_{number}", number + 1
-    return name
-
-
-def _respell(draft: Draft) -> None:
-    """Words and equations read what their cubes show now."""
-    traits = Traits(draft.view.world)
-    for line in draft.view.lines:
-        if isinstance(line.node, Equation) and line.node.text is not None:
-            draft.do(SetField(at=line.path, field="text", value=None))
-    for path, atom in draft.view.atoms:
-        if isinstance(atom, Spells) and sorted(atom.word) != sorted(traits.symbol(n) for n in atom.blocks):
-            word = "".join(traits.symbol(name) for name in atom.blocks)
-            draft.do(SetField(at=path, field="word", value=word))
 
 
 def replace(draft: Draft, request: r.Replace) -> None:

@@ -12,6 +12,7 @@ from rpg.ir.edits import SetField
 from rpg.ir.order import Order, Pattern
 from rpg.ir.structures import Cells, Grid, Pyramid
 from rpg.steer.draft import Draft
+from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.make import PALETTE
 from rpg.steer.view import Shape
 
@@ -61,8 +62,6 @@ def layers_of(node: Cells) -> list[int]:
 
 def color_pattern(draft: Draft, figure: Shape, span: Span) -> None:
     """Sorted by colour, a figure of layers has one colour in each layer, a flat one in each row."""
-    from rpg.steer.operations.restyle import exchange
-
     node = figure.node
     assert isinstance(node, Cells)
     layers = layers_of(node)

@@ -11,9 +11,9 @@ from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset
 from rpg.ir.structures import Equation
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
+from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import describe, free_name
-from rpg.steer.operations.restyle import exchange
 from rpg.steer.symbols import Continue, Equate
 
 

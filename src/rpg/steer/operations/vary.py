@@ -12,8 +12,8 @@ from rpg.ir.structures import Row, Stack, Staircase
 from rpg.ir.walk import rename, transform
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
+from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.make import named
-from rpg.steer.operations.restyle import exchange
 from rpg.steer.shape import conjuncts
 
 WAYS: dict[str, type[Directional]] = {"left": LeftOf, "right": RightOf, "front": InFrontOf, "behind": Behind}

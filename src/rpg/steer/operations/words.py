@@ -12,9 +12,9 @@ from rpg.ir.structures import Equation, Spells
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.count import like
+from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.kinds import listed
 from rpg.steer.operations.make import new_assets
-from rpg.steer.operations.restyle import exchange
 from rpg.steer.view import Line
 
 ALONG = {"stack": "stack", "row": "row", "line": "row"}

@@ -107,7 +107,7 @@ def sample_start(init: InitialState, world: World, seed: int, attempt: int = 0) 
 
     Raises Refusal (`start-no-room`, `start-unstable`) where there is none.
     """
-    diagnostic = _no_room(world)
+    unstable = False
     for number in range(LAYOUTS):
         draw = f"{seed}/{attempt}/{number}"
         layout = _compose(init, world, draw)
@@ -119,8 +119,8 @@ def sample_start(init: InitialState, world: World, seed: int, attempt: int = 0) 
         state = dropped(found, heaps) if heaps else settled_state(found)
         if state is not None and _acceptable(heaps, found, state):
             return _rounded(state)
-        diagnostic = _unstable()
-    raise Refusal([diagnostic])
+        unstable = True
+    raise Refusal([_unstable() if unstable else _no_room(world)])
 
 
 def _rounded(state: BlockState) -> BlockState:

@@ -25,12 +25,16 @@ SAME_POSE, SAME_SPEED = 1e-6, 0.01
 
 
 class Physics:
-    """One episode's simulation. Blocks come first in the model's coordinates, in the order of the world."""
+    """One episode's simulation. Blocks come first in the model's coordinates, in the order of the world.
 
-    def __init__(self, world: World, model: mujoco.MjModel | None = None) -> None:
+    `data`: what an earlier simulation of the same model ran in, and runs in no more; making it anew takes as long as
+    several control steps.
+    """
+
+    def __init__(self, world: World, model: mujoco.MjModel | None = None, data: mujoco.MjData | None = None) -> None:
         self.world = world
         self.model = model or compiled(tuple(world.assets.values()))
-        self.data = mujoco.MjData(self.model)
+        self.data = mujoco.MjData(self.model) if data is None else data
         self.names = tuple(world.blocks)
         self.count = len(self.names)
         self._poses, self._velocities = self.data.qpos[: 7 * self.count], self.data.qvel[: 6 * self.count]

@@ -73,6 +73,7 @@ class BlockTask(Relations, Structures, Setup):
         self._judgement: Judgement | None = None
         self._physics: Physics | None = None
         self._robot: Robot | None = None
+        self._lender: BlockTask | None = None
         self._written: BlockState | None = None
         self._rest = FALSE
         self._unread = False
@@ -197,7 +198,8 @@ class BlockTask(Relations, Structures, Setup):
         """The simulation, with the blocks where the episode has them."""
         if self._physics is None:
             model = model_for(tuple(self.world.assets.values()), self._embodiment, self._textures)
-            self._physics = Physics(self.world, model)
+            lent = self._lender.physics if self._lender is not None else None
+            self._physics = Physics(self.world, model, lent.data if lent and lent.model is model else None)
             if self._embodiment is not None:
                 self._robot = self._embodiment.bind(model, tuple(self.world.blocks))
         if self._written is not None:
@@ -298,6 +300,12 @@ class BlockTask(Relations, Structures, Setup):
         if name is None:
             name = self._names_of_conditions[id(node)] = clause(node, self.world)  # type: ignore[arg-type]
         return name
+
+
+def run_in_place_of(other: BlockTask, task: BlockTask) -> None:
+    """Let `task` simulate in the memory of `other`, if their scenes are the same: both must be reset after the other
+    one was used."""
+    task._lender = other
 
 
 def _as_verdict(value: Verdict | bool) -> Verdict:

@@ -140,6 +140,7 @@ class Search:
         self.touching = {
             id(piece): [r for r in rules if any(n in piece.position for n in r.blocks)] for piece in assembly.pieces()
         }
+        self.bound = {piece: any(rule.holds for rule in found) for piece, found in self.touching.items()}
 
     def run(self) -> Iterator[BlockState]:
         """Arrangements that meet all rules, as they are found."""
@@ -227,6 +228,8 @@ class Search:
         if clearance is None:
             return None
         least = 1.0
+        if not due:
+            return self._merit(piece, origin, least, clearance)
         self._write(piece, origin)
         try:
             for rule in due:
@@ -242,7 +245,7 @@ class Search:
     def _merit(self, piece: Piece, origin: Origin, least: float, clearance: float) -> float:
         if self.style.dense:
             return min(least, GOOD_MARGIN) / GOOD_MARGIN - self.ground.trespass(piece, origin) - 0.1 * sum(origin)
-        bound = any(r.holds for r in self.touching[id(piece)])
+        bound = self.bound[id(piece)]
         room = GOOD_CLEARANCE if bound else SCATTER_CLEARANCE
         x, y, _ = next(iter(piece.position.values()))
         off = hypot(x + origin[0] - CENTRE[0], y + origin[1] - CENTRE[1])
@@ -252,7 +255,8 @@ class Search:
             + min(clearance, room) / room
             - (0.8 * off if bound else 0.0)
         )
-        merit -= self.ground.trespass(piece, origin)
+        if self.ground.patches:
+            merit -= self.ground.trespass(piece, origin)
         return merit + self.style.noise * self.rng.random()
 
     def _candidates(self, piece: Piece, wanted: list[Rule]) -> dict[Origin, float]:
@@ -274,8 +278,9 @@ class Search:
             found |= {
                 (x, y): self.style.worth for x in self._steps(piece, 0, x0, x1) for y in self._steps(piece, 1, y0, y1)
             }
+        draw = self.rng.random
         for _ in range(ANCHORED_TRIES if wanted else FREE_TRIES):
-            found.setdefault((round(self.rng.uniform(x0, x1), 4), round(self.rng.uniform(y0, y1), 4)), 0.0)
+            found.setdefault((round(x0 + (x1 - x0) * draw(), 4), round(y0 + (y1 - y0) * draw(), 4)), 0.0)
         return found
 
     def _steps(self, piece: Piece, axis: int, low: float, high: float) -> list[float]:

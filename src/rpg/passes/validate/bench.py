@@ -9,6 +9,7 @@ from typing import Protocol
 
 from rpg.blocks.state import BlockState, World
 from rpg.env import BlockTask
+from rpg.env.task import run_in_place_of
 from rpg.ir.artifact import GateReport, Program
 from rpg.passes.validate.load import load
 
@@ -62,8 +63,10 @@ class Bench:
 
     @cached_property
     def goal(self) -> BlockTask:
-        """One instance of the goal-state task."""
-        return self.classes[1]()
+        """One instance of the goal-state task. It simulates where the task did: no gate uses both, and each resets."""
+        made = self.classes[1]()
+        run_in_place_of(self.task, made)
+        return made
 
     @cached_property
     def world(self) -> World:

@@ -6,7 +6,7 @@ import ast
 
 NODES: tuple[type[ast.AST], ...] = (
     ast.Module, ast.Expr, ast.ImportFrom, ast.alias, ast.ClassDef, ast.FunctionDef, ast.arguments, ast.arg, ast.Return,
-    ast.Assign, ast.AnnAssign, ast.AugAssign, ast.For, ast.If, ast.IfExp, ast.Pass, ast.Name, ast.Load, ast.Store,
+    ast.Assign, ast.AnnAssign, ast.AugAssign, ast.For, ast.If, ast.IfExp, ast.Pass, ast.Name,
     ast.Attribute, ast.Constant, ast.Call, ast.keyword, ast.List, ast.Tuple, ast.Dict, ast.Subscript,
     ast.Slice, ast.Starred, ast.ListComp, ast.GeneratorExp, ast.comprehension, ast.BinOp, ast.UnaryOp, ast.BoolOp,
     ast.Compare, ast.operator, ast.unaryop, ast.boolop, ast.cmpop,
@@ -30,11 +30,13 @@ DEEPEST = 60
 
 
 def walk(tree: ast.AST) -> list[ast.AST]:
-    """All nodes of a tree, parents before children."""
+    """All nodes of a tree, parents before children; whether a name is read or written is no node of its own."""
     found: list[ast.AST] = [tree]
     for node in found:
         for field in node._fields:
             value = getattr(node, field, None)
+            if value.__class__ is str or field == "ctx":
+                continue
             if isinstance(value, list):
                 found += [item for item in value if isinstance(item, ast.AST)]
             elif isinstance(value, ast.AST):

@@ -44,6 +44,8 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if link == "or":
             towers.after(scene, start=False, denied=True)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+        if clause.mode == "given" and "before" in (link, after):
+            raise refuse("ambiguous", "it is not said what is before what", clause.span, "say where they should be")
         if after == "or" and len(goals) > 1:
             goals = [conj(goals, clause.span)]
         if link == "and" and _restacked(stages[-1], goals, scene):
@@ -153,6 +155,8 @@ def timed(chain: Chain) -> bool:
 
 def untimed(chain: Chain) -> Chain:
     """The clauses in the order of their times, joined by "then"."""
+    if "or" in chain.links or "after" in chain.links:
+        raise refuse("ambiguous", "it is not clear what comes first here", chain.span, "say it in several sentences")
     times: list[float] = []
     for clause in chain.clauses:
         said = time_of(clause)

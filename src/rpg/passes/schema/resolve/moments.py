@@ -15,6 +15,9 @@ def in_time(links: list[str], chains: tuple[Chain, ...], spans: Span) -> tuple[l
     said = [time_of(chain.clauses[0]) if len(chain.clauses) == 1 else None for chain in chains]
     if all(when is None for when in said):
         return links, tuple(range(len(chains)))
+    if "before" in links:
+        raise refuse("ambiguous", "one sentence says that it comes before another, one that it is first or last",
+                     chains[links.index("before")].span, "say all in the order in which it is done")  # fmt: skip
     if len(chains) == 1 and (said[0] or 0.0) > 1.0:
         raise refuse(
             "misplaced", "this speaks of an order in time, but nothing else is to be done", spans, "leave the word out"

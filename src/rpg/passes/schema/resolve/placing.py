@@ -53,6 +53,9 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
         or spec.manner("extra") is None
     ):
         return False
+    if clause.negated:
+        raise refuse("misplaced", "it is said what these blocks are not, but not where they should be", clause.span,
+                     "say where they should be")  # fmt: skip
     marked = as_extra(clause.theme)
     refer(marked, scene, Scope())
     scene.mentions.pop()

@@ -122,6 +122,9 @@ def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     scene.spare.update(out.names)
     whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
     del scene.mentions[-len(meaning.items) :]
+    if scope.role == "landmark" and not {n for part in whole for n in part.names} & set(out.names):
+        raise refuse("ambiguous", "this is an exception to something said before it", meaning.items[-1].span,
+                     "say 'all blocks except ...', or say this part in a sentence of its own")  # fmt: skip
     names = tuple(dict.fromkeys(n for part in whole for n in part.names if n not in out.names))
     if not names and _everything(meaning.items[0]) and not out.patch:
         scene.new_batch()

@@ -123,7 +123,7 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
     if theme is not None:
         theme = replace(theme, names=scene.fit(theme.names, len(text)))
     begun = {n for goal in scene.start_goals for n in names_in(goal)}
-    there = [t for t in scene.blocks() if t.declared or t.name in begun]
+    there = [t for t in scene.blocks() if (t.declared or t.name in begun) and not t.extra]
     pool = [scene.things[n] for n in theme.names] if theme is not None else there
     names: list[str] = []
     for symbol in text:

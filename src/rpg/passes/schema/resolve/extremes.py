@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from rpg.ir.order import Order
-from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import Absolute, At, Noun, OrderBy
+from rpg.passes.schema.resolve.agreeing import OPPOSITE, forget_side, key
 from rpg.passes.schema.resolve.positions import SIDES, Placed
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.world import Scene, Thing, refuse
-
-_OPPOSITE = {"left": "right", "front": "back", "bottom": "top"}
-_OPPOSITE |= {two: one for one, two in _OPPOSITE.items()}
+from rpg.passes.schema.resolve.world import Scene, refuse
 
 
 def sorted_from(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> list[OrderBy]:
@@ -46,29 +43,40 @@ def _order(item: Absolute, names: tuple[str, ...], kind: str, scene: Scene) -> O
 
 def _agree(one: OrderBy, two: OrderBy) -> bool:
     """Whether the same order is said from both ends."""
-    return one.by == two.by and one.descending != two.descending and two.first == _OPPOSITE.get(one.first or "")
+    return one.by == two.by and one.descending != two.descending and two.first == OPPOSITE.get(one.first or "")
 
 
-def directed(order: Order, placed: Placed, names: tuple[str, ...], kind: str, scene: Scene) -> Order | None:
+def directed(
+    order: Order, placed: Placed, names: tuple[str, ...], kind: str, scene: Scene, first: str | None, starts: bool
+) -> Order | None:
     """ "in numeric order with 1 at the bottom": a place that fits the order one way round says which end is first.
 
-    What descends along a line is read from its usual side.
+    What descends along a line is read from its usual side. `first`: the side where it begins, where that was said.
+    `starts`: the place is the beginning, from which a rainbow runs either way.
     """
-    if order.by == "mirrored" and _in_the_middle(order, placed, names, scene):
+    if first is None and order.by == "mirrored" and _in_the_middle(order, placed, names, scene):
         return order
-    ranked = [(_key(order, scene.things[n]), n) for n in names]
-    keys = [key for key, _ in ranked if key is not None]
+    listed = [n for rank in order.ranks for n in rank] if order.by == "given" else []
+    ranked = [(k, n) for k, n in enumerate(listed)] if listed else [(key(order, scene.things[n]), n) for n in names]
+    first = order.first if listed else first
+    keys = [one for one, _ in ranked if one is not None]
     if len(keys) < len(names) or len(set(keys)) < len(keys):
         return None
     row = [n for _, n in sorted(ranked, key=lambda pair: (pair[0] is None, pair[0]), reverse=order.descending)]
     free = scene.free_runs.pop(placed.ranks, ())
     side = placed.first or SIDES[kind][0]
-    ways = [(side, row), (_OPPOSITE[side], row[::-1])]
-    for first, way in ways[:1] if order.descending and kind != "stack" else ways:
+    if first is not None:
+        ahead = row if first == side else row[::-1]
+        turned = [(ahead[::-1], True)] if starts and order.by == "rainbow" and not order.descending else []
+        for way, descending in [(ahead, order.descending), *turned]:
+            if _fits(way, placed, free):
+                return order.model_copy(update={"first": first, "descending": descending})
+        return None
+    ways = [(side, row), (OPPOSITE[side], row[::-1])]
+    for begin, way in ways[:1] if order.descending and kind != "stack" else ways:
         if _fits(way, placed, free):
-            for note in [note for note in scene.assumptions if note.startswith("the order is read from")]:
-                del scene.assumptions[note]
-            return order.model_copy(update={"first": first})
+            forget_side(scene)
+            return order.model_copy(update={"first": begin})
     return None
 
 
@@ -80,13 +88,6 @@ def _in_the_middle(order: Order, placed: Placed, names: tuple[str, ...], scene: 
     odd = [color for color in dict.fromkeys(colors) if colors.count(color) % 2]
     outside = [len(placed.ranks[n]) for n in scene.free_runs.get(placed.ranks, ())]
     return outside == [len(names) // 2] * 2 and odd == [scene.things[placed.ranks[1][0]].color]
-
-
-def _key(order: Order, thing: Thing) -> float | str | None:
-    """What an order compares."""
-    if order.by == "rainbow":
-        return RAINBOW.index(thing.color) if thing.color in RAINBOW else None
-    return thing.label if order.by in ("number", "label") else None
 
 
 def _fits(row: list[str], placed: Placed, free: tuple[int, ...]) -> bool:

@@ -9,7 +9,9 @@ from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import Coord, Meaning, Noun, OrderBy
+from rpg.passes.schema.resolve.agreeing import OPPOSITE, agreed
 from rpg.passes.schema.resolve.extremes import directed, sorted_from
+from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.positions import SIDES, Placed, positions
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -43,7 +45,11 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         if found.by not in ("any", merged.by) and order.by not in ("in_order", "reverse", "either", "any"):
             if scene.lenient:
                 continue
-            raise refuse("order-conflict", "two orders are given for the same blocks", order.span, "keep one of them")
+            both = agreed(found, merged, first is not None, scene)
+            if both is None:
+                hint = "keep one of them"
+                raise refuse("order-conflict", "two orders are given for the same blocks", order.span, hint)
+            merged = both
         found = merged
     reverse = any(o.by == "reverse" for o in spec.orders)
     if reverse:
@@ -61,10 +67,11 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         spec.orders = [o for o in spec.orders if o.by != "mirrored"]
     if found.by == "any" and not spec.orders and spec.listed and (first or _doubled(names, scene)):
         found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
+    starts = all(place.side == "first" for item in spec.absolutes if (place := place_of(item)) is not None)
     placed = positions(spec, names, kind, scene)
     if placed is not None and found.by == "alternating":
         return _begun(found, placed, names, kind, scene, span)
-    if placed is not None and first is None and (way := directed(found, placed, names, kind, scene)) is not None:
+    if placed is not None and (way := directed(found, placed, names, kind, scene, first, starts)) is not None:
         return way
     if placed is not None and not (scene.lenient and found.by != "any"):
         if found.by != "any":
@@ -111,10 +118,7 @@ def _doubled(names: tuple[str, ...], scene: Scene) -> bool:
 
 
 def _read_from(begin: str, scene: Scene) -> None:
-    scene.assume(f"the order is read from {begin} to {_OPPOSITE[begin]}")
-
-
-_OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "bottom": "top", "top": "bottom"}
+    scene.assume(f"the order is read from {begin} to {OPPOSITE[begin]}")
 
 
 def _default_side(kind: str) -> str:
@@ -132,7 +136,7 @@ def _merge(
             return _given(order, names, kind, scene, scope, first)
         case "given":
             begin = first or _default_side(kind)
-            scene.assume(f"in the order in which the blocks are named, from {begin} to {_OPPOSITE.get(begin, 'last')}")
+            scene.assume(f"in the order in which the blocks are named, from {begin} to {OPPOSITE.get(begin, 'last')}")
             return Order(by="given", ranks=tuple((n,) for n in names), first=first or _default_side(kind))  # type: ignore[arg-type]
         case "in_order":
             return _in_order(found, things, names, kind, scene, order, first)

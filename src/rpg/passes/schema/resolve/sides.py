@@ -11,6 +11,7 @@ from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning
+from rpg.passes.schema.resolve.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import UPRIGHT
 from rpg.passes.schema.resolve.positions import SIDES, alternatives, places_of, ranks_from
@@ -49,6 +50,9 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     names = [n for ref, _, _ in loose for n in ref.names]
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks)):
         return _refine(goal, node, loose, scene)
+    for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
+        _check_word(word, loose, scene)
+        return goal
     sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
     open_ = next((b for b in scene.built if all(_open(scene, name) for name in b.members)), None)
     if open_ is not None:
@@ -66,9 +70,47 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
         return _and(goal, _stack(loose, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
         return _and(goal, _across(loose))
+    if (related := _of_the_pair(loose, goal)) is not None:
+        return _and(goal, related)
     for item in loose:
         _of_what(item, goal, scene)
     return _and(goal, conj([_region(item) for item in loose]))
+
+
+def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
+    """ "Red and blue side by side, red on the left": of two blocks close to each other, it is left of the other."""
+    (ref, at_, span), *more = loose
+    node = _TOWARDS.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
+    close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance
+    pairs = [a for a in atoms(goal) if isinstance(a, close)]
+    if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in _all_of(goal):
+        return None
+    if isinstance(pairs[0], r.Distance) and pairs[0].maximum is None:
+        return None
+    pair = (*members(pairs[0].a), *members(pairs[0].b))
+    if len(pair) != 2 or ref.names[0] not in pair:
+        return None
+    other = pair[1 - pair.index(ref.names[0])]
+    sides = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Between)
+    spoken = {n for a in atoms(goal) if isinstance(a, sides) for n in _named(a)}
+    return None if spoken & set(pair) else node(a=ref.names, b=(other,), span=span)
+
+
+def _all_of(goal: g.Goal) -> list[g.Goal]:
+    """What holds whatever else does, at the end or all the time."""
+    parts = goal.goals if isinstance(goal, g.All) else (goal,)
+    return [part.goal if isinstance(part, g.Always) else part for part in parts]
+
+
+def _check_word(word: s.Spells, loose: list[Loose], scene: Scene) -> None:
+    """ "spell TOP down a tower, so that T is on top": what is said of a letter's place has to be so already."""
+    kind = "stack" if word.along == "stack" else "row"
+    text = word.word[::-1] if word.reverse != (kind == "stack") else word.word
+    for ref, at_, span in loose:
+        labels = [scene.things[n].label for n in ref.names]
+        found = places_of(at_, len(text), len(ref.names), SIDES[kind], kind) if isinstance(at_, At) else []
+        if not found or sorted(text[k] for k in found) != sorted(x or "" for x in labels):
+            raise refuse("contradiction", f"this letter has another place in {word.word}", span, "leave it out")
 
 
 def _open(scene: Scene, name: str) -> bool:
@@ -77,7 +119,6 @@ def _open(scene: Scene, name: str) -> bool:
     return thing.color is None and thing.label is None
 
 
-_OPPOSITE = {"left": "right", "right": "left", "front": "back", "back": "front", "top": "bottom", "bottom": "top"}
 _TOWARDS: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
     "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "back": r.Behind,
 }  # fmt: skip
@@ -86,7 +127,7 @@ _TOWARDS: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
 def _one_after_another(loose: list[Loose], sides: list[str], scene: Scene) -> g.Goal:
     """ "A leftmost, then B, C rightmost": from one side to the other, one block after another."""
     first, others, span = sides[0], sides[1:], (loose[0][2][0], loose[-1][2][1])
-    last = _OPPOSITE.get(first)
+    last = OPPOSITE.get(first)
     follow = last is not None and set(others) <= {"next", last} and last not in others[:-1]
     if not follow or any(len(ref.names) != 1 for ref, _, _ in loose):
         raise refuse("ambiguous", "it is not clear in which order these are", span, "list them from side to side")
@@ -148,7 +189,11 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
 
 def _about(atom: g.Goal, ref: Ref) -> bool:
     """Whether a relation is one of the blocks spoken of."""
-    return bool(set(ref.names) & {n for part in ("a", "b", "c") for n in members(getattr(atom, part, ()))})
+    return bool(set(ref.names) & _named(atom))
+
+
+def _named(atom: g.Goal) -> set[str]:
+    return {n for part in ("a", "b", "c") for n in members(getattr(atom, part, ()))}
 
 
 def _and(goal: g.Goal, more: g.Goal) -> g.Goal:
@@ -163,8 +208,6 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
     kind = "stack" if isinstance(node, s.Stack) else "column" if node.axis == "x" else "row"
     if node.order.by != "any" and scene.lenient:
         return goal
-    if node.order.by != "any":
-        raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], "keep one of them")
     total = len(node.blocks)
     sides = SIDES[kind]
     places: dict[int, str] = {}
@@ -180,6 +223,12 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
                     "contradiction", "two blocks are given the same place", span, "give each a place of its own"
                 )
             places[index] = name
+    if node.order.by != "any":
+        settled = in_place(node.order, places, node.blocks, (sides[0], sides[1]), scene)
+        if settled is None:
+            hint = "keep one of them"
+            raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], hint)
+        return transform(goal, lambda x: node.model_copy(update={"order": settled}) if x == node else x)
     ranks = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
@@ -202,6 +251,7 @@ def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
     level = {"bottom": 0, "middle": 1, "top": 2}
     if any(sum(getattr(at_, "side", "") == side for _, at_, _ in loose) > 1 for side in ("bottom", "top")):
         raise refuse("contradiction", "two blocks are given the same place", loose[-1][2], "name another place")
+    _has_middle(loose, "top", "bottom")
     ranked = sorted(loose, key=lambda item: level[item[1].side if isinstance(item[1], At) else "middle"])
     ranks = tuple(ref.names for ref, _, _ in ranked)
     blocks = tuple(n for rank in ranks for n in rank)
@@ -211,6 +261,15 @@ def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
     node = s.Stack(blocks=blocks, order=Order(by="given", ranks=ranks, first="bottom"), span=span)
     stack_built(node, scene)
     return node
+
+
+def _has_middle(loose: list[Loose], *ends: str) -> None:
+    """Refuse the middle of what is said to have one end at most: "big red in the middle with small blue on top"."""
+    sides = {at_.side for _, at_, _ in loose if isinstance(at_, At)}
+    middle = next((at_ for _, at_, _ in loose if isinstance(at_, At) and at_.side == "middle"), None)
+    if middle is not None and not sides.issuperset(ends):
+        raise refuse("ambiguous", "this could be the middle of the table or of what is built", middle.span,
+                     "say 'of the table', or name what is on both sides of it")  # fmt: skip
 
 
 def _in_row(loose: list[Loose], scene: Scene) -> g.Goal:
@@ -227,16 +286,22 @@ def _in_row(loose: list[Loose], scene: Scene) -> g.Goal:
 
 def _across(loose: list[Loose]) -> g.Goal:
     """ "A on the left and B on the right": each left of the next."""
+    _has_middle(loose, *(("front", "back") if _deep(loose) else ("left", "right")))
     rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
     ranked = sorted(loose, key=lambda item: rank[item[1].side if isinstance(item[1], At) else "middle"])
     sides = {item[1].side for item in loose if isinstance(item[1], At)}
-    node: type[r.LeftOf | r.InFrontOf] = r.InFrontOf if sides & {"front", "back"} else r.LeftOf
+    node: type[r.LeftOf | r.InFrontOf] = r.InFrontOf if _deep(loose) else r.LeftOf
     if len(sides) < len(loose):
         raise refuse("ambiguous", "several blocks are said to be on the same side", loose[-1][2], "say of what")
     goals: list[g.Goal] = []
     for (a, _, span), (b, _, _) in itertools.pairwise(ranked):
         goals.append(node(a=a.names, b=b.names, span=span))
     return conj(goals)
+
+
+def _deep(loose: list[Loose]) -> bool:
+    """Whether the sides are those in front and behind."""
+    return any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)
 
 
 def _region(item: Loose) -> g.Goal:

@@ -8,6 +8,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
 from rpg.language.grammar.asides import SOFT
 from rpg.language.grammar.chains import chain
+from rpg.language.grammar.chatter import idle
 from rpg.language.grammar.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
 from rpg.language.meaning import Chain, cost_of
@@ -92,7 +93,8 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    read = [found for part in split(tokens) for found in _read(part)]
+    parts = split(tokens)
+    read = [found for part in [part for part in parts if not idle(part)] or parts for found in _read(part)]
     sentences = [sentence for _, sentence in read]
     for n in range(1, len(read)):
         if sentences[n].link == "and" and sentences[n - 1].link == "and" and Parser(read[n - 1][0]).any_of(0, _FIRST):

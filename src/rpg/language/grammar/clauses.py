@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.chatter import CHATTER
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG
@@ -18,7 +19,7 @@ from rpg.language.grammar.piled import piled
 from rpg.language.grammar.states import state
 from rpg.language.grammar.terse import about, said_of, terse
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
-from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, STATE_WISHES
+from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, STATE_WISHES, TAGS
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -191,9 +192,12 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
             (COMMAND_WISHES, "command"),
             (STATE_WISHES, "state"),
             (DENIALS, "denied"),
+            (CHATTER, mode),
         ):
             for j in table.matches(p, start):
-                if p.words[j - 1] == "next" and p.words[j] == "to":
+                if p.words[j] == "to" and p.words[j - 1] in ("next", "addition"):
+                    continue
+                if table is CHATTER and not (j := p.one(j, _CLOSING)):
                     continue
                 if start > 0 and p.tokens[start].kind == "number" and p.words[start - 1] != ";":
                     continue
@@ -203,6 +207,10 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
                     seen.add(j)
                     found.append((j, mode if mode in ("start", "denied") else kind))
     return found
+
+
+_CLOSING = frozenset({",", ":"})
+"""What sets chatter off from an instruction in the same sentence."""
 
 
 def nothing_at_all(found: Clause) -> Clause:
@@ -359,7 +367,7 @@ def tail(p: Parser, i: int) -> int:
     """The position after closing words that carry nothing ("please", "thanks")."""
     while True:
         j = p.opt(i, ",")
-        k = max((m for m in TAG.matches(p, j)), default=0)
+        k = max((m for tags in (TAG, TAGS) for m in tags.matches(p, j)), default=0)
         if not k:
             return i
         i = k

@@ -7,13 +7,20 @@ may be left out. What a pattern matches carries nothing of the instruction.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
-from rpg.language.grammar.core import Parser
+from rpg.language.grammar.core import Parser, tree_of
 from rpg.language.grammar.frames import Phrases
 
-_WHO = (
-    "i|we|you|the_customer|our_customer|my_customer|the_client|our_client|my_boss|the_boss|the_user|my_teacher|"
-    "the_teacher|my_friend|my_daughter|my_son"
+PEOPLE = (
+    "customer|customers|client|clients|boss|user|users|teacher|friend|friends|daughter|son|student|students|pupil|"
+    "pupils|class|kid|kids|child|children|little_ones|little_one|team|colleague|colleagues|mother|father|mom|dad|wife|"
+    "husband|grandmother|grandfather|grandma|grandpa|niece|nephew|brother|sister|sponsor|reviewer|reviewers|professor|"
+    "audience|visitors|guests|public|viewers|family"
+)
+"""Whom an instruction may be for."""
+_WHO = "|".join(
+    ["i|we|you", *(f"{whose}_{who}" for whose in ("my", "our", "the", "your") for who in PEOPLE.split("|"))]
 )
 _WOULD = "would|will|should|'d|do|may|might|can|could|must|am|are|is|was|were"
 _ALSO = "have_always|always|just|also|simply|now|like|here|still"
@@ -33,16 +40,21 @@ _DO = (
 _PICTURE = "picture|image|photo|photograph|drawing|sketch|figure|scene|view|arrangement|result|layout|setup|state"
 
 
+Slot = tuple[dict[str | None, Any], bool]
+"""What may stand in a place, word by word, and whether the place may be empty."""
+
+
 class Patterns(Phrases):
     """Phrases by their parts."""
 
     def __init__(self, *patterns: str) -> None:
         super().__init__()
-        self.rows: dict[str, list[list[tuple[tuple[tuple[str, ...], ...], bool]]]] = {}
+        self.rows: dict[str, list[list[Slot]]] = {}
         found: set[str] = set()
         for pattern in patterns:
-            row = [_slot(part) for part in pattern.split(" ")]
-            found.update(word for phrases, _ in row for phrase in phrases for word in phrase)
+            slots = [(_phrases(part), part.endswith("?")) for part in pattern.split(" ")]
+            found.update(word for phrases, _ in slots for phrase in phrases for word in phrase.split(" "))
+            row = [(tree_of(phrases), optional) for phrases, optional in slots]
             for first in _firsts(row):
                 self.rows.setdefault(first, []).append(row)
         self.words = frozenset(found)
@@ -51,42 +63,77 @@ class Patterns(Phrases):
         """Positions after the patterns that stand at i."""
         for row in self.rows.get(p.words[i] if i < p.end else "", ()):
             ends = {i}
-            for phrases, optional in row:
-                after = {j for at in ends for phrase in phrases if (j := _stands(p, at, phrase))}
+            for tree, optional in row:
+                after = {j for at in ends for j in _standing(p, at, tree)}
                 ends = after | ends if optional else after
             for j in sorted(ends - {i}):
                 yield p.reach(j)
 
 
-def _slot(part: str) -> tuple[tuple[tuple[str, ...], ...], bool]:
-    phrases = tuple(tuple(phrase.split("_")) for phrase in part.rstrip("?").split("|"))
-    return phrases, part.endswith("?")
+def _phrases(part: str) -> tuple[str, ...]:
+    return tuple(phrase.replace("_", " ") for phrase in part.rstrip("?").split("|"))
 
 
-def _firsts(row: list[tuple[tuple[tuple[str, ...], ...], bool]]) -> set[str]:
+def _firsts(row: list[Slot]) -> set[str]:
     firsts: set[str] = set()
-    for phrases, optional in row:
-        firsts |= {phrase[0] for phrase in phrases}
+    for tree, optional in row:
+        firsts |= {word for word in tree if word is not None}
         if not optional:
             break
     return firsts
 
 
-def _stands(p: Parser, at: int, phrase: tuple[str, ...]) -> int:
-    """The position after a phrase that stands at `at`, or 0."""
-    for word in phrase:
-        if at >= p.end or p.words[at] != word:
-            return 0
+def _standing(p: Parser, at: int, tree: dict[str | None, Any]) -> Iterator[int]:
+    """The positions after the phrases of a slot that stand at `at`."""
+    while at < p.end and (branch := tree.get(p.words[at])) is not None:
         at += 1
-    return at
+        if None in branch:
+            yield at
+        tree = branch
+
+
+FINE = (
+    "great|nice|good|lovely|wonderful|perfect|cool|awesome|amazing|fantastic|super|brilliant|kind|helpful|appreciated|"
+    "very_kind|much_appreciated|the_best|fine|fun|enough"
+)
+"""What is said of good work."""
+_EVENTS = (
+    "demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|photo|picture|figure|paper|lesson|"
+    "class|course|lecture|school|homework|exam|project|birthday|party|story|story_time|workshop|practice|training|task|"
+    "session|fun|photograph|poster|slide|slides|thesis|report|website"
+)
+"""What an instruction may be given for."""
+_PREFACES = (
+    "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
+    "engineer ,?",
+    "as|for a|an|your warm_up|warmup|favor|little_favor|test|challenge|quick_test|small_favor|treat|change ,|:?",
+    "to warm_up ,|:",
+    "just? for fun|practice|training|demonstration|the_record|now|today ,|:?",
+    f"for|in the|this|our|my|your|today_'s|tomorrow_'s|a? little|math|spelling|robotics? {_EVENTS} ,|:?",
+    f"for my|our|the|your|these|some? little|younger|older|dear? {PEOPLE}|customer_'s|daughter_'s|son_'s|"
+    "class_'s birthday|party|lesson|room|class? ,|:?",
+    "in_addition|moreover|furthermore|what_is_more ,?",
+    "besides ,",
+    "so|okay|ok|right|well? ,? the thing|point|deal|idea|question|problem is ,|:|that?",
+    "this|that|here|it is|shows exactly? what|how|the_way i|we|you "
+    "want|need|imagine|picture|see|would_like|expect|wish|have_in_mind|had_in_mind|should_do|should_build|should_see|"
+    "must_do|have_to_do|are_to_do it|things|everything? to_look|to_be|for|done? :|,?",
+    "this|that|here|it is what to_do|to_build|has_to_be_done|should_be_done|needs_to_be_done|must_be_done :|,?",
+    "this|that|here is|are|comes|goes|follows the|my|our|your next|whole|full|first|final? "
+    "task|goal|job|plan|idea|wish|instruction|instructions|picture|result|layout|arrangement|aim|setup|request|order|"
+    "requirement|challenge|mission|assignment|puzzle :|,",
+    "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
+    "easy|simple|quick|hard|tricky one|task|job|question|request|thing|exercise|puzzle|challenge :",
+    "do|would_you_do me|us a|one|this small|little|big? favor ,|:|and please?",
+    "be a friend|good_robot|good_sport|hero|sport? and",
+    f"it would|will be {FINE}|ideal if you|we|the_robot could|would|can?",
+    "mind",
+)
+"""What stands before commands and states alike: whom or what it is for, that there is more of it."""
 
 
 COMMAND_WISHES = Patterns(
-    "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
-    "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
-    "engineer ,?",
-    "for|in the|this|our|my|today_'s demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|"
-    "photo|picture|figure|paper ,?",
+    *_PREFACES,
     f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? {_DO} {_ALSO}?",
     "would|will|could|can you be? so|that|as? kind|nice|good|friendly and|as? to?",
     "be so kind|nice|good and|as to?",
@@ -109,6 +156,7 @@ COMMAND_WISHES = Patterns(
     "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
     "hello|hi|hey|hiya|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
     "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again ,|:?",
+    "helper|assistant|machine|computer|builder|friend|friends|arm ,|:",
     "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls ,|: let_us|please?",
     "to",
     "the|your|our|my next|main|first|whole|only|actual|new? task|job|goal|mission|exercise|challenge|puzzle|"
@@ -117,7 +165,7 @@ COMMAND_WISHES = Patterns(
     "will_be to|:? :?",
 )
 DENIALS = Patterns(
-    f"{_WHO} do|would|should|must|can|may|will not|never ever? want|like|see|wish|expect|have to_see|to_have|"
+    f"{_WHO} do|does|would|should|must|can|may|will not|never ever? want|like|see|wish|expect|have to_see|to_have|"
     f"that|it_that?",
     f"{_WHO} never want|wish|like|expect to_see|to_have?",
     "it should|must|may|can|shall|is not|never be? seen|shown|true|allowed|permitted|the_case|okay|acceptable|"
@@ -127,19 +175,27 @@ DENIALS = Patterns(
 )
 """What is said after these must not be."""
 _RESULT = "result|outcome|state|scene|configuration|arrangement|layout|picture|setup|situation"
+_QUEST = (
+    "task|job|goal|episode|mission|game|puzzle|exercise|level|challenge|run|attempt|trial|test|work|objective|aim|"
+    "problem|assignment|round|demo|experiment"
+)
+_DONE = (
+    "done|complete|completed|finished|over|successful|successfully|fulfilled|solved|reached|achieved|met|accomplished|"
+    "won|won_the_game|passed|a_success|attained|obtained|succeeded|ready|satisfied|given|through|in_success"
+)
+_WHEN = (
+    "when|if|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|as_long_as|"
+    "provided|provided_that|when_and_only_when|by_having"
+)
 STATE_WISHES = Patterns(
     "the|my picture|image|scene|arrangement|idea i|we have|imagine in_mind? :|is :?",
-    "acceptance|success|completion|goal|pass|test|definition_of? criteria|criterion|condition|conditions|requirement|"
-    "requirements|done|user_story|specification|spec|deliverable|deliverables :|is|are that?",
-    "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
-    "engineer ,?",
-    "for|in the|this|our|my|today_'s demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|"
-    "photo|picture|figure|paper ,?",
+    "the|our|my? acceptance|success|completion|goal|pass|test|definition_of? "
+    "criteria|criterion|condition|conditions|requirement|requirements|done|user_story|specification|spec|deliverable|"
+    "deliverables :|is|are that?",
     f"the|our|my final|finished|end|desired|expected|target|goal? deliverable|product|end_product|{_RESULT} "
     "should|must|shall|will|has_to? be|consist_of|consists_of|contain|contains|include|includes|comprise|comprises|is|"
     "feature|features|have|has that|:?",
     f"{_WHO} should|must|shall|will|have_to|need_to show|see|demonstrate|deliver|present|have|get",
-    "solve the|this puzzle|task|problem|exercise :|,",
     f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? for|forward_to? {_SEE}?",
     f"{_WHO} {_WOULD} {_ALSO}? after",
     f"what|all {_WHO} {_WOULD}? {_ALSO}? {_WANT}|after|asking|going|looking|aiming after|for|of? to_see|to_have|"
@@ -149,7 +205,7 @@ STATE_WISHES = Patterns(
     "the|my|our|this picture|scene|result|layout|arrangement i|we want|need|have_in_mind|imagine|picture|see is|:|: :?",
     "we|you|one|i should|must|can|could|will|would|shall? see|observe|notice that?",
     "it can|should|must|could|shall be seen|shown that?",
-    "let me|us see|have|get|admire|find",
+    f"let me|us|{_WHO} see|have|get|admire|find",
     "is it possible|okay|true|allowed|fine that",
     "could|can|would|may|might it be that",
     "is there a way that",
@@ -159,13 +215,48 @@ STATE_WISHES = Patterns(
     "create|fix "
     "the|a|this|our scene|table|workspace|setup|picture|world|things|desk up? such_that|so|so_that|until|"
     "in_such_a_way_that",
-    "it would be nice|great|good|lovely|wonderful|perfect|best|ideal if|that|to_see|to_have",
+    f"it|this|that would|will be really|so|very|just? {FINE}|best|ideal if|that|to_see|to_have|to_get",
     "the|our|my end|final|desired|target|goal|finished|expected|wanted "
     "result|picture|image|state|scene|outcome|arrangement|layout|configuration|setup|situation "
     "i_want|we_want|we_need|i_need? is|should_be|must_be|shows|should_show|has|should_have|would_be|: "
     "this|as_follows|like_this|that|when|where|one_where|one_in_which? :?",
     "a|one picture|scene|situation|state|layout|arrangement where|in_which|such_that|that_shows|showing",
     "end|final|desired|target|goal|wanted|finished state|result|picture|layout|scene|arrangement|configuration? :",
-    "the|our task|job|goal is done|complete|finished|over|successful|fulfilled|solved|reached|achieved when|if|once",
-    "it|this is|will_be|counts_as done|right|correct|finished|solved|complete when|if|once",
+    f"the|our|this|my|your {_QUEST} is|will_be|has_been|gets|becomes|counts_as|ends {_DONE} {_WHEN}",
+    f"it|this|that is|will_be|counts_as|counts {_DONE}|right|correct|as_done|as_solved|as_success|as_a_success {_WHEN}",
+    f"the|our|this|an|your? {_QUEST}|robot|agent|you|we|i|it succeeds|succeed|wins|win|ends|end|won {_WHEN}",
+    f"you|we|i|the_robot are|is|have|will_be|will_have|'ve {_DONE} {_WHEN}",
+    f"success is|will_be|gets {_DONE} {_WHEN}",
+    f"success {_WHEN}",
+    "success requires|demands|means|is|condition|criterion is|:? that|:?",
+    "success|completion|passing|winning requires|demands that?",
+    f"the|our|my|a? final|finished|end|desired|expected|target|goal|whole? {_RESULT}|thing|table|it|everything "
+    "should|must|shall|will|has_to|have_to|ought_to|needs_to|is_to look|appear|be|end_up|come_out "
+    "like_this|as_follows|like_so|this_way :|,?",
+    f"the|our|my|a? final|finished|end|desired|expected|target|goal|whole? {_RESULT}|thing|table|everything "
+    "should|must|shall|will|has_to|have_to|ought_to|needs_to|is_to look like|so|this :?",
+    "here goes|we_go|it_is|you_go|it_comes :|,",
+    "the way i|we|you imagine|picture|see|want|envision it|this|things|that ,|:?",
+    "in my|our mind|head|imagination|dream|dreams|thoughts|opinion|plan ,? i|we|there? "
+    "see|picture|imagine|is|want|have? ,|:?",
+    "the|this|an|my picture|image|scene|arrangement|idea|plan|vision|thing|view|pattern|layout that? i|we? "
+    "have|had|is|of? in my|our mind|head|imagination|thoughts is|shows|has|looks_like|looks_like_this|:? :|,?",
+    "what i|we picture|envision|envisage|am_after|are_after|am_thinking_of|had_in_mind|dream_of is|:|,? :?",
+    "when|once|after|as_soon_as everything|all|it|the_task|the_job|the_work|you|we|the_robot "
+    "is|are|has_been|have|have_been|has all? done|finished|completed|complete|ready|over ,",
+    "my|our|the|your request|wish|task|goal|job|idea|instruction|aim is quite|very? "
+    "simple|easy|clear|this|the_following|as_follows :",
 )
+
+TAGS = Patterns(
+    f"that|which|it|this would|will|'d be so|really|very|just? {FINE}",
+    "when|if|whenever you have|find|get|'ve_got? a|the|some? time|moment|minute|chance",
+    "so|so_that i|we can|could|may take|get|make|shoot a|some|my|the? nice|good? picture|pictures|photo|photos|video|"
+    "photograph of_it|of_them|of_this|of_that|afterwards?",
+    f"for my|our|the|your little? {PEOPLE}|{_EVENTS}",
+    "real|really|very quick|quickly",
+    f"is|that_is|that_'s|would_be what|all {_WHO} want|wants|need|needs|have_in_mind|would_like|'d_like|am_after|"
+    "am_looking_for|imagine",
+    "if you do not mind|if_it_is_not_too_much_trouble|please",
+)
+"""What an instruction may end with."""

@@ -7,6 +7,7 @@ from typing import Protocol
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.grammar.asides import without_asides
+from rpg.language.grammar.chatter import untitled
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
@@ -55,7 +56,7 @@ class BuiltinFrontEnd:
         words, notes, wrong = read_words(tokens)
         if wrong or strays:
             return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
-        found = build(without_asides(words), text, notes, name=name, seed=seed, author=author)
+        found = build(untitled(without_asides(words)), text, notes, name=name, seed=seed, author=author)
         return found.task, found.notes
 
     def _again(self, text: str, name: str | None, seed: int, author: str | None) -> TaskSchema | None:

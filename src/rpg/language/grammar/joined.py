@@ -35,7 +35,7 @@ def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
         yield Coord(op="besides", items=(whole, out), span=p.span(i, end)), end
 
 
-def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
+def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
     """ "four blocks, red, blue, red, blue": a list of just as many."""
     from rpg.language.grammar.nouns import simple
 
@@ -44,6 +44,11 @@ def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Meaning]:
         for found, end in more(p, i, (first,), k, None):
             if isinstance(found, Coord) and found.op == "and" and tally(found.items) == count:
                 yield replace(found, cost=0), end
+
+
+def _of_kind(item: Meaning, whole: Noun) -> Meaning:
+    """ "red" of "two mats, red and blue": a mat."""
+    return replace(item, head=whole.head) if isinstance(item, Noun) and item.head == "any" else item
 
 
 def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
@@ -60,7 +65,8 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
                 end,
             )
     if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and whole.traits == Traits():
-        for named, k in _list_of(p, i, j + 1, whole.amount.low):
+        for listed, k in _list_of(p, i, j + 1, whole.amount.low):
+            named = replace(listed, items=tuple(_of_kind(item, whole) for item in listed.items))
             yield named, k
             if p.one(k, ","):
                 yield named, k + 1

@@ -32,6 +32,9 @@ SIGNS = "+*/="
 """Signs of arithmetic; in a list of symbols they are nothing else, but for the minus, which may be a dash."""
 ALWAYS_FOUR = ("corners", "sides", "edges")
 """Of the table and of a square there are four, and nobody has to be told."""
+ONLY = frozenset({"only", "just", "exactly"})
+THERE = frozenset({"are", "is", "have", "has", "get", "got"})
+"""What leads to "only" in a sentence that says what there is."""
 PRONOUNS = "AI"
 OPEN = "NK"
 """Letters for a number that is left open: "N blocks"."""
@@ -75,6 +78,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema) -> Token | None:
             return token
         if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms):
             return token
+        if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
+            return more
         said = _number(token) if index + 1 == len(words) or words[index + 1].word not in ALWAYS_FOUR else None
         if said is not None and said > FEW:
             numbers = set(_numbers(task)) if numbers is None else numbers
@@ -83,6 +88,16 @@ def unfounded(words: Sequence[Token], task: TaskSchema) -> Token | None:
             if not any(abs(said - number) < 0.02 for number in known):
                 return token
     return None
+
+
+def _more_than(words: Sequence[Token], only: int, task: TaskSchema) -> Token | None:
+    """The number in "there are only two blocks", where there are more or fewer."""
+    there, after = words[only - 1 : only], words[only + 1 : only + 4]
+    if len(after) < 2 or not there or there[0].word not in THERE or after[1].word not in lexicon.BLOCK:
+        return None
+    plain = len(after) == 2 or after[2].kind == "punct"
+    said = _number(after[0]) if plain else None
+    return after[0] if said is not None and said != len(task.blocks) else None
 
 
 def _counts(after: Sequence[Token]) -> bool:

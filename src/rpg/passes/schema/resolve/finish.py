@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import PATCH_SIDE, Asset, ColoredCube, Faces, GoalPatch, SemanticCube
 from rpg.ir.goal import Goal
 from rpg.ir.walk import rename
+from rpg.passes.schema.resolve.strangers import no_strangers
 from rpg.passes.schema.resolve.things import EDGES, VOWELS
 from rpg.passes.schema.resolve.world import Scene, Thing, refuse
 
@@ -59,7 +60,7 @@ def _symbols_for(thing: Thing) -> str:
 def choose(scene: Scene) -> None:
     """Give every object the looks that were left open."""
     things = list(scene.things.values())
-    _no_strangers(scene)
+    no_strangers(scene)
     _count_open(things, scene)
     for thing in things:
         if thing.kind and not thing.patch:
@@ -79,32 +80,6 @@ def choose(scene: Scene) -> None:
                     patches=sum(t.patch for t in things),
                 )
             scene.assume(f"the colour of the patch is not said: {thing.color}")
-
-
-_UNCOUNTED = (
-    "the number of blocks is not said",
-    "the size of the pyramid",
-    "the number of steps",
-    "the size of the grid",
-)
-
-
-def _no_strangers(scene: Scene) -> None:
-    """Blocks of which neither look nor number was said are not made up beside blocks that are named."""
-    open_ = [t for t in scene.blocks() if t.color is None and t.label is None and not t.kind and not t.extra]
-    vague = [t for t in open_ if t.elastic is not None]
-    vague += [t for t in scene.blocks() if t.name in scene.vague]
-    if not vague and any(a.startswith(_UNCOUNTED) for a in scene.assumptions):
-        vague = [t for t in open_ if t.batch == open_[-1].batch]
-    named = [t for t in scene.blocks() if t not in vague and not t.extra]
-    if vague and named:
-        raise refuse(
-            "ambiguous",
-            "some blocks are named or counted, but of others neither number nor look is said",
-            None,
-            "name all blocks, or say how many others there are",
-            named=len(named),
-        )
 
 
 def _count_open(things: list[Thing], scene: Scene) -> None:

@@ -78,8 +78,17 @@ def _units(theme: Ref) -> list[Operand]:
     if len(theme.built) > 1 and len({n for b in theme.built for n in b.members}) == len(theme.names):
         return [foot(Ref(names=b.members, built=(b,))) for b in theme.built]
     if len(theme.parts) > 1 and any(len(p.names) > 1 for p in theme.parts):
+        _of_a_kind(theme)
         return [foot(p) for p in theme.parts]
     return [(n,) for n in theme.names]
+
+
+def _of_a_kind(theme: Ref) -> None:
+    """Refuse "a tower of two and the black ones side by side": it could be said of the black ones alone."""
+    loose = any(len(p.names) > 1 and not p.built for p in theme.parts)
+    if loose and any(p.built for p in theme.parts):
+        raise refuse("misplaced", "this could be said of all of these, or of the last ones", theme.span,
+                     "say it in a sentence of its own")  # fmt: skip
 
 
 def _distances(theme: Ref, units: list[Operand], loc: Loc, span: Span) -> Atoms:

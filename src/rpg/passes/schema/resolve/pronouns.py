@@ -235,7 +235,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
             and not noun.traits.colors
         ):
             raise refuse("no-referent", "every block is spoken for already", noun.span, "name the block, or add one")
-        _some_other(noun, count, scene)
+        _some_other(noun, count, scene, patch)
         scene.new_batch()
         made = [create(noun.traits, scene, patch) for _ in range(count or (2 if noun.plural else 1))]
         left = made
@@ -268,15 +268,18 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     return Ref(names=names, patch=patch, plural=len(names) > 1)
 
 
-def _some_other(noun: Noun, count: int | None, scene: Scene) -> None:
+def _some_other(noun: Noun, count: int | None, scene: Scene, patch: bool) -> None:
     """Refuse "the other one" beside several things named, and "the other blocks" of which there is no number."""
     if noun.det != "other" or noun.traits.colors or noun.traits.labels:
         return
     named = {n for m in scene.mentions for n in m.ref.names if not m.ref.patch}
     if noun.plural and count is None and noun.head == "block":
         raise refuse("ambiguous", "it is not said which other blocks there are", noun.span, "name the blocks")
-    if not noun.plural and count is None and len(named) > 1:
-        raise refuse("no-referent", "there is no other block that this could be", noun.span, "name the block")
+    if patch:
+        named = {n for m in scene.mentions for n in m.ref.names if m.ref.patch}
+    if not noun.plural and count in (None, 1) and len(named) > 1:
+        what = "patch" if patch else "block"
+        raise refuse("no-referent", f"there is no other {what} that this could be", noun.span, f"name the {what}")
 
 
 def _partial(mention: Mention, scene: Scene) -> bool:

@@ -1,0 +1,76 @@
+"""Things that were made up beside ones that are named: they may be meant to be the same."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.passes.schema.resolve.world import Scene, Thing, refuse, said
+
+_UNCOUNTED = (
+    "the number of blocks is not said",
+    "the size of the pyramid",
+    "the number of steps",
+    "the size of the grid",
+)
+
+
+def _unnamed(scene: Scene) -> None:
+    """Blocks of which neither look nor number was said are not made up beside blocks that are named."""
+    open_ = [t for t in scene.blocks() if t.color is None and t.label is None and not t.kind and not t.extra]
+    vague = [t for t in open_ if t.elastic is not None]
+    vague += [t for t in scene.blocks() if t.name in scene.vague]
+    if not vague and any(a.startswith(_UNCOUNTED) for a in scene.assumptions):
+        vague = [t for t in open_ if t.batch == open_[-1].batch]
+    named = [t for t in scene.blocks() if t not in vague and not t.extra]
+    if vague and named:
+        raise refuse(
+            "ambiguous",
+            "some blocks are named or counted, but of others neither number nor look is said",
+            None,
+            "name all blocks, or say how many others there are",
+            named=len(named),
+        )
+
+
+def no_strangers(scene: Scene) -> None:
+    """Refuse things that were made up, where they could be among those that are named."""
+    _unnamed(scene)
+    _uncounted(scene)
+    _uncoloured(scene)
+
+
+def _uncounted(scene: Scene) -> None:
+    """ "None of the red blocks is on the mat. A red block is on the table.": one of them, or one more?"""
+    further = {name for _, ref, _ in scene.besides for name in ref.names}
+    for one in (t for t in scene.things.values() if t.elastic is not None and not t.extra):
+        like = [t for t in scene.things.values() if _look(t) == _look(one) and t.batch != one.batch and not t.extra]
+        if any(t.name not in further for t in like):
+            raise refuse(
+                "ambiguous",
+                f"it is not said how many blocks like {said(one)} there are, nor whether these are among them",
+                _span(like, scene),
+                "say how many there are, or 'another'",
+            )
+
+
+def _span(things: list[Thing], scene: Scene) -> Span | None:
+    """Where some of these things were spoken of last."""
+    names = {thing.name for thing in things}
+    return next((m.ref.span for m in reversed(scene.mentions) if names & set(m.ref.names)), None)
+
+
+def _look(thing: Thing) -> tuple[object, ...]:
+    return thing.patch, thing.color, thing.label, thing.kind, thing.size, thing.edge
+
+
+def _uncoloured(scene: Scene) -> None:
+    """ "Each on a patch: A on the red one, B on the blue one": patches of no colour beside ones that have one."""
+    patches = [t for t in scene.things.values() if t.patch and not t.extra]
+    further = {name for _, ref, _ in scene.besides for name in ref.names}
+    open_ = [t for t in patches if t.color is None and t.name not in further]
+    if open_ and len(open_) < len(patches) and any(t.color is not None for t in patches):
+        raise refuse(
+            "ambiguous",
+            "some patches are named by their colour; this could be one of them or a further one",
+            _span(open_, scene),
+            "name all patches by their colours",
+        )

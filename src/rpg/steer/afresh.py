@@ -38,7 +38,7 @@ _FRESH = re.compile(
 _COMPARED = re.compile(r"[\s,]+(?:instead|again)[\s.!?]*$", re.IGNORECASE)
 _ADDS = re.compile(
     r"\b(?:also|too|as well|must|should|has to|have to|needs? to|without|while|starts?|starting|begins?|beginning"
-    r"|still|in addition)\b",
+    r"|still|in addition|furthermore|moreover|keep)\b",
     re.IGNORECASE,
 )
 

@@ -7,11 +7,14 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from rpg.ir import goal as g
 from rpg.ir.edits import AddCondition
 from rpg.ir.relations import Stayed
 from rpg.ir.shrink import TooSmall
+from rpg.ir.walk import names as mentions
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
+from rpg.steer.language import m
 from rpg.steer.operations.add import add
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
@@ -74,9 +77,12 @@ WEAK = (Shift, Bring, Part, DropPart)
 def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
     """Apply requests in turn; what is to be kept counts for all of them."""
     told_apart(draft, requests)
-    for request in requests:
+    lasting: list[tuple[r.Keep, g.Goal]] = []
+    for index, request in enumerate(requests):
         if isinstance(request, r.Keep):
-            draft.kept += resolve(draft.view, request.theme).names
+            names = resolve(draft.view, _meant(request, requests[:index])).names
+            draft.kept += names
+            lasting += [(request, atom) for atom in _kept_so(draft, request, names)]
     for request in requests:
         if not isinstance(request, r.Keep):
             try:
@@ -87,3 +93,27 @@ def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
     if requests and all(isinstance(request, r.Keep) for request in requests):
         draft.aim("EXTEND")
         draft.do(AddCondition(goal=Stayed(a=draft.kept)))
+    for request, atom in lasting:
+        if atom not in [each for _, each in draft.view.atoms]:
+            told, hint = "the rest of the request does not leave this as it is", "say what is to change, or what is not"
+            raise draft.refusal("edit-unclear", told, request.span, hint)
+
+
+def _meant(request: r.Keep, before: Sequence[r.Request]) -> m.Meaning:
+    """What is kept; a pronoun takes up what the request before is about."""
+    earlier = getattr(before[-1], "theme", None) if before else None
+    return earlier if isinstance(request.theme, m.Pronoun) and isinstance(earlier, m.Noun) else request.theme
+
+
+def _kept_so(draft: Draft, request: r.Keep, names: tuple[str, ...]) -> list[g.Goal]:
+    """The conditions of the goal that say what a request wants kept, as "keep it to the right of the blue block"."""
+    where = request.place
+    landmark = getattr(where, "landmark", None)
+    if not isinstance(where, m.Loc) or landmark is None:
+        return []
+    others = resolve(draft.view, landmark).names
+    atoms = [atom for _, atom in draft.view.atoms if {*names, *others} <= set(mentions(atom))]
+    if not atoms:
+        told, hint = "the goal does not say so, so that there is nothing to keep", "say where it is to be put"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    return atoms

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from rpg.blocks import alike
+from rpg.blocks.centres import Centres
 from rpg.blocks.english import clause
 from rpg.blocks.evaluate import evaluate, rests, satisfied
 from rpg.blocks.state import BlockState
@@ -60,7 +62,8 @@ class Judge:
 
     def __init__(self, side: Side, other: Side) -> None:
         self.side = side
-        self.holds = alike.Judge(side.goal, side.world).unsettled
+        self._judge = alike.Judge(side.goal, side.world)
+        self.holds = self._judge.unsettled
         self.choices = side.choices(other)
 
     def __call__(self, sample: Sample) -> bool:
@@ -76,6 +79,12 @@ class Judge:
         known = sample.known.get(self.side.label)
         return self.holds(self.side.state(sample)) if known is None else known
 
+    def perhaps(self, samples: Sequence[Sample]) -> list[bool]:
+        """May the goal hold with the version's own blocks? Looked at for all states at once, which rules out most."""
+        many = Centres(self.side.world, [sample.layout.position for sample in samples])
+        found: list[bool] = self._judge.perhaps(many).tolist()
+        return found
+
     def margin(self, sample: Sample) -> float:
         """By how much of its tolerances the goal holds, or fails, with its own blocks."""
         return evaluate(self.side.goal, self.side.state(sample)).margin
@@ -88,9 +97,11 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
     only_old: list[Sample] = []
     only_new: list[Sample] = []
     included = _included(bank)
-    for sample in bank.samples:
-        before = old.alone(sample)
-        after = before if bank.same else new.alone(sample)
+    hopeful = old.perhaps(bank.samples)
+    others = hopeful if bank.same else new.perhaps(bank.samples)
+    for sample, maybe_old, maybe_new in zip(bank.samples, hopeful, others, strict=True):
+        before = maybe_old and old.alone(sample)
+        after = before if bank.same else maybe_new and new.alone(sample)
         if before != after or not (before or sample.source == RANDOM):
             # Blocks of the other version may stand in; in a random layout that neither accepts it is not worth a look.
             before = before or old(sample)

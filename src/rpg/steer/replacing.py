@@ -210,8 +210,8 @@ def keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             still = p.words[i] not in ("except", "apart", "other")
             yield r.Keep(theme=theme, still=still, span=p.span(i, end)), end
             continue
-        for _, stop in place(p, k):
-            yield r.Keep(theme=theme, span=p.span(i, stop)), stop
+        for where, stop in place(p, k):
+            yield r.Keep(theme=theme, place=where, span=p.span(i, stop)), stop
         if p.words[i] in ("except", "apart", "other", "without", "do"):
             moving = bool(longest(p, i, "without moving | without touching | do not move | do not touch"))
             yield r.Keep(theme=theme, still=moving, span=p.span(i, k)), k

@@ -31,11 +31,12 @@ Place = Spot | m.Meaning
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Add(Request):
-    """New objects and where they go. `stay`: they must not be moved."""
+    """New objects and where they go. `stay`: they must not be moved. `lacking`: only if the task has none like it."""
 
     theme: m.Meaning
     places: tuple[Place, ...] = ()
     stay: bool = False
+    lacking: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,10 +98,13 @@ class Reorder(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Keep(Request):
-    """Objects that the other requests of the sentence leave where they are. `still`: they must not be moved at all."""
+    """Objects that the other requests of the sentence leave where they are. `still`: they must not be moved at all.
+    `place`: where they are and stay.
+    """
 
     theme: m.Meaning
     still: bool = False
+    place: Place | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

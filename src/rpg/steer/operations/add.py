@@ -14,7 +14,7 @@ from rpg.steer.operations.each import one_for_each
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.place import join, put, stand_on
 from rpg.steer.operations.relate import relation
-from rpg.steer.refer import Found, resolve
+from rpg.steer.refer import Found, exists, resolve
 from rpg.steer.view import View
 
 
@@ -22,6 +22,9 @@ def add(draft: Draft, request: r.Add) -> None:
     """New objects where the request wants them, or where the task leaves only one place."""
     if one_for_each(draft, request):
         return
+    if request.lacking and isinstance(request.theme, m.Noun) and exists(draft.view, request.theme):
+        told, hint = "the task has this already", "say 'another' for one more"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     anchors = {id(place): _anchor(draft, place) for place in request.places}
     line, figure = draft.view.main_line(), draft.view.main_figure()
     assets = new_assets(draft, request.theme)

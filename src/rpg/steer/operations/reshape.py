@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.edits import ChangeCondition, SetGoal
 from rpg.ir.order import Order
-from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase
+from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase, Towers
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -31,6 +31,7 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
     if wanted.kind == "line":
         draft.assume("a line is a row from left to right")
         wanted = replace(wanted, kind="row")
+    wanted = _sided(wanted)
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     names = found.names if found else draft.view.busy
     line = draft.view.line_of(names)
@@ -41,7 +42,12 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
     if line is not None and isinstance(line.node, Spells | Equation) and wanted.kind in ALONG and plain(wanted):
         run_along(draft, line, ALONG[wanted.kind], request.span)
         return
+    if wanted.plural and wanted.kind == "stack":
+        draft.aim("PIVOT")
+        _part(draft, line, _towers(draft, wanted, listed(draft, names), request.span), names, request.span)
+        return
     if _same_kind(draft.view, names, wanted):
+        check_shape(wanted, sizes_used=True)
         recount(
             draft,
             r.Recount(
@@ -57,11 +63,41 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
     check_shape(wanted, sizes_used=True)
     _check_members(draft, wanted, blocks)
     draft.aim("PIVOT")
-    goal = structure(draft, wanted, blocks, line, request.span)
-    if set(blocks) >= set(draft.view.busy) or line is None or line.node is None:
-        draft.do(SetGoal(goal=goal), request.span)
+    _part(draft, line, structure(draft, wanted, blocks, line, request.span), blocks, request.span)
+
+
+def _part(draft: Draft, line: Line | None, goal: g.Goal, names: Sequence[str], span: Span) -> None:
+    """The new structure takes the place of the line, or of the whole goal where it has no other blocks."""
+    if set(names) >= set(draft.view.busy) or line is None or line.node is None:
+        draft.do(SetGoal(goal=goal), span)
     else:
-        draft.do(ChangeCondition(at=line.path, to=goal), request.span)
+        draft.do(ChangeCondition(at=line.path, to=goal), span)
+
+
+def _sided(wanted: m.Structure) -> m.Structure:
+    """Phrases such as "two rows and three columns": a grid told by both of its sides."""
+    sides = {"row": "columns", "column": "rows"}
+    across = next((s.amount.low for s in wanted.sizes if s.amount and s.what == sides.get(wanted.kind)), 0)
+    if not across or len(wanted.sizes) > 1 or wanted.amount is None:
+        return wanted
+    along = wanted.amount.low
+    dims = (along, across) if wanted.kind == "row" else (across, along)
+    return replace(wanted, kind="grid", det="a", plural=False, amount=None, sizes=(), dims=dims)
+
+
+def _towers(draft: Draft, wanted: m.Structure, names: Sequence[str], span: Span) -> Towers:
+    """Phrases such as "two towers of two": so many towers of the blocks that are there."""
+    check_shape(replace(wanted, plural=False, amount=None, each_size=False), sizes_used=True)
+    members = wanted.members
+    said = m.Noun(span=wanted.span, head="any", det="bare") if members is None else members
+    if not isinstance(said, m.Noun) or said.traits != m.Traits() or said.conditions:
+        raise draft.refusal("edit-unclear", "these are not the blocks of the task", wanted.span, _WHOLE)
+    each = wanted.size.low if wanted.size else said.amount.low if said.amount else 0
+    count = wanted.amount.low if wanted.amount else len(names) // each if each else 0
+    if count < 2 or (each and count * each != len(names)) or 2 * count > len(names):
+        told = f"{len(names)} blocks do not form these towers"
+        raise draft.refusal("breaks-structure", told, span, "change the number of blocks first")
+    return Towers(blocks=tuple(names), count=count, heights=(each,) * count if each else None)
 
 
 def _check_members(draft: Draft, wanted: m.Structure, blocks: Sequence[str]) -> None:

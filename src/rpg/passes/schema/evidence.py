@@ -35,6 +35,8 @@ ALWAYS_FOUR = ("corners", "sides", "edges")
 ONLY = frozenset({"only", "just", "exactly"})
 THERE = frozenset({"are", "is", "have", "has", "get", "got"})
 """What leads to "only" in a sentence that says what there is."""
+LASTING = frozenset({"never", "always"})
+STATES = frozenset({"is", "are", "stays", "stay", "remains", "remain", "lies", "lie", "stands", "stand"})
 PRONOUNS = "AI"
 OPEN = "NK"
 """Letters for a number that is left open: "N blocks"."""
@@ -71,12 +73,15 @@ def unfounded(words: Sequence[Token], task: TaskSchema) -> Token | None:
         if color is not None and color not in colors:
             return token
         symbol = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper() and token.raw not in PRONOUNS
-        if symbol and token.raw not in shown and not (token.raw in OPEN and _counts(words[index + 1 : index + 3])):
+        open_ = token.raw in OPEN and _counts(words[index + 1 : index + 3])
+        if symbol and token.raw not in shown and not open_ and not ("label" in terms and _alphabet(words, index)):
             return token
         listed = index > 0 and words[index - 1].word in (",", "and")
         if token.kind == "sign" and listed and token.word in SIGNS and token.word not in shown:
             return token
         if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms):
+            return token
+        if token.word == "while" and _meanwhile(words, index):
             return token
         if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
             return more
@@ -98,6 +103,21 @@ def _more_than(words: Sequence[Token], only: int, task: TaskSchema) -> Token | N
     plain = len(after) == 2 or after[2].kind == "punct"
     said = _number(after[0]) if plain else None
     return after[0] if said is not None and said != len(task.blocks) else None
+
+
+def _alphabet(words: Sequence[Token], index: int) -> bool:
+    """ "from A to Z", "from Z to A": the letters from one end to the other, none of them named."""
+    begins = [at for at in (index - 1, index - 3) if at >= 0 and words[at].word == "from"]
+    return any([t.word for t in words[at + 1 : at + 4]] in (["a", "to", "z"], ["z", "to", "a"]) for at in begins)
+
+
+def _meanwhile(words: Sequence[Token], at: int) -> bool:
+    """ "red never touches the table while blue is on the mat": as long as that is so, which no goal asks for."""
+    here = [token.word for token in words]
+    ends = [index for index, word in enumerate(here) if word in (".", ";", "!", "?")]
+    begin = max((index for index in ends if index < at), default=-1)
+    end = min((index for index in ends if index > at), default=len(here))
+    return not LASTING.isdisjoint(here[begin + 1 : at]) and not STATES.isdisjoint(here[at + 1 : end])
 
 
 def _counts(after: Sequence[Token]) -> bool:

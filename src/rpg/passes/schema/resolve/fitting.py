@@ -140,9 +140,8 @@ def _noun(noun: Noun) -> None:
         raise _unfit("patches can be empty; blocks cannot", noun.span, "say 'with nothing on it' of a block")
     if single and traits.scheme == "mixed":
         raise _unfit("a single block is not mixed", noun.span, "name its colour")
+    _all_such(traits.labels, traits.quality, noun.span)
     for label in traits.labels:
-        if traits.quality and not quality_fits(Thing(name="", label=label), traits.quality):
-            raise _unfit(f"{label} is not {_QUALITY[traits.quality]}", noun.span, "leave one of the two out")
         if (traits.kind == "letter" and label not in string.ascii_uppercase) or (
             traits.kind == "digit" and label not in string.digits
         ):
@@ -150,8 +149,18 @@ def _noun(noun: Noun) -> None:
             raise _unfit(f"{label} is no {what}", noun.span, f"leave out the word '{what}'")
 
 
+def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:
+    """Refuse "the even digits 2 to 8", of which some are odd."""
+    for label in labels if quality else ():
+        if quality and not quality_fits(Thing(name="", label=label), quality):
+            raise _unfit(f"{label} is not {_QUALITY[quality]}", span, "name those that are meant one by one")
+
+
 def _clause(clause: Clause) -> None:
     theme = clause.theme
+    if isinstance(theme, Noun) and theme.traits.quality:
+        shown = (i for a in clause.adjuncts if isinstance(a, OrderBy) for i in a.items if isinstance(i, Noun))
+        _all_such(tuple(label for item in shown for label in item.traits.labels), theme.traits.quality, clause.span)
     if _open(theme):
         _alternatives(clause)
     if isinstance(theme, Noun):

@@ -143,6 +143,7 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             if ref.quant is not None and ref.quant.strict and 0 < ref.quant.low < len(ref.names):
                 raise refuse("ambiguous", f"{word.word!r} could be all of these blocks, or just so many of them",
                              word.span, "name the blocks that you mean")  # fmt: skip
+            _no_rivals(word, mention, own, scene)
             return replace(
                 ref,
                 quant=None,
@@ -162,6 +163,14 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         word.span,
         "name the blocks",
     )
+
+
+def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:
+    """Refuse "them" behind "a red tower left of a blue tower": the one of them, or both?"""
+    for other in (m for m in scene.mentions if m.clause == last.clause and m not in own and m is not last):
+        if len(other.ref.names) > 1 and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
+            raise refuse("ambiguous", f"{word.word!r} could be several things spoken of before", word.span,
+                         "name the blocks that you mean")  # fmt: skip
 
 
 def _last_spoken_of(scene: Scene, own: set[str]) -> list[str]:

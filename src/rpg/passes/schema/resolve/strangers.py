@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.core.diagnostics import Span
+from rpg.ir.walk import names as names_in
 from rpg.passes.schema.resolve.world import Scene, Thing, refuse, said
 
 _UNCOUNTED = (
@@ -36,6 +37,7 @@ def no_strangers(scene: Scene) -> None:
     _unnamed(scene)
     _uncounted(scene)
     _uncoloured(scene)
+    _after_the_start(scene)
 
 
 def _uncounted(scene: Scene) -> None:
@@ -56,6 +58,20 @@ def _span(things: list[Thing], scene: Scene) -> Span | None:
     """Where some of these things were spoken of last."""
     names = {thing.name for thing in things}
     return next((m.ref.span for m in reversed(scene.mentions) if names & set(m.ref.names)), None)
+
+
+def _after_the_start(scene: Scene) -> None:
+    """ "Take the tower of four red blocks apart and build two towers of two": of the same blocks, or of others?"""
+    begun = {name for goal in scene.start_goals for name in names_in(goal)} | {n for heap in scene.heaps for n in heap}
+    open_ = [t for t in scene.blocks() if not (t.color or t.label or t.kind or t.extra or t.declared)]
+    open_ = [t for t in open_ if t.name not in begun]
+    if begun and open_:
+        raise refuse(
+            "ambiguous",
+            "these could be the blocks that there are at the start, or further ones",
+            _span(open_, scene),
+            "say 'them', or what the others look like",
+        )
 
 
 def _look(thing: Thing) -> tuple[object, ...]:

@@ -7,13 +7,14 @@ from random import Random
 import pytest
 
 from rpg.blocks.arrange import arrange
+from rpg.blocks.centres import Centres, places_of
 from rpg.blocks.constants import TABLE_Z
 from rpg.blocks.near_miss import near_misses
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.predicates.plainly import layers, off, uneven
 from rpg.blocks.state import BlockState, Quat, Vec3, World
 from rpg.ir import goal as g
-from rpg.ir.assets import ColoredCube
+from rpg.ir.assets import ColoredCube, GoalPatch, SemanticCube
 
 NAMES = tuple(f"block_{k}" for k in range(6))
 GOALS: tuple[g.Atom, ...] = (
@@ -30,12 +31,26 @@ GOALS: tuple[g.Atom, ...] = (
     g.Pyramid(blocks=NAMES[:5], base=(2, 2)),
     g.Staircase(blocks=NAMES, steps=3),
     g.Figure(blocks=NAMES, shape="triangle"),
+    g.Towers(blocks=NAMES),
+    g.Towers(blocks=NAMES, count=2, equal=True),
+    g.Towers(blocks=NAMES, heights=(4, 2)),
+    g.GroupBy(groups=(NAMES[:3], NAMES[3:5], NAMES[5:])),
+    g.LeftOf(a=NAMES[:1], b=NAMES[1:2]),
+    g.Behind(a=NAMES[:2], b=NAMES[2:4], somewhere=True),
+    g.InFrontOf(a=NAMES[:1], b=NAMES[1:2], directly=True),
+    g.OnPatch(a=NAMES[:2], patch="square"),
+    g.OnPatch(a=NAMES[:1], patch="circle"),
+)
+PATCHES = (
+    GoalPatch(name="square", color="blue", size=(0.2, 0.1), position=(0.5, 0.1)),
+    GoalPatch(name="circle", color="red", shape="circle", size=(0.12, 0.12), position=(0.6, -0.1)),
 )
 SIZES = {"one": (0.04,) * 6, "small": (0.02,) * 6, "mixed": (0.04, 0.04, 0.05, 0.03, 0.04, 0.06)}
 
 
 def world(sizes: tuple[float, ...]) -> World:
-    return World(ColoredCube(name=n, color="red", size=size) for n, size in zip(NAMES, sizes, strict=True))
+    blocks = (ColoredCube(name=n, color="red", size=size) for n, size in zip(NAMES, sizes, strict=True))
+    return World((*blocks, *PATCHES))
 
 
 def anywhere(there: World, rng: Random) -> BlockState:
@@ -66,8 +81,29 @@ def test_a_glance_is_never_wrong(goal: g.Atom, sizes: str) -> None:
         for state in arrange(goal, there, rng=rng, count=3):
             states += [state, *(miss.state for miss in near_misses(goal, state, rng))]
     assert sum(predicate.holds(goal, state) for state in states) >= (sizes == "one")
-    for state in states:
+    places = places_of(NAMES, [state.position for state in states])
+    perhaps = predicate.perhaps(goal, Centres(there, places, {name: k for k, name in enumerate(NAMES)}))
+    for state, maybe in zip(states, perhaps, strict=True):
         assert predicate.holds(goal, state) == predicate.evaluate(goal, state).value
+        assert maybe or not predicate.holds(goal, state)
+    assert sum(perhaps) < 0.8 * len(states)
+
+
+@pytest.mark.parametrize(
+    "goal",
+    [g.Spells(word="ABC", blocks=("a", "b", "c")), g.Spells(word="CAB", blocks=("a", "b", "c"), along="stack")],
+    ids=lambda goal: goal.along,
+)
+def test_texts_are_found_among_many_states(goal: g.Spells) -> None:
+    there = World(SemanticCube(name=name, color="ivory", label=name.upper()) for name in "abc")
+    rng = Random(9)
+    states = arrange(goal, there, rng=rng, count=4)
+    states += [miss.state for state in states for miss in near_misses(goal, state, rng)]
+    places = places_of("abc", [state.position for state in states])
+    perhaps = PREDICATES["spells"].perhaps(goal, Centres(there, places, {name: k for k, name in enumerate("abc")}))
+    held = [PREDICATES["spells"].holds(goal, state) for state in states]
+    assert 4 <= sum(held) <= sum(perhaps) < len(states)
+    assert all(maybe or not value for maybe, value in zip(perhaps, held, strict=True))
 
 
 def test_most_states_are_ruled_out() -> None:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from rpg.blocks.arrange.builds import STRUCTURES
 from rpg.blocks.arrange.explain import conditions
-from rpg.blocks.evaluate import rests, satisfied
+from rpg.blocks.centres import Centres, Mask
+from rpg.blocks.evaluate import perhaps, rests, satisfied
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable, namings
@@ -60,6 +63,16 @@ class Judge:
     def unsettled(self, state: BlockState) -> bool:
         """Does the goal hold under any naming, whatever the blocks rest on?"""
         return self._arranged(state, self._all)
+
+    def perhaps(self, many: Centres) -> Mask:
+        """The states in which the goal may hold under some naming, as far as the centres of blocks tell."""
+        parts = [perhaps(goal, many) for goal in self._goals]
+        found = many.none()
+        for numbers in self._all:
+            found |= np.logical_and.reduce([parts[k] for k in numbers])
+            if found.all():
+                break
+        return found
 
     def _holds(self, state: BlockState, tried: Sequence[tuple[int, ...]]) -> bool:
         return self._arranged(state, tried) and rests(state)

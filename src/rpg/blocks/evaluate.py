@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z
 from rpg.blocks.geometry import body_gap, is_level, rests_on, supporters, table_gap
 from rpg.blocks.predicates import PREDICATES
@@ -54,6 +57,32 @@ def satisfied(goal: g.Goal, state: BlockState) -> bool:
             return all(satisfied(stage.goal, state) for stage in goal.stages if not stage.undone)
         case _:
             return evaluate(goal, state).value
+
+
+def perhaps(goal: g.Goal, many: Centres) -> Mask:
+    """The states in which `goal` may be `satisfied`, as far as the centres of blocks tell."""
+    predicate = PREDICATES.get(goal.kind)
+    if predicate is not None:
+        return predicate.perhaps(goal, many)
+    found = many.all()
+    match goal:
+        case g.All():
+            for part in goal.goals:
+                found &= perhaps(part, many)
+        case g.Any():
+            found = many.none()
+            for part in goal.goals:
+                found |= perhaps(part, many)
+        case g.Always():
+            return perhaps(goal.goal, many)
+        case g.Count() if goal.at_least > 0:
+            enough: Mask = np.sum([perhaps(part, many) for part in instances(goal)], axis=0) >= goal.at_least
+            return enough
+        case g.Sequence():
+            for stage in goal.stages:
+                if not stage.undone:
+                    found &= perhaps(stage.goal, many)
+    return found
 
 
 def settled(state: BlockState) -> Verdict:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from random import Random
 from typing import Generic, TypeVar
 
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.state import BlockState, Quat, Vec3, World
 from rpg.blocks.verdict import Verdict
 from rpg.ir.node import Node
@@ -54,6 +55,10 @@ class Predicate(Generic[N]):
     def holds(self, node: N, state: BlockState) -> bool:
         """The truth of `evaluate` alone, for judging many states: most are ruled out at a glance."""
         return self.evaluate(node, state).value
+
+    def perhaps(self, node: N, many: Centres) -> Mask:
+        """The states in which the atom may hold, as far as the centres of blocks tell; never wrong about the others."""
+        return many.all()
 
     def build(self, node: N, world: World, rng: Random) -> Iterator[list[Cluster]]:
         """Ways to lay out the blocks of a structure, most natural first; nothing for a relation.

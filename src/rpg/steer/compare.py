@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
 from rpg.blocks import alike
-from rpg.blocks.centres import Centres
+from rpg.blocks.centres import Centres, Mask, Numbers, places_of
 from rpg.blocks.english import clause
 from rpg.blocks.evaluate import evaluate, rests, satisfied
 from rpg.blocks.state import BlockState
@@ -66,24 +66,35 @@ class Judge:
         self.holds = self._judge.unsettled
         self.choices = side.choices(other)
 
-    def __call__(self, sample: Sample) -> bool:
-        known = sample.known.get(self.side.label)
-        if known is not None and (known or len(self.choices) == 1):
-            return known
-        if len(self.choices) == 1:
-            return self.holds(self.side.state(sample))
-        return any(self.holds(self.side.state(sample, keys)) for keys in self.choices)
+    def own(self, bank: Bank, places: Numbers) -> list[bool]:
+        """The verdict on every state, with the version's own blocks in their places."""
+        known = [sample.known.get(self.side.label) for sample in bank.samples]
+        perhaps = self._perhaps(bank, places, self.side.keys)
+        return [
+            (bool(maybe) and self.holds(self.side.state(sample))) if told is None else told
+            for sample, told, maybe in zip(bank.samples, known, perhaps, strict=True)
+        ]
 
-    def alone(self, sample: Sample) -> bool:
-        """The verdict with the version's own blocks in their places."""
-        known = sample.known.get(self.side.label)
-        return self.holds(self.side.state(sample)) if known is None else known
+    def any(self, bank: Bank, places: Numbers, wanted: Sequence[int]) -> dict[int, bool]:
+        """The verdict on the states of these numbers, with blocks of either version in their places: so far as it is
+        not that with the version's own blocks."""
+        if len(self.choices) == 1 or not wanted:
+            return {}
+        looked_at = places[:, wanted]
+        perhaps = [self._perhaps(bank, looked_at, keys) for keys in self.choices]
+        return {
+            number: any(
+                maybe[k] and self.holds(self.side.state(bank.samples[number], keys))
+                for keys, maybe in zip(self.choices, perhaps, strict=True)
+            )
+            for k, number in enumerate(wanted)
+        }
 
-    def perhaps(self, samples: Sequence[Sample]) -> list[bool]:
-        """May the goal hold with the version's own blocks? Looked at for all states at once, which rules out most."""
-        many = Centres(self.side.world, [sample.layout.position for sample in samples])
-        found: list[bool] = self._judge.perhaps(many).tolist()
-        return found
+    def _perhaps(self, bank: Bank, places: Numbers, keys: Mapping[str, str]) -> Mask:
+        """May the goal hold? All states are looked at at once, which rules out most."""
+        column = {k: number for number, k in enumerate(bank.sizes)}
+        many = Centres(self.side.world, places, {k: column[taken] for k, taken in keys.items()})
+        return self._judge.perhaps(many)
 
     def margin(self, sample: Sample) -> float:
         """By how much of its tolerances the goal holds, or fails, with its own blocks."""
@@ -93,19 +104,12 @@ class Judge:
 def compare(identity: Identity, bank: Bank) -> Comparison:
     """Judge every state of the bank by both goals."""
     old, new = Judge(bank.old, bank.new), Judge(bank.new, bank.old)
+    befores, afters = _verdicts(old, new, bank)
     both: list[Sample] = []
     only_old: list[Sample] = []
     only_new: list[Sample] = []
     included = _included(bank)
-    hopeful = old.perhaps(bank.samples)
-    others = hopeful if bank.same else new.perhaps(bank.samples)
-    for sample, maybe_old, maybe_new in zip(bank.samples, hopeful, others, strict=True):
-        before = maybe_old and old.alone(sample)
-        after = before if bank.same else maybe_new and new.alone(sample)
-        if before != after or not (before or sample.source == RANDOM):
-            # Blocks of the other version may stand in; in a random layout that neither accepts it is not worth a look.
-            before = before or old(sample)
-            after = before if bank.same else after or new(sample)
+    for sample, before, after in zip(bank.samples, befores, afters, strict=True):
         if after and not before and included:
             before = True
         if (before or after) and rests(bank.whole(sample)):
@@ -117,6 +121,27 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
         *_witness("old", bank.old, bank.new, only_old),
     )
     return Comparison(relation, len(bank.samples), len(both), len(only_old), len(only_new), edge, witnesses)
+
+
+def _verdicts(old: Judge, new: Judge, bank: Bank) -> tuple[list[bool], list[bool]]:
+    """What either version says of every state."""
+    places = places_of(bank.sizes, [sample.layout.position for sample in bank.samples])
+    befores = old.own(bank, places)
+    afters = befores if bank.same else new.own(bank, places)
+    # Blocks of the other version may stand in; in a random layout that neither accepts it is not worth a look.
+    doubtful = [
+        k
+        for k, sample in enumerate(bank.samples)
+        if befores[k] != afters[k] or not (befores[k] or sample.source == RANDOM)
+    ]
+    with_others = old.any(bank, places, [k for k in doubtful if not befores[k]])
+    befores = [with_others.get(k, before) for k, before in enumerate(befores)]
+    if bank.same:
+        afters = befores
+    else:
+        with_others = new.any(bank, places, [k for k in doubtful if not afters[k]])
+        afters = [with_others.get(k, after) for k, after in enumerate(afters)]
+    return befores, afters
 
 
 def _included(bank: Bank) -> bool:

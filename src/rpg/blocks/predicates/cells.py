@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from random import Random
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.figures import NAMED, NEAREST, Ideal, flat_forms, ideals, upright
 from rpg.blocks.geometry import rests_on
@@ -29,7 +33,7 @@ from rpg.blocks.predicates.lattice import cells_of
 from rpg.blocks.predicates.lattice import filled as on_lattice
 from rpg.blocks.predicates.order import fixed_edges
 from rpg.blocks.predicates.pattern import fillings, follows
-from rpg.blocks.predicates.plainly import layers
+from rpg.blocks.predicates.plainly import ROOM, layered, layers, spreads
 from rpg.blocks.predicates.reading import legible, unreadable
 from rpg.blocks.predicates.stack import alone
 from rpg.blocks.predicates.vertical import GROUND
@@ -69,6 +73,14 @@ def _layer_counts(node: Cells, count: int) -> list[list[int]]:
     return [[len(level) for level in prepared(ideal).levels] for ideal in ideals(node, count)]
 
 
+@lru_cache(maxsize=512)
+def _spreads_of(ideal: Ideal) -> tuple[float, float]:
+    """How far the cells of a figure are from their middle, along their best line and across it, in pitches."""
+    cells = np.array([(cell.x, cell.y) for cell in ideal.cells])
+    long, short = np.linalg.svd(cells - cells.mean(axis=0), compute_uv=False)[:2] if len(cells) > 1 else (0.0, 0.0)
+    return max(float(long), EPS), max(float(short), EPS)
+
+
 def outdone(ideal: Ideal, fit: Fit, places: Sequence[tuple[float, float, int]], pitches: tuple[float, float]) -> float:
     """How much better another flat figure fits the blocks than half as badly as `fit` does; negative where none does.
 
@@ -98,6 +110,20 @@ class CellsPredicate(Predicate[Cells]):
         if counts is not None and counts not in _layer_counts(node, len(node.blocks)):
             return False
         return self.evaluate(node, state).value
+
+    def perhaps(self, node: Cells, many: Centres) -> Mask:
+        names, edges = node.blocks, many.edges(node.blocks)
+        along, across = (np.sqrt(squares) for squares in spreads(many, names))
+        fitting = many.none()
+        # Moving points by `error` in all moves neither of the two by more. Each tells between which pitches the fit is.
+        error = (node.fit_edges * edges.max() + ROOM) * math.sqrt(len(names))
+        for ideal in ideals(node, len(names)):
+            low, high = node.pitch_edges[0] * edges.max(), max(node.pitch_edges[1] * edges.max(), ideal.room or 0.0)
+            long, short = _spreads_of(ideal)
+            least = np.maximum((along - error) / long, (across - error) / short)
+            most = np.minimum((along + error) / long, (across + error) / short)
+            fitting |= np.maximum(least, low) <= np.minimum(most, high)
+        return fitting & layered(many, names, _layer_counts(node, len(names)))
 
     def find(self, node: Cells, state: BlockState) -> Found | None:
         """The form of the figure that holds, or else comes nearest to it; None where none has the blocks' levels."""

@@ -6,9 +6,13 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
+import numpy as np
+
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.geometry import footprint_gap, reach
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, place_beside
+from rpg.blocks.predicates.plainly import ROOM
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict, at_most, every, holds
 from rpg.ir.node import members
@@ -61,6 +65,26 @@ class DirectionalPredicate(Predicate[Directional]):
             gap, edge = min((footprint_gap(state, a, b), edge_between(state, a, b)) for a in left for b in right)
             parts.append(at_most(gap, node.gap_edges * edge))
         return every(parts)
+
+    def perhaps(self, node: Directional, many: Centres) -> Mask:
+        found = many.all()
+        if not isinstance(node.a, tuple) or not isinstance(node.b, tuple):
+            return found
+        if not many.world.patches.keys().isdisjoint((*node.a, *node.b)):
+            return found
+        ux, uy = DIRECTIONS[self.kind]
+        cone = not node.somewhere and len(node.a) == 1 and len(node.b) == 1
+        bx, by, _ = many.of(node.b)
+        for a in node.a:
+            ax, ay, _ = many.of((a,))
+            edge = np.maximum(many.world.edge[a], many.edges(node.b))
+            along, across = (ax - bx) * ux + (ay - by) * uy, abs((ax - bx) * uy - (ay - by) * ux)
+            found &= (along >= node.min_edges * edge - ROOM).all(axis=1)
+            if cone:
+                found &= (along - across >= -ROOM).all(axis=1)
+            if node.directly:
+                found &= (across <= node.across_edges * edge + ROOM).all(axis=1)
+        return found
 
     def _pair(self, node: Directional, a: str, b: str, cone: bool, state: BlockState) -> Verdict:
         along, across = offsets(self.kind, a, b, state)

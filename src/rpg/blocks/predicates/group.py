@@ -8,9 +8,13 @@ from itertools import combinations
 from random import Random
 from typing import Any, NamedTuple
 
+import numpy as np
+
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.geometry import footprint_gap
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.common import BUILD_GAP, SPANS, largest_edge, put, set_aside, shift, slack, swap
+from rpg.blocks.predicates.plainly import ROOM
 from rpg.blocks.predicates.stack import column
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World
 from rpg.blocks.traits import UP, Trait, Traits, symbols_shown
@@ -149,6 +153,26 @@ class GroupByPredicate(Predicate[GroupBy]):
                 if len(group) > 1 and any(_alone(state, name, group, reach) for name in group):
                     return False
         return self.evaluate(node, state).value
+
+    def perhaps(self, node: GroupBy, many: Centres) -> Mask:
+        found = many.all()
+        if node.outliers:
+            return found
+        names = [name for group in node.groups for name in group]
+        home = np.repeat(np.arange(len(node.groups)), [len(group) for group in node.groups])
+        x, y, _ = many.of(names)
+        edges = many.edges(names)
+        squares = (x[:, :, None] - x[:, None, :]) ** 2 + (y[:, :, None] - y[:, None, :]) ** 2
+        sums = edges[:, None] + edges
+        fellows = home[:, None] == home
+        least = np.maximum(node.outer_edges * edges.max() + sums / 2 - ROOM, 0.0)
+        reach = node.inner_edges * edges.max() + sums * 0.8661 + ROOM
+        apart = (squares >= least**2) | fellows
+        chained = (squares <= reach**2) & fellows
+        # nobody is a neighbour of its own, but for who is alone in its group
+        np.einsum("skk->sk", chained)[:] = fellows.sum(axis=1) == 1
+        found &= apart.all(axis=(1, 2)) & chained.any(axis=2).all(axis=1)
+        return found
 
     def build(self, node: GroupBy, world: World, rng: Random) -> Iterator[list[Cluster]]:
         found = False

@@ -7,10 +7,12 @@ from collections.abc import Iterator
 from random import Random
 from typing import Any
 
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.geometry import carried, footprint_gap, grounded, patch_outline, polygon_gap, reach
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, shift
+from rpg.blocks.predicates.plainly import ROOM
 from rpg.blocks.state import BlockState
 from rpg.blocks.verdict import Verdict, every, holds
 from rpg.ir.assets import GoalPatch
@@ -42,6 +44,16 @@ class OnPatchPredicate(Predicate[OnPatch]):
     def evaluate(self, node: OnPatch, state: BlockState) -> Verdict:
         patch = state.world.patches[node.patch]
         return every([on_patch(a, patch, state) for a in state.resolve(node.a)])
+
+    def perhaps(self, node: OnPatch, many: Centres) -> Mask:
+        patch = many.world.patches[node.patch]
+        if not isinstance(node.a, tuple) or patch.position is None:
+            return many.all()
+        x, y, _ = many.of(node.a)
+        (px, py), (depth, width) = patch.position, patch.size
+        found = many.all()
+        found &= (abs(x - px) <= depth / 2 + ROOM).all(axis=1) & (abs(y - py) <= width / 2 + ROOM).all(axis=1)
+        return found
 
     def propose(self, node: OnPatch, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         if block in members(node.a):

@@ -1,4 +1,5 @@
 """What a glance at the centres of blocks rules out, for judging many states: cheap, and never wrong where it says no.
+For one state, and for many at once.
 
 The lowest and the highest point of a block of edge e are at least e / 2 from its centre.
 """
@@ -7,8 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
+from rpg.blocks.centres import Centres, Mask, Numbers
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.state import BlockState
+from rpg.ir.relations import On
 
 STRETCH = 1.35
 """The extent of a cube along the vertical, over its edge, is less as long as it is tilted by 15 degrees at most."""
@@ -29,6 +34,47 @@ def uneven(state: BlockState, names: Sequence[str]) -> bool:
     return spread > SUPPORT_GAP + (STRETCH * max(edges) - min(edges)) / 2 + ROOM
 
 
+def even(many: Centres, names: Sequence[str]) -> Mask:
+    """The states in which these blocks are not uneven."""
+    _, _, z = many.of(names)
+    edges = many.edges(names)
+    level: Mask = z.max(axis=1) - z.min(axis=1) <= SUPPORT_GAP + (STRETCH * edges.max() - edges.min()) / 2 + ROOM
+    return level
+
+
+def spreads(many: Centres, names: Sequence[str]) -> tuple[Numbers, Numbers]:
+    """The sums of the squared distances of these blocks from their middle, along the line that fits them best and
+    across it."""
+    x, y, _ = many.of(names)
+    x, y = x - x.mean(axis=1, keepdims=True), y - y.mean(axis=1, keepdims=True)
+    xx, yy, xy = (x * x).sum(axis=1), (y * y).sum(axis=1), (x * y).sum(axis=1)
+    middle, half = (xx + yy) / 2, np.hypot((xx - yy) / 2, xy)
+    return middle + half, np.maximum(middle - half, 0.0)
+
+
+def straight(many: Centres, names: Sequence[str], line_edges: float) -> Mask:
+    """The states in which these blocks may stand at one height and in one line, each within so many edges of it."""
+    limit = line_edges * many.edges(names).max() + ROOM
+    _, aside = spreads(many, names)
+    # one of the squared distances from the line is no less than their mean
+    found = even(many, names)
+    found &= aside <= len(names) * limit * limit
+    return found
+
+
+def piled(many: Centres, names: Sequence[str], link: On) -> Mask:
+    """The states in which these blocks may stand one on the other, within the tolerances of `link`."""
+    x, y, z = many.of(names)
+    upward = z.argsort(axis=1, kind="stable")
+    edges = many.edges(names)[upward]
+    places = [np.take_along_axis(values, upward, axis=1) for values in (x, y, z)]
+    below, above = [values[:, :-1] for values in places], [values[:, 1:] for values in places]
+    one, other = edges[:, :-1], edges[:, 1:]
+    reach = link.offset_edges * np.maximum(one, other) + link.slack
+    found: Mask = np.logical_and.reduce(perhaps_on(above, below, (one + other) / 2, reach, link.gap), axis=1)
+    return found
+
+
 def off(state: BlockState, a: str, b: str, reach: float, gap: float) -> bool:
     """Is `a` not on `b`, whichever way both are turned: its centre farther than `reach` (m) from that of `b` in the
     plane, or at another height than that of a block at most `gap` (m) from the top of `b`?"""
@@ -37,6 +83,15 @@ def off(state: BlockState, a: str, b: str, reach: float, gap: float) -> bool:
     if not apart - gap - ROOM <= az - bz <= DIAGONAL * apart + gap + ROOM:
         return True
     return (ax - bx) ** 2 + (ay - by) ** 2 > (reach + ROOM) ** 2
+
+
+def perhaps_on(a: Sequence[Numbers], b: Sequence[Numbers], apart: Numbers, reach: Numbers, gap: float) -> Mask:
+    """Where blocks are not `off`: of x, y and z each, and half the sum of their edges, in arrays of one shape."""
+    (ax, ay, az), (bx, by, bz) = a, b
+    rise = az - bz
+    level = (rise >= apart - gap - ROOM) & (rise <= DIAGONAL * apart + gap + ROOM)
+    near: Mask = level & ((ax - bx) ** 2 + (ay - by) ** 2 <= (reach + ROOM) ** 2)
+    return near
 
 
 def layers(state: BlockState, names: Sequence[str]) -> list[int] | None:
@@ -52,4 +107,19 @@ def layers(state: BlockState, names: Sequence[str]) -> list[int] | None:
         level = round((height - lowest) / size)
         found += [0] * (level + 1 - len(found))
         found[level] += 1
+    return found
+
+
+def layered(many: Centres, names: Sequence[str], wanted: Sequence[Sequence[int]]) -> Mask:
+    """The states in which the numbers of blocks at each level, as `layers` counts them, are among those wanted."""
+    edges = many.edges(names)
+    size = edges[0]
+    if SUPPORT_GAP + (STRETCH - 1.0) * size / 2 > 0.49 * size or (edges != size).any():
+        return many.all()
+    _, _, z = many.of(names)
+    levels = np.rint((z - z.min(axis=1, keepdims=True)) / size)
+    found = many.none()
+    for counts in {tuple(counts) for counts in wanted}:
+        each = [(levels == level).sum(axis=1) == count for level, count in enumerate(counts)]
+        found |= np.logical_and.reduce(each)
     return found

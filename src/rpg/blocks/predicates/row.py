@@ -8,6 +8,7 @@ from itertools import pairwise
 from random import Random
 from typing import Any, NamedTuple
 
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.geometry import footprint_gap
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.common import (
@@ -27,7 +28,7 @@ from rpg.blocks.predicates.common import (
     swap,
 )
 from rpg.blocks.predicates.order import ordered, sequences, swaps
-from rpg.blocks.predicates.plainly import uneven
+from rpg.blocks.predicates.plainly import straight, uneven
 from rpg.blocks.predicates.reading import apart, legible, unreadable
 from rpg.blocks.predicates.stack import alone
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
@@ -163,6 +164,9 @@ class RowPredicate(Predicate[Row]):
 
     def holds(self, node: Row, state: BlockState) -> bool:
         return not uneven(state, node.blocks) and self.evaluate(node, state).value
+
+    def perhaps(self, node: Row, many: Centres) -> Mask:
+        return straight(many, node.blocks, node.line_edges)
 
     def build(self, node: Row, world: World, rng: Random) -> Iterator[list[Cluster]]:
         for sequence in sequences(node.order, node.blocks, Traits(world), rng):

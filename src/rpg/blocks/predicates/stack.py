@@ -7,13 +7,14 @@ from itertools import pairwise
 from random import Random
 from typing import Any
 
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.geometry import rests_on, table_gap
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.common import TILT, set_aside, shift, stand_on, strangers, swap
 from rpg.blocks.predicates.order import fixed_edges, ordered, sequences, swaps
 from rpg.blocks.predicates.patches import on_patch
-from rpg.blocks.predicates.plainly import off
+from rpg.blocks.predicates.plainly import off, piled
 from rpg.blocks.predicates.reading import legible, unreadable
 from rpg.blocks.predicates.vertical import DIRECTLY, GROUND, directly_on
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
@@ -84,6 +85,9 @@ class StackPredicate(Predicate[Stack]):
             if off(state, above, below, reach, DIRECTLY.gap):
                 return False
         return self.evaluate(node, state).value
+
+    def perhaps(self, node: Stack, many: Centres) -> Mask:
+        return piled(many, node.blocks, DIRECTLY)
 
     def _either(self, node: Stack) -> bool:
         return node.order.by == "rainbow" and node.order.first is None

@@ -7,13 +7,17 @@ from itertools import pairwise
 from random import Random
 from typing import Any
 
-from rpg.blocks.constants import SUPPORT_GAP
+import numpy as np
+
+from rpg.blocks.centres import Centres, Mask
+from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z
 from rpg.blocks.geometry import table_gap
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.common import set_aside, shift, stand_on, strangers, swap
 from rpg.blocks.predicates.patches import on_patch
+from rpg.blocks.predicates.plainly import DIAGONAL, ROOM, perhaps_on
 from rpg.blocks.predicates.stack import YAWS, alone, chain, column
-from rpg.blocks.predicates.vertical import directly_on
+from rpg.blocks.predicates.vertical import DIRECTLY, directly_on
 from rpg.blocks.state import BlockState, World, yaw_quat
 from rpg.blocks.traits import Traits
 from rpg.blocks.verdict import FALSE, Verdict, every, some
@@ -79,6 +83,21 @@ class TowersPredicate(Predicate[Towers]):
         if node.matching is not None:
             parts += [self._matches(node.matching, tower, state) for tower in towers]
         return every(parts)
+
+    def perhaps(self, node: Towers, many: Centres) -> Mask:
+        x, y, z = many.of(node.blocks)
+        edges = many.edges(node.blocks)
+        each, others = ([values[:, :, None] for values in (x, y, z)], [values[:, None, :] for values in (x, y, z)])
+        one, other = edges[:, None], edges
+        reach = DIRECTLY.offset_edges * np.maximum(one, other) + DIRECTLY.slack
+        on = perhaps_on(each, others, (one + other) / 2, reach, DIRECTLY.gap)
+        low = z - TABLE_Z <= DIAGONAL * edges / 2 + SUPPORT_GAP + ROOM
+        carried, carries = on.any(axis=2), on.any(axis=1)
+        # a tower has two blocks or more, so that who can be nothing but a foot has somebody on it
+        found = many.all()
+        found &= (carried | (low & carries)).all(axis=1)
+        found &= (low & ~carried).sum(axis=1) <= (node.count or len(node.heights or node.blocks))
+        return found
 
     def _sorted_out(self, node: Towers, towers: list[list[str]], traits: Traits) -> bool:
         """Every tower agrees in the attribute, and no two share its value if they must differ."""

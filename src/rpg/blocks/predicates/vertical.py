@@ -7,10 +7,13 @@ from collections.abc import Iterable, Iterator
 from random import Random
 from typing import Any
 
+import numpy as np
+
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.geometry import carried, footprint_gap, riders, supporters, table_gap
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, set_aside, shift, stand_on, swap, tilted
-from rpg.blocks.predicates.plainly import off
+from rpg.blocks.predicates.plainly import off, perhaps_on
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import FALSE, Verdict, at_most, every, holds, some
 from rpg.ir.node import Lowest, members
@@ -73,6 +76,17 @@ class OnPredicate(Predicate[On]):
             return not off(state, a, b, reach, node.gap) and directly_on(a, b, state, node).value
 
         return all(any(on(a, b) for b in below) for a in state.resolve(node.a))
+
+    def perhaps(self, node: On, many: Centres) -> Mask:
+        found = many.all()
+        if not isinstance(node.a, tuple) or not isinstance(node.b, tuple):
+            return found
+        below, edge = many.of(node.b), many.edges(node.b)
+        for a in node.a:
+            own = many.world.edge[a]
+            reach = node.offset_edges * np.maximum(own, edge) + node.slack
+            found &= perhaps_on(many.of((a,)), below, (own + edge) / 2, reach, node.gap).any(axis=1)
+        return found
 
     def near_misses(self, node: On, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         a = state.resolve(node.a)[0]

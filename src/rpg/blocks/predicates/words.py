@@ -7,13 +7,15 @@ from itertools import combinations, islice, pairwise, product
 from random import Random
 from typing import Any
 
+from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.equations import is_true, plain, same_equation, solutions
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
 from rpg.blocks.predicates.common import put, set_aside, shift, stand_on, strangers, swap
+from rpg.blocks.predicates.plainly import piled, straight
 from rpg.blocks.predicates.reading import apart, legible, unreadable
 from rpg.blocks.predicates.row import best_line, gap_too_large, lay, lined_up, spacing
 from rpg.blocks.predicates.stack import alone, chain, column
-from rpg.blocks.predicates.vertical import GROUND
+from rpg.blocks.predicates.vertical import DIRECTLY, GROUND
 from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.blocks.traits import AWAY, TO_VIEWER, UP, Traits, symbol_of, symbols_shown
 from rpg.blocks.verdict import FALSE, Verdict, every, holds
@@ -57,6 +59,13 @@ def in_reading_order(state: BlockState, names: Sequence[str], along: str) -> lis
     if along == "stack":
         return sorted(names, key=lambda name: -state.position[name][2])
     return best_line(state, names).sequence
+
+
+def _set_out(node: Spells | Equation, many: Centres) -> Mask:
+    """The states in which all the cubes of a text may stand in one row, or in one stack."""
+    if node.along == "stack":
+        return piled(many, node.blocks, DIRECTLY)
+    return straight(many, node.blocks, READING.line_edges)
 
 
 def text_misses(
@@ -105,6 +114,9 @@ class SpellsPredicate(Predicate[Spells]):
             found = well_read(state, sequence, node, node.readable)
             best = max(best, found, key=lambda v: (v.value, v.margin))
         return best
+
+    def perhaps(self, node: Spells, many: Centres) -> Mask:
+        return _set_out(node, many) if len(node.word) == len(node.blocks) else many.all()
 
     def build(self, node: Spells, world: World, rng: Random) -> Iterator[list[Cluster]]:
         traits = Traits(world)
@@ -189,6 +201,9 @@ class EquationPredicate(Predicate[Equation]):
         if not self._says(node, "".join(traits.symbol(name) or "?" for name in sequence)):
             return FALSE
         return well_read(state, sequence, node, True)
+
+    def perhaps(self, node: Equation, many: Centres) -> Mask:
+        return _set_out(node, many)
 
     def _says(self, node: Equation, text: str) -> bool:
         """Is `text` the equation that is asked for, or any true one?"""

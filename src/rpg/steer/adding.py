@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from rpg.blocks.traits import VOWELS
 from rpg.steer import requests as r
 from rpg.steer.language import Parser, label_list, longest, m, noun_phrase, phrases, simple
-from rpg.steer.phrases import fresh, labelled, old, plural_kind, things
+from rpg.steer.phrases import fresh, labelled, old, plural_kind, subjects, things
 from rpg.steer.places import given_up, place, places
 
 ADD = frozenset(
@@ -76,6 +77,10 @@ _IDLE = phrases(
 )
 
 
+_LIES = phrases(
+    "lie around | lies around | lie there | lies there | lie on the table | lies on the table | are lying around | "
+    "is lying around | stand around | stands around | are there | is there | serve | serves | are | is | be"
+)
 _STAYS = phrases(
     "that has to stay where it is | that must stay where it is | that must not be moved | that may not be moved | "
     "that should not be moved | which must not be moved | that has to stay put | that must not move | that stays put | "
@@ -94,6 +99,23 @@ def _namely(p: Parser, i: int, theme: m.Meaning) -> Iterator[tuple[m.Meaning, in
         number = sum(each.amount.low if each.amount else 1 for each in nouns)
         if len(nouns) == len(items) and all(fresh(each) for each in nouns) and number == theme.amount.low:
             yield (m.Coord(op="and", items=tuple(nouns), span=listed.span) if len(nouns) > 1 else nouns[0]), k
+
+
+def _idle(p: Parser, i: int, theme: m.Meaning) -> Iterator[tuple[m.Meaning, int]]:
+    """Phrases that go on with "as a distractor", "lie around as distractors"."""
+    end = longest(p, longest(p, i, _LIES) or i, _IDLE)
+    items = theme.items if isinstance(theme, m.Coord) and theme.op == "and" else (theme,)
+    nouns = [replace(each, traits=replace(each.traits, extra=True)) for each in items if isinstance(each, m.Noun)]
+    if end and len(nouns) == len(items):
+        yield (m.Coord(op="and", items=tuple(nouns), span=theme.span) if len(nouns) > 1 else nouns[0]), end
+
+
+def _further(p: Parser, i: int, told: r.Add) -> Iterator[tuple[r.Request, int]]:
+    """What describes a new block after its place: "put one more cube on top, a gray one"."""
+    plain = isinstance(told.theme, m.Noun) and told.theme.traits == m.Traits() and told.theme.amount == m.Amount(1, 1)
+    for noun, end in noun_phrase(p, longest(p, i, ", namely | ,")) if plain and longest(p, i, ", namely | ,") else ():
+        if isinstance(noun, m.Noun) and noun.det == "a" and noun.head in ("block", "any") and not noun.conditions:
+            yield replace(told, theme=noun, span=(told.span[0], p.span(i, end)[1])), end
 
 
 def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -124,8 +146,7 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if (j == i or p.words[i] == "with") and _only_a_kind(theme):
             continue
         if fresh(theme) or (verb and labelled(theme)):
-            if isinstance(theme, m.Noun) and (end := longest(p, k, _IDLE)):
-                idle = replace(theme, traits=replace(theme.traits, extra=True))
+            for idle, end in _idle(p, k, theme):
                 yield r.Add(theme=idle, span=p.span(i, end)), end
             if isinstance(theme, m.Noun) and (end := longest(p, k, _STAYS)):
                 yield r.Add(theme=theme, stay=True, span=p.span(i, end)), end
@@ -134,9 +155,15 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             for start in (k, p.one(k, "in")):
                 for spots, end in places(p, start) if start else ():
                     if spots or (j > i and start == k):
-                        yield (r.Add(theme=theme, places=spots, span=p.span(i, end), cost=0 if verb else 2), end)
-    if verb and (k := longest(p, j, "the letter | the number | the digit | the symbol")):
+                        new = r.Add(theme=theme, places=spots, span=p.span(i, end), cost=0 if verb else 2)
+                        yield new, end
+                        yield from _further(p, end, new)
+    if verb and (k := longest(p, j, "the letter | the number | the digit | the symbol | the vowel | the consonant")):
         for (labels, _), n in label_list(p, k, True):
+            if p.words[k - 1] in ("vowel", "consonant") and any(
+                (each in VOWELS) != (p.words[k - 1] == "vowel") or not each.isalpha() for each in labels
+            ):
+                continue
             kind = "digit" if labels[0].isdigit() else "letter"
             noun = m.Noun(head="block", det="a", traits=m.Traits(labels=labels, kind=kind), span=p.span(j, n))
             for spots, end in places(p, n) if len(labels) == 1 else ():
@@ -159,7 +186,9 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if fresh(theme):
             for spots, end in places(p, k):
                 if spots:
-                    yield r.Add(theme=theme, places=spots, span=p.span(i, end)), end
+                    new = r.Add(theme=theme, places=spots, span=p.span(i, end))
+                    yield new, end
+                    yield from _further(p, end, new)
             for lost, n in noun_phrase(p, k + 1) if p.one(k, "where") else ():
                 if end := longest(p, n, "was | is | used to be | stands | stood | sits | has been | was before"):
                     yield r.Replace(old=lost, new=theme, span=p.span(i, end)), end
@@ -224,7 +253,7 @@ def remove(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from _all_but(p, i)
     for phrase in (*REMOVE, "without", "no more", "no"):
         if j := p.seq(i, phrase):
-            for theme, k in things(p, j):
+            for theme, k in dict.fromkeys([*things(p, j), *subjects(p, j)]):
                 end = longest(p, k, "away | out | off | again") or k
                 if from_ := longest(p, end, ("from", "out of", "off")):
                     for whole, stop in simple(p, from_):

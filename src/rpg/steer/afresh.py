@@ -27,9 +27,11 @@ from rpg.steer.view import NOUNS
 
 _FRESH = re.compile(
     r"^\W*(?:ok(?:ay)?,?\s+|now,?\s+|actually,?\s+|please,?\s+)*"
-    r"(?:(?:(?:new|different|another|other|fresh)\s+(?:task|instruction|scene|problem)(?:\s+instead)?)"
+    r"(?:(?:(?:make\s+(?:it|this)\s+)?(?:a\s+)?(?:(?:completely|totally|entirely|brand)\s+)?"
+    r"(?:new|different|another|other|fresh)\s+(?:task|instruction|scene|problem)(?:\s+instead)?)"
     r"|start(?:ing)?\s+(?:over|afresh|again|from\s+scratch)|from\s+scratch"
     r"|forget\s+(?:all\s+(?:of\s+)?)?(?:about\s+)?(?:that|this|it|everything)"
+    r"(?:\s+and\s+start\s+(?:over|afresh|again|from\s+scratch))?"
     r"|(?:something|a)\s+(?:completely|totally|entirely|quite)\s+(?:different|new)(?:\s+task)?"
     r"|throw\s+(?:it\s+all|everything)\s+away|clear\s+everything)"
     r"\s*(?:[:.,;!-]|and|with|then)*\s+(?:(?:and|then|instead|now)\s+)?",

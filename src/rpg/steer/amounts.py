@@ -250,6 +250,13 @@ _GAP = (
 _SPACING = ("the spacing", "spacing", "a spacing")
 
 
+_BETWEEN = phrases(
+    "between the blocks | between them | between blocks | between neighbors | between neighbours | of the row | "
+    "between two neighbors | between two neighbours | between the cubes | between each of them | in between"
+)
+_IS = phrases(": | = | should be | must be | has to be | is | ought to be | are | should all be | must all be")
+
+
 def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for word, factor in _TIGHTEN.items():
         j = p.one(i, word)
@@ -259,20 +266,10 @@ def _tolerance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             k = longest(p, j, nouns)
             if not k:
                 continue
-            k = (
-                longest(
-                    p,
-                    k,
-                    "between the blocks | between them | between blocks | between neighbors | between "
-                    "neighbours | of the row",
-                )
-                or k
-            )
-            yield from _valued(p, i, k, what, factor)
+            yield from _valued(p, i, longest(p, k, _BETWEEN) or k, what, factor)
     for nouns, what in ((_TOLERANCE, "tolerance"), (_GAP, "gap"), (_SPACING, "spacing")):
-        if (j := longest(p, i, nouns)) and (
-            k := longest(p, j, ": | = | should be | must be | has to be | is | ought to be")
-        ):
+        j = longest(p, i, nouns)
+        if k := longest(p, longest(p, j, _BETWEEN) or j, _IS) if j else 0:
             yield from _valued(p, i, k, what, 1.0)
     for word, factor in (("loosen", 2.0), ("relax", 2.0), ("tighten", 0.5)):
         if j := longest(p, i, (f"{word} it", f"{word} it up", f"{word} things", f"{word} things up", f"{word} up")):

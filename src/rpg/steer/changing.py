@@ -39,6 +39,10 @@ def change(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for theme, k in _themes(p, i):
         if (n := longest(p, k, SHOULD)) and theme is not None and old(theme):
             yield from becomes(p, i, n, theme, cost=1)
+        elif (n := longest(p, k, "is | are")) and theme is not None and old(theme):
+            for found, end in becomes(p, i, n, theme, cost=1):
+                if isinstance(found, r.Restyle) and found.former != r.NO_TRAITS:
+                    yield found, end
 
 
 def _themes(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
@@ -73,7 +77,12 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
     start = p.opt(n, "all", "both", "each")
     for marks, k in adjectives(p, start):
         if marks and not set(marks) & (_NO_LOOKS if _patch(theme) else _NO_LOOKS | _OF_PATCHES):
-            yield (r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost), k)
+            styled = r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost)
+            yield styled, k
+            n_former = longest(p, k, _INSTEAD_OF)
+            for former, end in adjectives(p, n_former) if n_former else ():
+                if set(former) == set(marks):
+                    yield replace(styled, former=m.Traits(**former), span=p.span(i, end)), end
     said = longest(p, n, "the letter | the number | letter | number | a | an")
     for (labels, _), k in label_list(p, said or n, True):
         plainly = bool(said) or not all(label.isdigit() for label in labels)

@@ -161,6 +161,10 @@ def _placed(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for name, j in region_name(p, p.opt(start, "the")) if start else ():
         there = m.In(region=name, span=p.span(start, j))
         yield r.Move(theme=m.Pronoun(word="it", span=p.span(i, i + 1)), place=there, span=p.span(i, j), cost=4), j
+    for name, j in region_name(p, p.opt(i, "the")) if not start else ():
+        if p.one(j, "instead"):
+            there = m.In(region=name, span=p.span(i, j))
+            yield r.Move(theme=m.Pronoun(word="it", span=p.span(i, i + 1)), place=there, span=p.span(i, j), cost=4), j
     for where, j in place(p, i):
         if isinstance(where, m.In | m.Loc) and not _of_itself(where):
             yield r.Move(theme=m.Pronoun(word="it", span=p.span(i, i + 1)), place=where, span=p.span(i, j), cost=4), j

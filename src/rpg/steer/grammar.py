@@ -33,9 +33,12 @@ _CLOSING = phrases(
 @rule
 def request(p: Parser, i: int) -> Results[r.Request]:
     """One request, with the small words around it."""
-    j = skip(p, i)
-    for found, k in _request(p, j):
-        yield found, tail(p, k)
+    starts = [skip(p, i)]
+    if p.words[starts[0] - 1] == "no":
+        starts.append(starts[0] - 1)
+    for j in starts:
+        for found, k in _request(p, j):
+            yield found, tail(p, k)
 
 
 def skip(p: Parser, i: int) -> int:

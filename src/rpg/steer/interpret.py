@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -10,7 +11,8 @@ from pydantic import ValidationError
 
 from rpg.blocks.english import describe, describe_goal
 from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.ir.edits import Edit, Overwrite, SetText, apply
+from rpg.ir import goal as g
+from rpg.ir.edits import Edit, Overwrite, SetGoal, SetText, apply
 from rpg.ir.schema import TaskSchema
 from rpg.steer import requests as r
 from rpg.steer.afresh import (
@@ -91,6 +93,8 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
             if not refusals and refusal.diagnostics[0].code == "nothing-to-do" and _moves(parsed):
                 raise
             (weak if any(isinstance(each, WEAK) for each in parsed.requests) else refusals).append(refusal)
+    if fresh is not None:
+        return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
     there = [refusal for refusal in weak if refusal.diagnostics[0].code == "ambiguous-object"]
     if there and not refusals and not _about_all_there(request, history, read):
         raise there[0]
@@ -132,7 +136,20 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
     if past.number != history.head:
         draft.parameters["revert"] = past.number
     carry_out(draft, parsed.requests)
+    if _AFTER.match(request):
+        _staged(draft, past.schema.goal)
     return finish(request, draft, past)
+
+
+_AFTER = re.compile(r"^\W*(?:and\s+)?(?:then|finally|after that|afterwards|next(?! to)|lastly)\b", re.IGNORECASE)
+
+
+def _staged(draft: Draft, before: g.Goal) -> None:
+    """What is to come after a sequence is a further stage of it."""
+    goal = draft.schema.goal
+    if isinstance(before, g.Sequence) and isinstance(goal, g.All) and goal.goals[0] == before:
+        new = goal.goals[1] if len(goal.goals) == 2 else g.All(goals=goal.goals[1:])
+        draft.do(SetGoal(goal=before.model_copy(update={"stages": (*before.stages, g.Stage(goal=new))})))
 
 
 def _reference(reference: Reference | None, requests: Sequence[r.Request], history: History) -> Past:

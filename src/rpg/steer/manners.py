@@ -30,7 +30,14 @@ _CLOSES = re.compile(
     r"|thank you|if that is ok(?:ay)?|if you don'?t mind))[\s.!?]*$",
     re.IGNORECASE,
 )
-_GONE = (_ASIDES, _ASIDES, _ASIDES, _LEADS, _HEDGES, _CLOSES)
+_REMARKS = re.compile(
+    r"^\W*(?:undo|revert|go back|roll back|back)\b[^,.;:]*"
+    r"(?P<gone>[,.;]\s*(?:that|it|this)(?:'s| is| was| looks| looked| seems)"
+    r" (?:too|not|wrong|bad|ugly|worse|silly|a mistake|better before)\b[^,.;:]*)$",
+    re.IGNORECASE,
+)
+"""Why a step is taken back."""
+_GONE = (_ASIDES, _ASIDES, _ASIDES, _LEADS, _HEDGES, _CLOSES, _REMARKS)
 _WORDS = (
     (re.compile(r"\b(?:what|how) about (?:making|having)\b", re.IGNORECASE), "make"),
     (re.compile(r"\b(?:what|how) about (?:adding|putting)\b(?= (?:a|an|one|two|three|another|some)\b)", re.I), "add"),

@@ -90,6 +90,8 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k
     if start := longest(p, i, "use | take | have | i want"):
         for new, k in noun_phrase(p, start):
+            if isinstance(new, m.Noun) and new.head == "patch" and new.det == "a":
+                yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k
             n = p.one(k, "for")
             if not n or not isinstance(new, m.Noun) or not _bare_colors(new):
                 continue
@@ -143,16 +145,19 @@ def trade(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield from _two_places(p, i, j)
         for both, k in noun_phrase(p, j):
             if isinstance(both, m.Coord) and len(both.items) == 2:
-                end = longest(p, k, ("around", "places", "positions")) or k
+                end = longest(p, k, _AROUND) or k
                 yield (r.Trade(a=both.items[0], b=both.items[1], span=p.span(i, end)), end)
             pair = _pair(both)
             if pair:
-                end = longest(p, k, ("around", "places", "positions")) or k
+                end = longest(p, k, _AROUND) or k
                 yield r.Trade(a=pair[0], b=pair[1], span=p.span(i, end)), end
             if n := longest(p, k, ("with", "and", "for")):
                 for other, end in simple(p, n):
                     if not fresh(both) and not fresh(other):
                         yield r.Trade(a=both, b=other, span=p.span(i, end)), end
+
+
+_AROUND = ("around", "places", "positions", *(f"in the {line}" for line in ("row", "line", "tower", "stack", "column")))
 
 
 def _two_places(p: Parser, i: int, j: int) -> Iterator[tuple[r.Request, int]]:

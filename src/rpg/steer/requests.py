@@ -58,10 +58,11 @@ class Replace(Request):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Restyle(Request):
     """Objects get another colour, symbol or size. `scale`: bigger (> 1) or smaller. `plainly`: what was said can be
-    nothing but that; a mere number could also be how many blocks there are."""
+    nothing but that; a mere number could also be how many blocks there are. `former`: what they look like so far."""
 
     theme: m.Meaning | None
     traits: m.Traits = NO_TRAITS
+    former: m.Traits = NO_TRAITS
     scale: float | None = None
     plainly: bool = True
 

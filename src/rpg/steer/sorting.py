@@ -164,7 +164,7 @@ def _sort(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     ):
         if j := p.seq(i, phrase):
             starts.append((None, j))
-    if not starts and p.words[i : i + 1] in (["alphabetically"], ["numerically"], ["in"], ["from"]):
+    if not starts and p.words[i] in ("alphabetically", "numerically", "in", "from", "descending", "ascending"):
         starts.append((None, i))
     for theme, j in starts:
         if k := longest(

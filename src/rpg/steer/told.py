@@ -1,13 +1,16 @@
-"""What a request says again after a colon, "swap them: green on blue, yellow on red": it must be so in the result."""
+"""What a request says again, "swap them: green on blue, yellow on red", "add an S, so that it reads CATS": it must be
+so in the result."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from rpg.core.diagnostics import Diagnostic, Refusal, Span
 from rpg.ir import goal as g
 from rpg.ir.relations import On, OnPatch
 from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import Equation, Spells
 from rpg.steer.language import Parser, longest, m, noun_phrase, tokenize
 from rpg.steer.refer import matches
 from rpg.steer.shape import conjuncts
@@ -16,8 +19,17 @@ from rpg.steer.view import View
 _GOES = "goes | go | should go | belongs | comes | must be | should be | is | lies | has to be | will be"
 
 
+_READS = re.compile(
+    r"[\s,]+so(?: that)? (?:it|the word|the text|the row|they|the equation|the result|the cubes|the blocks)"
+    r"(?: now| then)? (?:reads?|spells?|says?|shows?)\s+(?P<text>[\w+*/=\s-]+?)\s*[.!]*$",
+    re.IGNORECASE,
+)
+
+
 def divided(request: str) -> tuple[str, int] | None:
-    """The request before its colon, and where what it says again begins."""
+    """The request before what it says again, and where that begins."""
+    if found := _READS.search(request):
+        return request[: found.start()], found.start("text")
     before, colon, after = request.partition(":")
     if not colon or not before.strip() or not after.strip() or _pairs(after, 0) is None:
         return None
@@ -26,13 +38,31 @@ def divided(request: str) -> tuple[str, int] | None:
 
 def check(request: str, begin: int, task: TaskSchema) -> None:
     """Refuse a request whose second half is not so in the task that its first half led to."""
-    pairs = _pairs(request[begin:], begin)
     view = View(task)
+    if found := _READS.search(request):
+        text = re.sub(r"\s", "", found["text"])
+        if not any(_reads(part) == text for part in conjuncts(task.goal)):
+            raise _not_so(found.span("text"))
+        return
+    pairs = _pairs(request[begin:], begin)
     for upper, lower, span in pairs or ():
         if not any(_is_on(part, upper, lower, view) for part in conjuncts(task.goal)):
-            message = "this is not what the first half of the request comes to"
-            hint = "say only one of the two"
-            raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
+            raise _not_so(span)
+
+
+def _not_so(span: Span) -> Refusal:
+    message = "this is not what the first half of the request comes to"
+    hint = "say only one of the two"
+    return Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
+
+
+def _reads(part: g.Goal) -> str:
+    """The word or the equation that a condition asks for."""
+    if isinstance(part, Spells):
+        return part.word[::-1] if part.reverse else part.word
+    if isinstance(part, Equation):
+        return part.text or ""
+    return ""
 
 
 def _is_on(part: g.Goal, upper: m.Noun, lower: m.Noun, view: View) -> bool:
@@ -80,6 +110,6 @@ def _pair(p: Parser, i: int) -> Iterator[tuple[m.Noun, m.Noun, int]]:
 
 
 def _plain(noun: m.Noun) -> bool:
-    """Whether a phrase says one colour or one symbol and nothing else."""
-    one = len(noun.traits.colors) + len(noun.traits.labels) == 1
+    """Whether a phrase says one colour, one symbol or one size, and nothing else."""
+    one = len(noun.traits.colors) + len(noun.traits.labels) + bool(noun.traits.size) == 1
     return one and not (noun.conditions or noun.part_of or noun.amount)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.edits import AddCondition
@@ -14,12 +15,13 @@ from rpg.steer.operations.each import one_for_each
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.place import join, put, stand_on
 from rpg.steer.operations.relate import relation
-from rpg.steer.refer import Found, exists, resolve
+from rpg.steer.refer import Found, exists, matches, resolve
 from rpg.steer.view import View
 
 
 def add(draft: Draft, request: r.Add) -> None:
     """New objects where the request wants them, or where the task leaves only one place."""
+    request = replace(request, theme=_further(draft, request.theme))
     if one_for_each(draft, request):
         return
     if request.lacking and isinstance(request.theme, m.Noun) and exists(draft.view, request.theme):
@@ -49,6 +51,23 @@ def add(draft: Draft, request: r.Add) -> None:
     for place in request.places:
         put(draft, names, place, anchors[id(place)], request.span, line)
     draft.look_at(names)
+
+
+def _further(draft: Draft, theme: m.Meaning) -> m.Meaning:
+    """Phrases such as "a third red block", where there are two: one more of them."""
+    if not isinstance(theme, m.Noun) or theme.det != "a" or not (theme.traits.rank or "").isdigit():
+        return theme
+    plain = replace(theme, traits=replace(theme.traits, rank=None))
+    view = draft.view
+    there = [name for name in view.world.assets if matches(view, name, plain.traits)]
+    there = [name for name in there if (name in view.world.patches) == (theme.head == "patch")]
+    if len(there) + 1 != int(theme.traits.rank or 0):
+        told, hint = (
+            f"the task has {len(there)} of these so far",
+            "say 'another' for one more, or how many there should be",
+        )
+        raise draft.refusal("count-mismatch", told, theme.span, hint)
+    return plain
 
 
 def _extra(theme: m.Meaning) -> bool:

@@ -25,6 +25,8 @@ def restyle(draft: Draft, request: r.Restyle) -> None:
     names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
     names = tuple(name for name in names if name not in draft.kept)
     traits = request.traits
+    if not all(matches(draft.view, name, request.former) for name in names):
+        raise draft.refusal("no-such-object", "it does not look like that", request.span, "say only what it should be")
     several = len(names) > 1 and len(traits.labels) == 1
     if several and isinstance(request.theme, m.Pronoun) and request.theme.word == "it":
         told, hint = f"'it' could be any of {len(names)} blocks", "say which block, or 'them'"

@@ -52,7 +52,7 @@ SYMBOL_NOUNS = "symbol sign"
 STRUCTURES = {
     "stack": "stack tower skyscraper",
     "row": "row",
-    "line": "line queue lineup sequence",
+    "line": "line queue lineup sequence countdown",
     "column": "column file",
     "grid": "grid matrix array",
     "checkerboard": "checkerboard chessboard",

@@ -12,7 +12,7 @@ from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
 from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
-from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, Using
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, Structure, Using
 
 _LEADS = (
     ("after", "then"), ("once", "then"), ("as soon as", "then"), ("when", "then"), ("before", "before"),
@@ -86,7 +86,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         bare = bare and (link == "then" or (link == "and" and p.words[j - 1] in (",", ";")))
         denies = previous is not None and previous.negated and previous.mode == "command" and link == "or"
         for item, k in items:
-            if previous is not None and p.words[j - 1] == "," and _apposed(previous, item):
+            if previous is not None and p.words[j - 1] == "," and (_apposed(previous, item) or _mere_time(item)):
                 continue
             if denies and isinstance(item, Clause) and item.mode == "command" and not item.negated:
                 continue
@@ -180,6 +180,12 @@ def _apposed(before: Clause, item: Meaning) -> bool:
     told = isinstance(item, Clause) and not item.adjuncts and item.mode != "command"
     theme = item.theme if told and isinstance(item, Clause) else None
     return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)
+
+
+def _mere_time(item: Meaning) -> bool:
+    """ "..., the blue ones first": by itself this says of nothing where it should be."""
+    bare = isinstance(item, Clause) and item.verb == "be" and item.adjuncts
+    return bool(bare) and all(isinstance(a, Manner) and a.kind == "time" for a in getattr(item, "adjuncts", ()))
 
 
 _EARLIER = (

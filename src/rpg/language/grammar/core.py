@@ -24,7 +24,7 @@ Results = Iterator[tuple[M, int]]
 
 MAX_READINGS = 48
 """Readings kept per rule and place; more than this only arises from endless coordination."""
-MAX_WEIGHED = 240
+MAX_WEIGHED = 400
 """Readings among which the cheapest are kept."""
 MAX_WORK = 60_000
 """Rule applications per sentence."""

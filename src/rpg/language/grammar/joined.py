@@ -72,7 +72,10 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
                 yield named, k + 1
     if isinstance(whole, Noun) and whole.amount is None:
         for some, k in amounts.amount(p, j + 1):
-            k = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those")) or k
+            told = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those"))
+            if not told and whole.traits.labels and p.tokens[j + 1].kind == "number":
+                continue
+            k = told or k
             yield (
                 replace(
                     whole,

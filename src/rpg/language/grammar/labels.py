@@ -53,9 +53,14 @@ def run(p: Parser, i: int) -> Results[tuple[str, ...]]:
     j = p.any_of(i + 1, _TOWARD) if first is not None else 0
     last = symbol(p, j) if j else None
     if first is not None and last is not None:
-        found = _between(first, last) or _between(last, first)[::-1]
+        found = span_of(first, last)
         if len(found) > 1:
             yield found, j + 1
+
+
+def span_of(first: str, last: str) -> tuple[str, ...]:
+    """The symbols from one to another, either way."""
+    return _between(first, last) or _between(last, first)[::-1]
 
 
 @rule

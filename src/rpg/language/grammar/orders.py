@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import string
+
 from rpg.language import lexicon
 from rpg.language.grammar.alternation import alternation
 from rpg.language.grammar.amounts import makes_number
+from rpg.language.grammar.ascents import ascent, counted
 from rpg.language.grammar.classes import classes
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import run
@@ -16,7 +19,23 @@ from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Meaning, Noun, OrderBy, Toward, Traits
 
 _LEADS = frozenset(
-    {"reading", "sorted", "ordered", "arranged", "lined", "organized", "organised", "going", "running", "placed"}
+    {
+        "reading",
+        "sorted",
+        "ordered",
+        "arranged",
+        "lined",
+        "organized",
+        "organised",
+        "going",
+        "running",
+        "placed",
+        "runs",
+        "run",
+        "stretching",
+        "extending",
+        "leading",
+    }
 )
 
 _READABLE = ("row by row", "so that they can be read", "so they can be read", "so that it can be read", "to be read",
@@ -42,6 +61,8 @@ def order(p: Parser, i: int) -> Results[Meaning]:
         yield from toward(p, start)
         yield from _explicit(p, start)
         yield from _run(p, start)
+        yield from ascent(p, start)
+        yield from counted(p, start)
         yield from _grown(p, start)
         yield from _by_attribute(p, start, j > i)
         yield from temporal(p, start)
@@ -153,7 +174,7 @@ def _grown(p: Parser, i: int) -> Results[Meaning]:
             if counted and descending:
                 yield OrderBy(by="countdown", descending=True, span=p.span(i, j)), j
             elif counted:
-                yield OrderBy(by=by, first="bottom", span=p.span(i, j)), j
+                yield OrderBy(by="count_up", span=p.span(i, j)), j
             elif p.words[i] == "from":
                 yield OrderBy(by=by, descending=descending, span=p.span(i, j)), j
 
@@ -162,6 +183,8 @@ def _run(p: Parser, i: int) -> Results[Meaning]:
     """ "from 1 to 5", "from E down to A": those symbols, in that order."""
     j = p.one(i, "from")
     for labels, k in run(p, j) if j else ():
+        if labels[-1].isalpha() and len(labels) == len(string.ascii_uppercase):
+            continue
         if labels[-1].isalpha() or not makes_number(p, k):
             items = tuple(Noun(head="any", traits=Traits(labels=(x,)), span=p.span(j, k)) for x in labels)
             yield OrderBy(by="run", items=items, span=p.span(i, k)), k

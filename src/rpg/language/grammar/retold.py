@@ -20,7 +20,9 @@ def tally(items: tuple[Meaning, ...]) -> int:
 
 def retold(items: tuple[Meaning, ...]) -> bool:
     """ "two blocks, one red and one blue": the list tells the first item again, it does not add to it."""
-    whole = items[0]
+    whole, last = items[0], items[-1]
+    if isinstance(last, Noun) and last.head == "any" and last.det == "the" and last.plural and last.traits.colors:
+        return any(isinstance(x, Noun) and x.amount and x.traits.colors == last.traits.colors for x in items[:-1])
     if not isinstance(whole, Noun) or whole.traits != Traits() or whole.amount is None:
         return False
     return tally(items[1:]) > 1

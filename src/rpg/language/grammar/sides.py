@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import At, Meaning, Toward
 
 SIDES = {
@@ -13,10 +14,27 @@ SIDES = {
 }  # fmt: skip
 
 
-_OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
+OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
 
 
 AXIS = {"left": "y", "right": "y", "front": "x", "back": "x", "top": "z", "bottom": "z"}
+
+
+_ME = "me|us|you|viewer|robot|camera|observer"
+_GOING = (
+    "going|running|leading|heading|extending|stretching|pointing|runs|run|goes|go|leads|extends|stretches|that_goes|"
+    "that_runs|which_runs|which_goes|that_leads|that_extends"
+)
+_AWAY = Patterns(f"{_GOING}? straight? away_from the? {_ME}", f"{_GOING} straight? away")
+_NEARER = Patterns(f"{_GOING}|coming|comes|that_comes straight? towards|toward|to the? {_ME}")
+"""Lines that begin near the viewer, and far from them."""
+_AXES = (
+    ("horizontally", "y"), ("vertically", "z"), ("upright", "z"), ("along the y axis", "y"), ("along the x axis", "x"),
+    ("across the table", "y"), ("lengthwise", "x"), ("along the left right direction", "y"),
+    ("in left right direction", "y"), ("in the left right direction", "y"), ("along the left right axis", "y"),
+    ("along the front back direction", "x"), ("in front back direction", "x"), ("in the front back direction", "x"),
+    ("along the front back axis", "x"),
+)  # fmt: skip
 
 
 @rule
@@ -31,10 +49,12 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
         if e := p.one(k, frozenset({"to", "towards"})):
             e = p.opt(e, "the")
             last = SIDES.get(p.words[e]) if e < p.end else None
-            if last == _OPPOSITE[first]:
+            if last == OPPOSITE[first]:
                 yield Toward(first=first, axis=AXIS[first], span=p.span(i, e + 1)), p.opt(p.reach(e + 1), "side", "end")
         if j2 > j > i and first in ("left", "right") and p.words[k] not in ("to", "towards"):
             yield Toward(first=first, axis="y", span=p.span(i, k)), k
+        if j2 == j > i and p.words[k] == ":":
+            yield Toward(first=first, axis=AXIS[first], span=p.span(i, k)), k
         if p.words[k : k + 1] in (["up"], ["upwards"], ["upward"]) and first == "bottom" and j > i:
             yield Toward(first="bottom", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
         if p.words[k : k + 1] in (["down"], ["downwards"], ["downward"]) and first == "top" and j > i:
@@ -56,9 +76,9 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
     ):  # fmt: skip
         if k := p.seq(i, phrase):
             yield Toward(first=side, axis=axis, span=p.span(i, k)), k
-    for phrase, axis in (("horizontally", "y"), ("vertically", "z"), ("upright", "z"), ("along the y axis", "y"),
-        ("along the x axis", "x"),
-                         ("across the table", "y"), ("lengthwise", "x")):  # fmt: skip
+    for ways, side in ((_AWAY, "front"), (_NEARER, "back")):
+        yield from ((Toward(first=side, axis="x", span=p.span(i, k)), k) for k in ways.matches(p, i))
+    for phrase, axis in _AXES:
         if k := p.seq(i, phrase):
             yield Toward(axis=axis, span=p.span(i, k)), k
 
@@ -76,8 +96,12 @@ _WHOLES = (
 
 _EXTREMES = {
     "leftmost": "left", "rightmost": "right", "topmost": "top", "bottommost": "bottom", "nearest": "front",
-    "frontmost": "front", "farthest": "back",
+    "frontmost": "front", "farthest": "back", "closest": "front", "furthest": "back", "lowermost": "bottom",
 }  # fmt: skip
+_REACH = Patterns(
+    "to the? me|us|you|viewer|robot|camera|observer", "away? from the? me|us|you|viewer|robot|camera|observer", "away"
+)
+"""What tells that the nearest and the farthest are meant as the viewer has it."""
 _LEADS = (
     "at the very", "on the very", "at the", "on the", "in the", "to the", "at", "on", "as the", "as", "being the", "in",
     "forming the",
@@ -94,7 +118,9 @@ def at(p: Parser, i: int) -> Results[Meaning]:
         yield from _inside(p, i, j)
     for word, side in _EXTREMES.items():
         if k := p.one(p.opt(i, "the"), word):
-            yield At(side=side, span=p.span(i, k)), k
+            far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0
+            if far or p.words[k] not in ("to", "from"):
+                yield At(side=side, span=p.span(i, far or k)), far or k
     ordinal = p.lex(i, lexicon.ORDINAL)
     for side in ("left", "right", "bottom", "top") if ordinal else ():
         if k := p.any_of(i + 1, (f"from the {side}", f"from {side}")):

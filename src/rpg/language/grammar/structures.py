@@ -164,6 +164,9 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             plural, quantity, before = False, Quantity("a"), replace(before, sizes=(*before.sizes, steps))
         operator = before.operator or (OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)
         filled = False if "outline" in p.words[j:k] else before.filled
+        if p.words[k - 1] in ("countdown", "countdowns"):
+            down = OrderBy(by="number", descending=True, span=p.span(j, k))
+            before = replace(before, details=(*before.details, down))
         base = Structure(
             kind=kind, det=quantity.det, amount=quantity.amount, plural=plural, sizes=before.sizes, dims=before.dims,
             traits=Traits(**before.marks), filled=filled, upright=before.upright, letter=operator,

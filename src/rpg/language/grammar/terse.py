@@ -8,6 +8,7 @@ from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.orders import order
 from rpg.language.grammar.regions import named
 from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, OrderBy, PartOf, Pronoun, Structure
 
@@ -24,11 +25,32 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _placed(p, i, mode)
     yield from _spelt(p, i)
     yield from kept_clear(p, i)
+    yield from _ordered(p, i)
     start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
     if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER)):
         everything = Pronoun(word="everything", span=p.span(i, j))
         by_color = OrderBy(by="attribute", attribute="color", span=p.span(i, k))
         yield Clause(verb="sort", lemma="sort", theme=everything, adjuncts=(by_color,), span=p.span(i, k), cost=1), k
+
+
+_SORTING = frozenset({"reverse", "reversed", "alphabetical", "alphabetic", "backwards", "backward", "numerical",
+                      "numeric", "descending", "ascending", "abc", "count", "counting"})  # fmt: skip
+"""What a note begins with that gives an order first."""
+
+
+def _ordered(p: Parser, i: int) -> Results[Meaning]:
+    """ "reverse alphabetical order for A, B and C in a row", "count down from 5 to 1"."""
+    if i >= p.end or p.words[i] not in _SORTING:
+        return
+    for found, j in ((x, p.opt(k, "order")) for x, k in order(p, i) if isinstance(x, OrderBy)):
+        if found.by == "run":
+            for more, end in adjuncts(p, j):
+                yield Clause(verb="arrange", adjuncts=(found, *more), span=p.span(i, end), cost=1), end
+        lead = p.any_of(j, ("for", "of", "with", ":", "with the", "for the", "of the")) if found.by != "run" else 0
+        for theme, k in noun_phrase(p, lead) if lead else ():
+            for more, end in adjuncts(p, k):
+                said = Clause(verb="arrange", theme=theme, adjuncts=(found, *more), span=p.span(i, end), cost=1)
+                yield said, end
 
 
 def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:

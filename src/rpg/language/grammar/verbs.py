@@ -248,7 +248,9 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 gathers = before.verb == "sort" and all(isinstance(a, Loc | In) for a in found)
                 again = gathers or isinstance(theme, Structure)
                 cost = 2 if before.verb in ("build", "spell", "sort") and not again else 0
-                cost += 2 if _bare_count(theme) or (before.verb == "stack" and isinstance(found[0], At)) else 0
+                timed = isinstance(found[0], Manner) and found[0].kind == "time"
+                beside = before.verb in ("stack", "arrange") and (timed or isinstance(found[0], At))
+                cost += 2 if _bare_count(theme) or beside else 0
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     for theme, j in noun_phrase(p, i) if before.verb == "be" and before.adjuncts else ():
         k = p.any_of(p.opt(j, "all"), _SO_ARE)

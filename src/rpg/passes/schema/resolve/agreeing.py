@@ -62,6 +62,30 @@ def _patterned(given: Order, other: Order, scene: Scene) -> Order | None:
     return given if fits else None
 
 
+def one_way(one: Order, two: Order, pointed: bool, first: str | None) -> Order | None:
+    """Two orders by the same thing, where they say the same; None where they run against each other.
+
+    `pointed`: the second one tells an end ("the biggest on the left"), which says where the first one begins unless
+    that was said (`first`).
+    """
+    if one.by == "given":
+        return two if one.ranks == two.ranks else None
+    if one.by not in ("number", "size", "label", "rainbow"):
+        return two
+    if _way(one) == _way(two) or (one.by == "rainbow" and None in (one.first, two.first)):
+        return one if one.first else two
+    if first is None and one.descending == two.descending:
+        return two if pointed else one
+    return None
+
+
+def _way(order: Order) -> tuple[str | None, bool]:
+    """An order told from the left, from the front or from the bottom."""
+    if order.first in ("right", "back", "top"):
+        return OPPOSITE[order.first], not order.descending
+    return order.first, order.descending
+
+
 def forget_side(scene: Scene) -> None:
     """Take back what was assumed of the side where an order begins."""
     for note in [note for note in scene.assumptions if note.startswith("the order is read from")]:
@@ -73,21 +97,41 @@ def in_place(
 ) -> Order | None:
     """An order that is settled, where these blocks stand at these places, counted from the first side.
 
-    None where it has them elsewhere; where its direction was open, they say which it is.
+    None where it has them elsewhere; what it left open, its direction or who is where in a run, they say.
     """
-    ranks = list(order.ranks)
+    ranks = order.ranks
     if order.by in _SORTED:
         keyed = [(key(order, scene.things[n]), n) for n in names]
         if any(k is None for k, _ in keyed):
             return None
         keyed.sort(key=lambda pair: str(pair[0]).rjust(4), reverse=order.descending)
-        ranks = [tuple(n for k, n in keyed if k == one) for one in dict.fromkeys(k for k, _ in keyed)]
-    elif order.by != "given":
+        ranks = tuple(tuple(n for k, n in keyed if k == one) for one in dict.fromkeys(k for k, _ in keyed))
+    elif order.by != "given" or len(scene.free_runs.get(ranks, ())) > 1:
         return None
-    spots = [rank for rank in ranks for _ in rank]
-    looks = {n: (scene.things[n].color, scene.things[n].label) for n in names}
     for side in sides if order.first is None else (order.first,):
-        row = spots if side == sides[0] else spots[::-1]
-        if all(looks[name] in {looks[n] for n in row[at]} for at, name in places.items()):
-            return order if order.first else order.model_copy(update={"first": side})
+        found: tuple[tuple[str, ...], ...] | None = ranks
+        for at, name in places.items():
+            found = _split(found, at if side == sides[0] else len(names) - 1 - at, name, scene) if found else None
+        if found is not None:
+            known = {"ranks": found} if order.by == "given" else {}
+            return order.model_copy(update={**known, "first": side})
+    return None
+
+
+def _split(ranks: tuple[tuple[str, ...], ...], at: int, name: str, scene: Scene) -> tuple[tuple[str, ...], ...] | None:
+    """Ranks with a block at a place; None where another stands there."""
+    for index, rank in enumerate(ranks):
+        if at >= len(rank):
+            at -= len(rank)
+            continue
+        looks = {n: (scene.things[n].color, scene.things[n].label, scene.things[n].size) for n in {*rank, name}}
+        if len(set(looks.values())) == 1:
+            return ranks
+        if name not in rank:
+            return None
+        rest = [n for n in rank if n != name]
+        if 0 < at < len(rest) and len({looks[n] for n in rest}) > 1:
+            return None
+        parts = (tuple(rest[:at]), (name,), tuple(rest[at:]))
+        return (*ranks[:index], *(part for part in parts if part), *ranks[index + 1 :])
     return None

@@ -8,8 +8,8 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
-from rpg.language.meaning import Coord, Meaning, Noun, OrderBy
-from rpg.passes.schema.resolve.agreeing import OPPOSITE, agreed
+from rpg.language.meaning import Coord, Meaning, Noun, OrderBy, Toward
+from rpg.passes.schema.resolve.agreeing import OPPOSITE, agreed, one_way
 from rpg.passes.schema.resolve.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.positions import SIDES, Placed, positions
@@ -33,23 +33,23 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     """The order of `names` in a line or stack of `kind`."""
     sides = SIDES[kind]
     spec.orders += sorted_from(spec, names, kind, scene)
-    first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides), None)
-    wrong = next((t for t in spec.toward if t.first and t.first not in sides), None)
+    pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
+    first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides and o not in pointed), None)
+    wrong: Toward | OrderBy | None = next((t for t in spec.toward if t.first and t.first not in sides), None)
+    wrong = wrong or next((o for o in spec.orders if o.first and o.first not in sides and o.by in _FROM_AN_END), None)
     if wrong is not None:
         raise refuse(
             "misplaced", f"this direction does not fit a {kind}", wrong.span, f"say from {sides[0]} to {sides[1]}"
         )
     found = Order()
     for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "reverse")):
-        merged = _merge(found, order, names, kind, scene, scope, first)
+        merged = _merge(found, order, names, kind, scene, scope, order.first if order in pointed else first)
+        if found.by == merged.by != "any" and not scene.lenient:
+            merged = one_way(found, merged, order in pointed, first) or _two_orders(order.span)
         if found.by not in ("any", merged.by) and order.by not in ("in_order", "reverse", "either", "any"):
             if scene.lenient:
                 continue
-            both = agreed(found, merged, first is not None, scene)
-            if both is None:
-                hint = "keep one of them"
-                raise refuse("order-conflict", "two orders are given for the same blocks", order.span, hint)
-            merged = both
+            merged = agreed(found, merged, first is not None, scene) or _two_orders(order.span)
         found = merged
     reverse = any(o.by == "reverse" for o in spec.orders)
     if reverse:
@@ -75,13 +75,21 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         return way
     if placed is not None and not (scene.lenient and found.by != "any"):
         if found.by != "any":
-            raise refuse("order-conflict", "two orders are given for the same blocks", span, "keep one of them")
+            return _two_orders(span)
         if first is not None and placed.first not in (None, first):
             raise refuse("order-conflict", "the places are counted from two sides", span, "keep one of them")
         found = Order(by="given", ranks=placed.ranks, first=placed.first)  # type: ignore[arg-type]
     if found.by != "any" and first and found.first is None:
         found = found.model_copy(update={"first": first})
     return _either_way(found, spec, kind, first)
+
+
+def _two_orders(span: Span) -> Order:
+    raise refuse("order-conflict", "two orders are given for the same blocks", span, "keep one of them")
+
+
+_FROM_AN_END = ("number", "extreme")
+"""Orders that may be told by what stands at an end."""
 
 
 def _either_way(found: Order, spec: Spec, kind: str, first: str | None) -> Order:
@@ -107,7 +115,7 @@ def _begun(found: Order, placed: Placed, names: tuple[str, ...], kind: str, scen
         fits = all(a is None or (b and looks[a] == looks[b[0]]) for a, b in zip(said, row, strict=True))
         if fits and all(row) and len({looks[n] for n in two}) == 1 and abs(len(one) - len(two)) < 2:
             return Order(by="given", ranks=tuple(map(tuple, row)), first=placed.first)  # type: ignore[arg-type]
-    raise refuse("order-conflict", "two orders are given for the same blocks", span, "keep one of them")
+    return _two_orders(span)
 
 
 def _doubled(names: tuple[str, ...], scene: Scene) -> bool:
@@ -147,12 +155,23 @@ def _merge(
                 raise refuse("ambiguous", "it is not said from which end this counts down", order.span,
                              "say 'from top to bottom' or 'from bottom to top'")  # fmt: skip
             return _symbolic(replace(order, by="number"), things, kind, scene, first)
+        case "count_up":
+            upward = first or ("bottom" if kind == "stack" else None)
+            return _symbolic(replace(order, by="number"), things, kind, scene, upward)
         case "number_up" | "number_down":
             made = _symbolic(replace(order, by="number"), things, kind, scene, "bottom")
             return made.model_copy(update={"descending": order.by == "number_down"})
         case "rainbow":
             _paint(things, scene)
             return Order(by="rainbow", descending=order.descending, first=first)  # type: ignore[arg-type]
+        case "extreme" if any(t.kind == "letter" for t in things):
+            raise refuse("misplaced", "letters are not ordered by size", order.span, "say 'in alphabetical order'")
+        case "extreme":
+            by = "number" if {t.kind for t in things} <= {"digit"} else "size"
+            return _merge(found, replace(order, by=by), names, kind, scene, scope, first)
+        case "size_down" | "size_up" if {t.kind for t in things} == {"digit"}:
+            by = "number_down" if order.by == "size_down" else "number_up"
+            return _merge(found, replace(order, by=by), names, kind, scene, scope, first)
         case "size" | "size_down" | "size_up":
             return _by_size(order, things, kind, scene, first)
         case "alternating" if order.items:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 from rpg.ir.order import Order
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Structure
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Size, Structure
 from rpg.passes.schema.resolve.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -200,6 +200,8 @@ def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ..
 def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[Structure, Ref | None]:
     """ "three red blocks in a row with a white one at each end": further blocks in the line."""
     source = shape.members
+    if (told := _told_through(shape, spec, theme)) is not None:
+        return told, theme
     counted_ = theme is not None or amount_of(source) is not None
     if shape.sizes or not counted_ or (theme is None and not isinstance(source, Noun)) or (theme and theme.quant):
         return shape, theme
@@ -216,6 +218,24 @@ def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) ->
         names += refer(noun, scene, Scope(role="member")).names
         scene.mentions.pop()
     return shape, replace(theme, names=names, listed=False)
+
+
+def _told_through(shape: Structure, spec: Spec, theme: Ref | None) -> Structure | None:
+    """ "a column of numbers: 1 is nearest, then 2, then 3": as many as are told from one end on."""
+    source = shape.members
+    bare = isinstance(source, Noun) and source.det == "bare" and not source.traits.labels
+    if theme is not None or shape.sizes or not (source is None or (bare and amount_of(source) is None)):
+        return None
+    places = [place_of(item) for item in spec.absolutes]
+    sides = [place.side if place is not None and place.index in (None, 1) else "" for place in places]
+    told = "next" in sides[1:] and sides[0] != "next" and set(sides[1:-1]) <= {"next"}
+    single = all(isinstance(x.theme, Noun) and x.theme.amount in (None, Amount(1, 1)) for x in spec.absolutes)
+    named = all(isinstance(x.theme, Noun) and len(x.theme.traits.colors + x.theme.traits.labels) == 1
+                for x in spec.absolutes)  # fmt: skip
+    if not (told and single and named):
+        return None
+    size = Size(what="size", amount=Amount(len(places), len(places)), span=shape.span)
+    return replace(shape, sizes=(size,))
 
 
 def _further(item: Absolute, kind: str, own: Sequence[str | None]) -> Noun | None:
@@ -294,6 +314,9 @@ def line_groups(place: At | Places, total: int, kind: str) -> Groups:
             )
         several = share
         index = None if place.index is None else 1 + (place.index - 1) * share
+    elif getattr(place, "each", False) and index is not None and 2 * index <= total:
+        raise refuse("ambiguous", "one block, or each one that comes so many places after another?", place.span,
+                     "name each of their places, or say 'alternating'")  # fmt: skip
     elif unit not in ("block", "layer" if kind == "stack" else "block"):
         return []
     return [[k] for k in chosen(place.side, index, several, total, (sides[0], sides[1]))]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.arranging import arrange_blocks
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
@@ -87,6 +87,7 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
             raise refuse("misplaced", "piles lie on the table", shape.span)
         if shape.det == "the" and clause.verb not in ("build", "arrange"):
             check_built(shape)
+        shape = _laid_in(shape, spec)
         built, atoms = make(shape, spec, None, scene, scope)
         spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
         return Ref(names=tuple(n for b in built for n in b.members), built=tuple(built), span=shape.span), atoms
@@ -94,6 +95,29 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
     if not ref.built and not spec.places:
         raise refuse("no-goal", "it is not said where these blocks should be", shape.span, "say where they should be")
     return ref, []
+
+
+def _laid_in(shape: Structure, spec: Spec) -> Structure:
+    """ "a gradient in one row", "a countdown in a tower", "a line in a column": a line, and how it lies."""
+    into = spec.intos[0].structure if len(spec.intos) == 1 else None
+    if shape.kind not in ("line", "gradient") or not isinstance(into, Structure) or into.kind not in _LINES:
+        return shape
+    single = not (shape.plural or into.plural) and into.traits == Traits() and into.det in ("a", "bare")
+    if not single or (shape.members and into.members) or (shape.sizes and into.sizes):
+        return shape
+    spec.intos = []
+    rainbow = (OrderBy(by="rainbow", span=shape.span),) if shape.kind == "gradient" else ()
+    return replace(
+        shape,
+        kind=into.kind,
+        members=shape.members or into.members,
+        sizes=shape.sizes or into.sizes,
+        details=(*rainbow, *shape.details, *into.details),
+        upright=into.upright,
+    )
+
+
+_LINES = ("row", "column", "line", "stack")
 
 
 def _beside_the_other(parts: list[Ref], spec: Spec, scene: Scene, clause: Clause) -> Goals:

@@ -80,10 +80,11 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
 def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     """ "Red and blue side by side, red on the left": of two blocks close to each other, it is left of the other."""
     (ref, at_, span), *more = loose
+    parts = goal.goals if isinstance(goal, g.All) else ()
     node = _TOWARDS.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
     close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance
     pairs = [a for a in atoms(goal) if isinstance(a, close)]
-    if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in _all_of(goal):
+    if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in (goal, *parts):
         return None
     if isinstance(pairs[0], r.Distance) and pairs[0].maximum is None:
         return None
@@ -94,12 +95,6 @@ def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     sides = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Between)
     spoken = {n for a in atoms(goal) if isinstance(a, sides) for n in _named(a)}
     return None if spoken & set(pair) else node(a=ref.names, b=(other,), span=span)
-
-
-def _all_of(goal: g.Goal) -> list[g.Goal]:
-    """What holds whatever else does, at the end or all the time."""
-    parts = goal.goals if isinstance(goal, g.All) else (goal,)
-    return [part.goal if isinstance(part, g.Always) else part for part in parts]
 
 
 def _check_word(word: s.Spells, loose: list[Loose], scene: Scene) -> None:
@@ -151,6 +146,10 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         return
     if at_.whole:
         raise refuse("no-referent", f"it is not clear which {at_.whole} this is of", at_.span, "name the block there")
+    for own in (a for a in atoms(goal) if isinstance(a, s.Equation | s.GroupBy) and set(ref.names) < _parts(a)):
+        what = "equation" if isinstance(own, s.Equation) else "groups"
+        raise refuse("ambiguous", f"this could be a side of the table or of the {what}", at_.span,
+                     "say 'half of the table', or of what")  # fmt: skip
     figure = any(
         b.kind not in SIDES and len(b.members) > 2 and not set(ref.names) & set(b.members) for b in scene.built
     )
@@ -196,6 +195,10 @@ def _named(atom: g.Goal) -> set[str]:
     return {n for part in ("a", "b", "c") for n in members(getattr(atom, part, ()))}
 
 
+def _parts(node: s.Equation | s.GroupBy) -> set[str]:
+    return set(node.blocks if isinstance(node, s.Equation) else (n for group in node.groups for n in group))
+
+
 def _and(goal: g.Goal, more: g.Goal) -> g.Goal:
     return more if isinstance(goal, g.All) and not goal.goals else conj([goal, more])
 
@@ -224,12 +227,17 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
                 )
             places[index] = name
     if node.order.by != "any":
-        settled = in_place(node.order, places, node.blocks, (sides[0], sides[1]), scene)
+        settled = (
+            None
+            if any(len(ref.names) > 1 for ref, _, _ in loose)
+            else in_place(node.order, places, node.blocks, (sides[0], sides[1]), scene)
+        )
         if settled is None:
             hint = "keep one of them"
             raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], hint)
         return transform(goal, lambda x: node.model_copy(update={"order": settled}) if x == node else x)
-    ranks = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene)
+    bunches = [ref.names for ref, _, _ in loose if len(ref.names) > 1]
+    ranks = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
     first = "bottom" if kind == "stack" else "left"
     order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):

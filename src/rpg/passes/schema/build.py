@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -86,7 +87,7 @@ def build(
             break
         try:
             found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
-            if (token := unfounded(words, found.task)) is not None:
+            if (token := unfounded(words, found.task, found.chosen)) is not None:
                 raise _lost(token)
         except Refusal as refusal:
             code = refusal.diagnostics[0].code
@@ -207,7 +208,7 @@ def _resolved(
     if isinstance(goal, g.All) and not goal.goals:
         raise _no_goal(scene, text)
     goal = brought_about(keep_premises(goal, scene), scene)
-    finish.choose(scene)
+    chosen = finish.choose(scene)
     goal = tidy(goal, scene)
     check(goal, scene)
     _all_used(goal, scene, chains)
@@ -218,11 +219,12 @@ def _resolved(
     )  # fmt: skip
     final = reconcile(finish.renamed(goal, names))
     made = finish.assets(scene, names)
-    return _schema(
+    found = _schema(
         name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start,
         goal=final,
         assumptions=tuple(scene.assumptions), open_={names[t.name]: t.open for t in scene.blocks() if t.open},
     )  # fmt: skip
+    return replace(found, chosen=frozenset(names[thing] for thing in chosen))
 
 
 def _schema(open_: dict[str, str], **fields: Any) -> Feasibility:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 from pydantic import BaseModel
 
@@ -60,9 +60,9 @@ PLAIN = {word: frozenset(terms.split()) for words, terms in _PLAIN.items() for w
 """Words whose meaning depends on no other word, with the terms of a goal one of which they come to."""
 
 
-def unfounded(words: Sequence[Token], task: TaskSchema) -> Token | None:
-    """The first word that names something of which nothing in the task comes."""
-    colors = {asset.color for asset in task.assets}
+def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] = ()) -> Token | None:
+    """The first word that names something of which nothing in the task comes. `chosen`: of no colour that was said."""
+    colors = {asset.color for asset in task.assets if asset.name not in chosen}
     shown = {symbol for asset in task.assets for symbol in _symbols(asset)}
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
     numbers: set[float] | None = None

@@ -43,13 +43,17 @@ MOST_REPAIRS = 8
 
 @dataclass(frozen=True)
 class Feasibility:
-    """What the four steps found about `task`, which has the silent repairs made in it."""
+    """What the four steps found about `task`, which has the silent repairs made in it.
+
+    `chosen`: the objects whose colour the instruction left open.
+    """
 
     task: TaskSchema
     stock: Inventory
     needs: tuple[Requirement, ...]
     conflicts: tuple[Conflict, ...]
     made: tuple[Repair, ...] = ()
+    chosen: frozenset[str] = frozenset()
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:

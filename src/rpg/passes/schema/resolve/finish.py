@@ -57,8 +57,8 @@ def _symbols_for(thing: Thing) -> str:
     return DIGITS if thing.kind == "digit" else string.ascii_uppercase
 
 
-def choose(scene: Scene) -> None:
-    """Give every object the looks that were left open."""
+def choose(scene: Scene) -> set[str]:
+    """Give every object the looks that were left open; the things whose colour was."""
     things = list(scene.things.values())
     no_strangers(scene)
     _count_open(things, scene)
@@ -67,19 +67,20 @@ def choose(scene: Scene) -> None:
             label_of(thing, scene)
     open_ = [t for t in things if not t.patch and t.color is None and t.kind is None]
     _paint_blocks(open_, scene)
-    for thing in things:
-        if thing.patch and thing.color is None:
-            taken = {t.color for t in things if t.patch}
-            thing.color = next((c for c in PATCH_COLORS if c not in taken), None)
-            if thing.color is None:
-                raise refuse(
-                    "patches-no-room",
-                    f"more than {len(PATCH_COLORS)} patches cannot be told apart on the table",
-                    None,
-                    f"use at most {len(PATCH_COLORS)} patches",
-                    patches=sum(t.patch for t in things),
-                )
-            scene.assume(f"the colour of the patch is not said: {thing.color}")
+    bare = [thing for thing in things if thing.patch and thing.color is None]
+    for thing in bare:
+        taken = {t.color for t in things if t.patch}
+        thing.color = next((c for c in PATCH_COLORS if c not in taken), None)
+        if thing.color is None:
+            raise refuse(
+                "patches-no-room",
+                f"more than {len(PATCH_COLORS)} patches cannot be told apart on the table",
+                None,
+                f"use at most {len(PATCH_COLORS)} patches",
+                patches=sum(t.patch for t in things),
+            )
+        scene.assume(f"the colour of the patch is not said: {thing.color}")
+    return {thing.name for thing in (*open_, *bare)}
 
 
 def _count_open(things: list[Thing], scene: Scene) -> None:

@@ -102,7 +102,7 @@ def continued(labels: tuple[str, ...], count: int | None) -> tuple[str, ...]:
 
 def fewer_than(amount: Amount | None) -> Amount:
     """ "no red block", "neither": none; "no two of the red blocks": one at most."""
-    some = amount is not None and amount.low > 1 and not amount.strict
+    some = amount is not None and amount.low > 1 and (amount.high is None or not amount.strict)
     return Amount(0, amount.low - 1 if some and amount is not None else 0, True)
 
 

@@ -68,14 +68,17 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         and all(isinstance(x, Noun) and x.head in ("patch", "any") for x in meaning.items)
     ):
         scope = replace(scope, like_patch=True)
+    bounds = meaning.items[0].amount if isinstance(meaning.items[0], Noun) else None
     for item in meaning.items:
+        if bounds is not None and bounds.strict and meaning.op == "and":
+            item = _bounded(item, bounds)
         if isinstance(item, Noun) and _repeats(item, seen, scene):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
         if parts and isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None:
             raise refuse("misplaced", "this could describe the blocks before it", item.span, "say it in front of them")
         if isinstance(item, Noun):
             seen.append(item.traits)
-            if item.det == "each" and item.part_of is not None:
+            if item.det == "each" and (item.part_of is not None or (parts and item.head == "any")):
                 raise refuse(
                     "ambiguous", "it is not clear what belongs to 'each'", item.span, "say it in two sentences"
                 )
@@ -103,6 +106,15 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         span=meaning.span,
         listed=single,
     )
+
+
+def _bounded(item: Meaning, bounds: Amount) -> Meaning:
+    """ "exactly two red and one blue": exactly one blue; "at most" and "at least" are said of all that follow, too."""
+    if not isinstance(item, Noun) or item.amount is None or item.amount.strict or item.det != "bare":
+        return item
+    low = item.amount.low if bounds.low else 0
+    high = None if bounds.high is None else item.amount.high
+    return replace(item, amount=Amount(low, high, strict=True))
 
 
 def _repeats(item: Noun, seen: list[Traits], scene: Scene) -> bool:

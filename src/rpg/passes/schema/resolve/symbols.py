@@ -39,7 +39,11 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         )
     names = _cubes(text, spec, theme, scene, scope, shape.span)
     details = [x for into in spec.intos if isinstance(into.structure, Structure) for x in into.structure.details]
+    over = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
     upright = _along(spec)
+    if over and any(b.kind == "word" for b in scene.built):
+        raise refuse("ambiguous", "the letters of each word, or one word above the other?", over[0].span,
+                     "say 'each in a tower', or 'one behind the other'")  # fmt: skip
     for way in (t for t in spec.toward if t.axis == "x" or t.first in ("front", "back")):
         raise refuse("misplaced", "a word is read from left to right, or down a tower", way.span, "leave this out")
     backward = spec.manner("backwards") is not None or spec.first("right", "bottom") is not None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.parts import part_statement, unit_of
@@ -81,6 +81,9 @@ def sided(p: Parser, i: int) -> Results[Meaning]:
             yield replace(found, cost=0), j
 
 
+_SIDED = {**SIDES, "lower": "bottom", "upper": "top", "middle": "middle"}
+
+
 def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
     """ "a red block at the bottom" or "bottom red"."""
     yield from part_statement(p, j, unit)
@@ -90,13 +93,12 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
         for found, end in _places(p, k):
             yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
-    if rank := _EXTREMES.get(p.words[j]) if j < p.end else None:
+    if rank := p.peek(j, _EXTREMES):
         best = Noun(head="any", det="the", traits=Traits(rank=rank), span=p.span(j, j + 1))
         yield from ((Absolute(theme=best, adjuncts=x, span=p.span(j, e)), e) for x, e in _places(p, p.reach(j + 1)))
     the = p.opt(j, "the", "whose")
     the = p.opt(the, "the")
-    side = {**SIDES, "lower": "bottom", "upper": "top", "middle": "middle"}.get(p.words[the]) if the < p.end else None
-    if side:
+    if side := p.peek(the, _SIDED):
         k = p.opt(p.reach(the + 1), "one", "block", "cube", "layer")
         k = p.opt(k, "is", "being", ":", "should")
         k = p.opt(k, "be")
@@ -197,6 +199,7 @@ def more_parts(p: Parser, i: int, at_: int, first: Absolute) -> Results[Meaning]
     yield from _absolute_more(p, i, at_, (first,))
 
 
+@choice
 def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in loc(p, i):
         yield (found,), k

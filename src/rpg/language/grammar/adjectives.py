@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.language import lexicon
 from rpg.language.grammar.amounts import length
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import label_list, run
 from rpg.language.meaning import Traits
 
@@ -121,7 +121,7 @@ def color(p: Parser, i: int) -> Results[str]:
         if second is not None and (first == second) and p.words[i] != second:
             yield first, p.reach(i + 2)
         yield first, i + 1
-    elif p.words[i] in lexicon.SHADE and i + 1 < p.end and p.words[i + 1] in lexicon.COLOR:
+    elif p.stands(i, lexicon.SHADE) and p.stands(i + 1, lexicon.COLOR):
         yield lexicon.COLOR[p.words[i + 1]], p.reach(i + 2)
 
 
@@ -158,9 +158,8 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
             Marks({"colors": listed, **({"either": True} if either else {})}),
             p.opt(j, "colored", "coloured", "color"),
         )
-    word = p.words[i] if i < p.end else ""
-    if word in _PLAIN:
-        key, value = _PLAIN[word]
+    if plain := p.peek(i, _PLAIN):
+        key, value = plain
         yield Marks({key: value}), p.reach(i + 1)
     size = p.lex(i, lexicon.SIZE)
     if size:
@@ -287,19 +286,21 @@ def _goes_on(p: Parser, k: int) -> bool:
     return j > k and p.words[j] in lexicon.COLOR and after not in lexicon.BLOCK and after not in ("one", "ones")
 
 
+@choice
 def _symbols_after(p: Parser, i: int) -> Results[Marks]:
     """ "(blocks) A, B and C", "(letters) from A to D", "(blocks) labelled A", "(blocks) red and blue"."""
-    for (labels, more), j in label_list(p, i, p.words[i - 1] in _LABEL_NOUNS):
+    for (labels, more), j in label_list(p, i, p.follows(i, _LABEL_NOUNS)):
         yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
     if j := p.one(i, "from"):
         yield from ((Marks({"labels": labels}), k) for labels, k in run(p, j) if k < p.end and labels[0] < labels[-1])
     yield from _labelled(p, i)
-    if p.words[i - 1] in ("blocks", "cubes", "bricks"):
+    if p.follows(i, ("blocks", "cubes", "bricks")):
         for (listed, either), k in colors(p, p.opt(i, ":")):
             if len(listed) > 1 and not either and not _goes_on(p, k):
                 yield Marks({"colors": listed}), k
 
 
+@choice
 def _labelled(p: Parser, i: int) -> Results[Marks]:
     j = p.any_of(i, _LABELLED)
     if not j:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.absolutes import absolute
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.each import each_led
 from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.labels import literal
@@ -127,6 +127,7 @@ def _next_clause(first: Meaning, second: Meaning) -> bool:
     return isinstance(mark, Coord) or (isinstance(mark, Noun) and len(mark.traits.labels) > 1)
 
 
+@choice
 def _into(p: Parser, i: int) -> Results[Meaning]:
     for target, k in simple(p, i + 1) if p.words[i : i + 1] == ["to"] and p.words[i + 1] in ("a", "an", "one") else ():
         if isinstance(target, Structure):
@@ -158,6 +159,7 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
                 yield Into(structure=target, span=p.span(i, k)), k
 
 
+@choice
 def _using(p: Parser, i: int) -> Results[Meaning]:
     for lead, j in p.standing(i, _USING):
         for members, k in noun_phrase(p, j):
@@ -169,6 +171,7 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 yield Using(members=members, span=p.span(i, k), cost=1), k
 
 
+@choice
 def _that(p: Parser, i: int) -> Results[Meaning]:
     from rpg.language.grammar.chains import chain
     from rpg.language.grammar.verbs import gerund_clause

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from rpg.language import lexicon
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.meaning import Amount
 
 
@@ -30,16 +30,19 @@ _EXACT = ("exactly", "precisely", "only", "just")
 _SINGLE = ("one and only one", "one but only one", "one , and only one", "one and exactly one", "just the one")
 
 
+_DOZENS = {
+    "a pair of": 2, "a couple of": 2, "a couple": 2, "pair of": 2, "couple of": 2, "half a dozen": 6,
+    "a half dozen": 6, "a dozen": 12, "one dozen": 12, "two dozen": 24, "dozen": 12, "a trio of": 3,
+}  # fmt: skip
+"""Numbers of several words; what one begins with stands behind it."""
+
+
 @rule
 def count(p: Parser, i: int) -> Results[int]:
     """A bare whole number: "two", "3", "a pair of", "half a dozen"."""
-    for phrase, value in (
-        ("a pair of", 2), ("a couple of", 2), ("a couple", 2), ("pair of", 2), ("couple of", 2), ("half a dozen", 6),
-        ("a half dozen", 6), ("a dozen", 12), ("one dozen", 12), ("two dozen", 24), ("dozen", 12), ("a trio of", 3),
-    ):  # fmt: skip
-        if j := p.seq(i, phrase):
-            yield value, (p.opt(j, "of") if "dozen" in phrase else j)
-            return
+    for phrase, j in p.standing(i, _DOZENS):
+        yield _DOZENS[phrase], (p.opt(j, "of") if "dozen" in phrase else j)
+        return
     number = p.number(i)
     if number is not None:
         tens = p.number(i + 1) if number in range(20, 60, 10) and p.token(i).kind == "word" else None  # type: ignore[union-attr]
@@ -130,6 +133,7 @@ _SHARES = {
 }  # fmt: skip
 
 
+@choice
 def _shares(p: Parser, i: int) -> Results[Quantity]:
     """ "half of the", "most of the", "not all of the", "all but one of the": a share of a number."""
     for phrase, j in p.standing(i, _SHARES):
@@ -141,13 +145,17 @@ def _shares(p: Parser, i: int) -> Results[Quantity]:
                 yield Quantity("all but", Amount(found, found), True, partitive=True), of
 
 
+_UNIVERSAL = {
+    "all": "all", "both": "both", "each": "each", "every": "each", "any": "any", "no": "no", "none": "no",
+    "neither": "no", "either": "any", "one": "any",
+}  # fmt: skip
+"""Words for all or for any, and the determiner that they come to."""
+
+
+@choice
 def _universal(p: Parser, i: int) -> Results[Quantity]:
-    for word, det in (("all", "all"), ("both", "both"), ("each", "each"), ("every", "each"), ("any", "any"),
-        ("no", "no"),
-                      ("none", "no"), ("neither", "no"), ("either", "any"), ("one", "any")):  # fmt: skip
-        j = p.one(i, word)
-        if not j:
-            continue
+    for word, j in p.standing(i, _UNIVERSAL):
+        det = _UNIVERSAL[word]
         if det == "both":
             fixed: Amount | None = Amount(2, 2)
         elif word == "neither":
@@ -175,6 +183,7 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
                     yield Quantity(det, found, True, partitive=True), of
 
 
+@choice
 def _others(p: Parser, i: int) -> Results[Quantity]:
     if j := p.one(i, "another"):
         yield Quantity("another", Amount(1, 1), False), j

@@ -14,26 +14,30 @@ from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, Structure, Using
 
-_LEADS = (
-    ("after", "then"), ("once", "then"), ("as soon as", "then"), ("when", "then"), ("before", "before"),
-    ("while", "and"),
-)  # fmt: skip
+_LEADS = {
+    "after": "then",
+    "once": "then",
+    "as soon as": "then",
+    "when": "then",
+    "before": "before",
+    "while": "and",
+}
 """What stands before a clause, and how the one behind it follows: then, before it, or at the same time."""
 
 
 @rule
 def chain(p: Parser, i: int) -> Results[Chain]:
     """Clauses joined by "and", "then", "or", "before", commas."""
-    for lead, order in _LEADS:
-        if j := p.seq(i, lead):
-            j = p.opt(j, "you", "that")
-            fronts = [*gerund_clause(p, j), *chain(p, j)]
-            for front, k in fronts:
-                for main, end in chain(p, p.one(k, ",") or k) if k < p.end else ():
-                    both = (main, front) if order == "before" else (front, main)
-                    clauses = (*both[0].clauses, *both[1].clauses)
-                    links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
-                    yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
+    for lead, j in p.standing(i, _LEADS):
+        order = _LEADS[lead]
+        j = p.opt(j, "you", "that")
+        fronts = [*gerund_clause(p, j), *chain(p, j)]
+        for front, k in fronts:
+            for main, end in chain(p, p.one(k, ",") or k) if k < p.end else ():
+                both = (main, front) if order == "before" else (front, main)
+                clauses = (*both[0].clauses, *both[1].clauses)
+                links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
+                yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
     if j := p.one(i, "either"):
         if joined := list(_alternatives(p, j, ())):
             yield from joined

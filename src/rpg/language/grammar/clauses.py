@@ -237,7 +237,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
     if k := p.any_of(i, ("do not", "never", "avoid", "do n't", "not")):
         j, negated = k, True
         j = p.opt(j, "ever")
-    never = p.words[i : i + 1] == ["never"] or p.words[j - 1 : j] == ["ever"]
+    never = p.words[i : i + 1] == ["never"] or p.follows(j, ("ever",))
     for lead in ("let", "allow", "have", "make"):
         if negated and (k := p.one(j, lead)):
             for found, end in state(p, k, "goal"):
@@ -247,7 +247,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
         for found, end in verb_phrase(p, k, ("base", "s")):
             if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
                 yield replace(found, cost=found.cost + 1), end
-    if i > 0 and p.words[i - 1] in ("by", "about", "mind", "of", "having"):
+    if p.follows(i, ("by", "about", "mind", "of", "having")):
         yield from verb_phrase(p, i, ("ing",))
     if k := p.one(i, "only"):
         for found, end in verb_phrase(p, k, ("base",)):

@@ -6,8 +6,7 @@ position or 0 for "no".
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache, wraps
 from itertools import chain, islice
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
@@ -15,7 +14,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.meaning import cost_of
-from rpg.language.outlook import END, Hidden, Leaf, Outlook, View, free_of_places, key_of, leaf_of
+from rpg.language.outlook import END, Asked, Edge, Firsts, Heads, Hidden, Tokens, Words, free_of_places, head_of
 from rpg.language.tokens import Token
 
 M = TypeVar("M")
@@ -46,16 +45,28 @@ def by_first(phrases: tuple[str, ...]) -> dict[str, list[tuple[str, ...]]]:
     return table
 
 
-@lru_cache(maxsize=1024)
-def tree_of(phrases: tuple[str, ...]) -> dict[str | None, Any]:
-    """Phrases word by word: what may follow each word, and under None the rank and the phrase that ends there."""
+def tree_of(phrases: Collection[str]) -> dict[str | None, Any]:
+    """Phrases word by word: what may follow each word, and under None the rank and the phrase that ends there.
+
+    Phrases are known by where they are kept: to compare them all would take longer than to look for them.
+    """
+    kept = _TREES.get(id(phrases))
+    if kept is not None and kept[0] is phrases:
+        return kept[1]
     tree: dict[str | None, Any] = {}
     for rank, phrase in enumerate(phrases):
         branch = tree
         for word in phrase.split():
             branch = branch.setdefault(word, {})
         branch.setdefault(None, (rank, phrase))
+    if len(_TREES) >= MOST_TREES:
+        _TREES.clear()
+    _TREES[id(phrases)] = (phrases, tree)
     return tree
+
+
+MOST_TREES = 4096
+_TREES: dict[int, tuple[Collection[str], dict[str | None, Any]]] = {}
 
 
 class Parser:
@@ -64,7 +75,7 @@ class Parser:
     def __init__(self, tokens: list[Token]) -> None:
         self.tokens = tokens
         self.words = [t.word if t.kind in ("word", "punct", "sign", "number") else "" for t in tokens] + ["", "", ""]
-        self.keys: Sequence[str | None] = [*map(key_of, tokens), *[END] * len(tokens), END, END, END]
+        self.heads: Sequence[str | None] = [*map(head_of, tokens), *[END] * len(tokens), END, END, END]
         self.end = len(tokens)
         self.memo: dict[tuple[Any, ...], list[tuple[Any, int]]] = {}
         self.far = 0
@@ -117,7 +128,7 @@ class Parser:
 
     def standing(self, i: int, phrases: Collection[str]) -> list[tuple[str, int]]:
         """Those of `phrases` that stand here, in their order, each with the position after it."""
-        branch = tree_of(tuple(phrases)).get(self.words[i]) if i < self.end else None
+        branch = tree_of(phrases).get(self.words[i]) if i < self.end else None
         if branch is None:
             return []
         return [(phrase, j) for (_, phrase), j in sorted(self._met(i, branch))]
@@ -153,6 +164,18 @@ class Parser:
             self.reach(i + 1)
         return found
 
+    def peek(self, i: int, category: Mapping[str, M]) -> M | None:
+        """What the word at i means in a table, before it is known whether it is taken for that."""
+        return category.get(self.words[i]) if i < self.end else None
+
+    def stands(self, i: int, words: Collection[str]) -> bool:
+        """Whether the word at i is among `words`, before it is known whether it is taken for one."""
+        return i < self.end and self.words[i] in words
+
+    def follows(self, i: int, words: Collection[str]) -> bool:
+        """Whether the word before i is among `words`."""
+        return i > 0 and self.words[i - 1] in words
+
     def token(self, i: int) -> Token | None:
         return self.tokens[i] if i < self.end else None
 
@@ -181,63 +204,123 @@ def _split(phrase: str) -> tuple[str, ...]:
     return tuple(phrase.split())
 
 
-class Glimpse(Parser):
-    """A parser on a view."""
+class Inquiry(Parser):
+    """A parser that stands in for every sentence, and notes what a rule asks for where it begins."""
 
-    def __init__(self, view: View) -> None:
-        self.tokens, self.words, self.keys, self.end = cast(Any, (view.tokens, view.words, view.keys, view.end))
-        self.view = view
+    def __init__(self, asked: Asked) -> None:
+        self.asked = asked
+        self.tokens, self.words, self.end = cast(Any, (Tokens(asked), Words(asked), Edge(asked)))
+        self.heads = cast(Any, Heads())
         self.memo = {}
-        self.far = view.base
-        self.work = 0
-        self.steps = 0
+        self.far = self.work = self.steps = 0
 
     def span(self, i: int, j: int) -> Span:
-        """Codes for the place of tokens i..j-1."""
-        if not self.view.key(i):
-            raise Hidden(self.view)
-        return (self.char(i, 0), self.char(max(i, j - 1), 1))
+        raise Hidden
 
     def char(self, index: int, side: int) -> int:
-        """The code for where a token begins (side 0) or ends (side 1)."""
-        return self.view.char(index, side)
+        raise Hidden
+
+    def one(self, i: int, words: frozenset[str] | set[str] | str) -> int:
+        self.asked.note(i, (words,) if isinstance(words, str) else words)
+        return 0
+
+    def opt(self, i: int, *words: str) -> int:
+        self.asked.note(i, words)
+        return i
+
+    def seq(self, i: int, phrase: str) -> int:
+        self.asked.note(i, _split(phrase)[:1])
+        return 0
+
+    def standing(self, i: int, phrases: Collection[str]) -> list[tuple[str, int]]:
+        self.asked.note(i, tree_of(phrases))
+        return []
+
+    def any_of(self, i: int, phrases: tuple[str, ...]) -> int:
+        self.asked.note(i, tree_of(phrases))
+        return 0
+
+    def lex(self, i: int, category: Mapping[str, M]) -> M | None:
+        self.asked.note(i, category)
+        return None
+
+    peek = lex
+
+    def stands(self, i: int, words: Collection[str]) -> bool:
+        self.asked.note(i, words)
+        return False
+
+    def follows(self, i: int, words: Collection[str]) -> bool:
+        self.asked.here(i)
+        self.asked.behind.update(words)
+        return False
 
 
-@dataclass(frozen=True)
-class Attempt:
-    """Tries a rule on a view."""
+class Beginning:
+    """Spares a rule, or a choice of one, words with which it cannot begin. `firsts`: what it asks for, by arguments."""
 
-    name: str
-    body: Callable[..., Results[Any]]
+    def __init__(self, body: Callable[..., Results[Any]]) -> None:
+        self.body = body
+        self.free = free_of_places(body)
+        self.firsts: dict[tuple[Any, ...], Firsts | None] = {}
+        BEGINNINGS.append(self)
 
-    def __call__(self, view: View, args: tuple[Any, ...]) -> Leaf:
-        p = Glimpse(view)
-        p.memo[(self.name, view.base, args)] = []
-        found = _distinct(self.body(p, view.base, *args))
-        return leaf_of(found, view.base, max([p.far, *[j for _, j in found]]))
+    def spared(self, p: Parser, i: int, args: tuple[Any, ...]) -> list[tuple[Any, int]] | None:
+        """The readings at a place if no run is needed to know them, else None."""
+        head = p.heads[i]
+        if head is None or not self.free:
+            return None
+        try:
+            known = self.firsts[args]
+        except KeyError:
+            known = self.firsts[args] = self._asked(args)
+        if known is None:
+            return None
+        words, behind, found = known
+        if head in words or (behind and i > 0 and p.words[i - 1] in behind):
+            return None
+        if i > p.far:
+            p.far = i
+        return [(meaning, i) for meaning in found] if found else _NOTHING
+
+    def _asked(self, args: tuple[Any, ...]) -> Firsts | None:
+        """What the rule asks of the word where it begins, at the start of a sentence and inside; None: too much."""
+        words: set[str] = set()
+        behind: set[str] = set()
+        found = []
+        for kind in ("word", "punct", END):
+            for base in (0, 1000):
+                asked = Asked(kind, base)
+                try:
+                    found.append(tuple(meaning for meaning, _ in _distinct(self.body(Inquiry(asked), base, *args))))
+                except Hidden:
+                    return None
+                words |= asked.words
+                behind |= asked.behind
+        return Firsts(frozenset(words), frozenset(behind), found[0]) if len(set(found)) == 1 else None
+
+
+_NOTHING: list[Any] = []
+BEGINNINGS: list[Beginning] = []
+"""Those of all rules and choices."""
 
 
 def rule(
     body: Callable[Concatenate[Parser, int, A], Results[M]],
 ) -> Callable[Concatenate[Parser, int, A], list[tuple[M, int]]]:
-    """Memoise a rule: its distinct readings at a place, in order of preference, bounded in number.
-
-    Its outlook spares it what it has seen in other sentences.
-    """
+    """Memoise a rule: its distinct readings at a place, in order of preference, bounded in number."""
     name = f"{body.__module__}.{body.__qualname__}"
-    outlook = Outlook(Attempt(name, body)) if free_of_places(body) else None
+    beginning = Beginning(body)
 
     @wraps(body)
     def apply(p: Parser, i: int, *args: A.args, **kwargs: A.kwargs) -> list[tuple[M, int]]:
         assert not kwargs
+        found = beginning.spared(p, i, args)
+        if found is not None:
+            return found
         key = (name, i, args)
         found = p.memo.get(key)
         if found is None:
-            leaf = outlook.recall(p.keys, i, args) if outlook is not None else None
-            if leaf is not None:
-                p.reach(i + leaf.far)
-                found = p.memo[key] = leaf.at(i, p.char) if leaf.readings else []
-                return found
             p.memo[key] = []
             p.work += 1
             if p.work > MAX_WORK:
@@ -248,6 +331,21 @@ def rule(
         return found
 
     return cast(Callable[Concatenate[Parser, int, A], list[tuple[M, int]]], apply)
+
+
+def choice(
+    body: Callable[Concatenate[Parser, int, A], Results[M]],
+) -> Callable[Concatenate[Parser, int, A], Iterable[tuple[M, int]]]:
+    """Make a part of a rule one that is not entered before words with which it cannot begin; it has no memory."""
+    beginning = Beginning(body)
+
+    @wraps(body)
+    def apply(p: Parser, i: int, *args: A.args, **kwargs: A.kwargs) -> Iterable[tuple[M, int]]:
+        assert not kwargs
+        found = beginning.spared(p, i, args)
+        return body(p, i, *args, **kwargs) if found is None else found
+
+    return cast(Callable[Concatenate[Parser, int, A], Iterable[tuple[M, int]]], apply)
 
 
 def _distinct(readings: Results[M]) -> list[tuple[M, int]]:

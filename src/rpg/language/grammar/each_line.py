@@ -29,9 +29,10 @@ def each_line(p: Parser, i: int) -> Results[Meaning]:
         start = p.one(told, ":") if told else 0
     else:
         lead = p.any_of(comma, ("the", "with the", "where the", "with", "its", "whose")) or comma
-        unit = _UNITS.get(p.words[lead]) if lead < p.end and p.words[lead].endswith("s") else None
+        unit = p.peek(lead, _UNITS)
+        if not unit or not p.words[lead].endswith("s") or not (lead > i or i == 0):
+            return
         start = p.any_of(lead + 1, ("are", "being", ":", "should be", "are :", "must be", "in the colors", "colored"))
-        start = start if unit and (lead > i or i == 0) else 0
     if not unit or not start:
         return
     for way, j in toward(p, start):

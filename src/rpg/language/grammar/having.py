@@ -33,14 +33,11 @@ _CARRIES = (
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
-_HAVING = frozenset(phrase.split()[-1] for phrase in (*_HAS, *_CARRIES)) | {"gets", "get", "with"}
 
 
 @rule
 def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block should have the blue one on it", "the patch must contain two blocks", "A has B to its left"."""
-    if _HAVING.isdisjoint(p.words[i:]):
-        return
     for owner, j in noun_phrase(p, i):
         if isinstance(owner, Pronoun | TableTop):
             continue

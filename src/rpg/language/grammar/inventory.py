@@ -10,7 +10,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import color
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.sizes import IN_TOTAL
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits
@@ -63,7 +63,7 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     for theme, j in simple(p, added) if added else ():
         if isinstance(theme, Noun) and theme.traits.extra:
             yield _given(p, i, j, theme, (), 0), j
-    if i == 0 or p.words[i - 1] in _OPENERS:
+    if i == 0 or p.follows(i, _OPENERS):
         for theme, told, j in _contents(p, i):
             yield _given(p, i, j, theme, told, 2), j
     yield from _numbered(p, i)
@@ -76,6 +76,7 @@ _AT_HAND = (
 )  # fmt: skip
 
 
+@choice
 def _at_hand(p: Parser, i: int) -> Results[Clause]:
     """ "eight gray blocks are given": blocks with their numbers, and that there are such."""
     for items, j in _run(p, i):
@@ -106,7 +107,7 @@ def _contents(p: Parser, i: int, definite: bool = False) -> list[tuple[Meaning |
         if end := p.any_of(k, IN_TOTAL):
             block = Noun(head="block", amount=many, plural=many.high != 1, span=p.span(i, end))
             found.append((block, (), end))
-    found += [(_whole(p, i, j, items), (), j) for items, j in _run(p, i, definite or p.words[i - 1 : i] == [":"])]
+    found += [(_whole(p, i, j, items), (), j) for items, j in _run(p, i, definite or p.follows(i, (":",)))]
     return found
 
 
@@ -126,6 +127,7 @@ def _run(p: Parser, i: int, definite: bool = False) -> Results[tuple[Noun, ...]]
             yield (*first, *rest), k
 
 
+@choice
 def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
     things = [(theme, j) for theme, j in simple(p, i) if isinstance(theme, Noun) and _counted(theme, definite)]
     longest = max((j for theme, j in things if theme.traits.labels), default=0)
@@ -155,6 +157,7 @@ def _of_color(named: str, many: int, span: tuple[int, int]) -> Noun:
     return Noun(head="block", amount=Amount(many, many), plural=many > 1, traits=Traits(colors=(named,)), span=span)
 
 
+@choice
 def _colors(p: Parser, i: int) -> Results[tuple[str, ...]]:
     listed: list[str] = []
     while (found := next(iter(color(p, i)), None)) is not None:
@@ -176,6 +179,7 @@ def _counted(theme: Noun, definite: bool) -> bool:
     return plain and (exact or (bool(marks.labels) and theme.amount is None and not marks.open_ended))
 
 
+@choice
 def _numbered(p: Parser, i: int) -> Results[Clause]:
     """ "the blue cubes are three", "the blocks are two red and two green"."""
     for theme, j in noun_phrase(p, i):

@@ -28,8 +28,8 @@ def symbol(p: Parser, i: int, spoken: bool = False) -> str | None:
             found = token.raw.upper()
     elif (token.kind == "number" and token.word in string.digits) or token.kind == "sign":
         found = token.word
-    elif token.word in _SIGN_WORDS:
-        found = _SIGN_WORDS[token.word]
+    elif (sign := p.lex(i, _SIGN_WORDS)) is not None:
+        found = sign
     elif spoken:
         number = p.number(i)
         found = str(number) if number is not None and number < 10 else None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.language.grammar.adjectives import color
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import label_list
 from rpg.language.meaning import Meaning, Noun, Traits
 
@@ -25,6 +25,7 @@ def listed(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             yield from _more(p, (first,), j)
 
 
+@choice
 def _colors(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     items: list[Meaning] = []
     at, readings = i, []

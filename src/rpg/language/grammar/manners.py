@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar import amounts
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Manner, Meaning
 
@@ -18,8 +19,11 @@ _FACE_WORDS = {"up": "up", "upward": "up", "upwards": "up", "down": "down", "dow
 def direction(p: Parser, i: int) -> Results[str]:
     """ "up", "to the left", "towards the camera"."""
     j = p.any_of(i, ("to the", "toward the", "towards the", "to", "towards", "toward", "the")) or i
-    if j < p.end and p.words[j] in _FACE_WORDS:
-        yield _FACE_WORDS[p.words[j]], p.reach(j + 1)
+    if side := p.peek(j, _FACE_WORDS):
+        yield side, p.reach(j + 1)
+
+
+_LEFTWARD = tuple(f"{way} from right to left" for way in ("going up", "rising", "ascending", "climbing"))
 
 
 @rule
@@ -35,7 +39,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     yield from _pointed(p, i, comma)
     if j := p.any_of(i, _RISING):
         yield from _rising(p, i, j)
-    if j := p.any_of(i, tuple(f"{way} from right to left" for way in ("going up", "rising", "ascending", "climbing"))):
+    if j := p.any_of(i, _LEFTWARD):
         yield Manner(kind="rising", value="left", span=p.span(i, j)), j
     for n, j in _degrees(p, i):
         yield from _spun(p, i, j, n)
@@ -237,16 +241,20 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
 }  # fmt: skip
 
 
-def _degrees(p: Parser, i: int) -> Results[float]:
-    from rpg.language import lexicon
+_DEGREES = frozenset(lexicon.DEGREES.split())
+_TURNS = {
+    "turned a quarter turn": 90.0, "turned a half turn": 180.0, "turned half a turn": 180.0,
+    "rotated a quarter turn": 90.0, "a quarter turn": 90.0, "a half turn": 180.0, "half a turn": 180.0,
+    "a quarter of a turn": 90.0, "halfway around": 180.0, "quarter turn": 90.0, "half turn": 180.0,
+}  # fmt: skip
+"""Turns by their names."""
 
+
+@choice
+def _degrees(p: Parser, i: int) -> Results[float]:
     j = p.one(i, "by") or i
     j = p.opt(j, "about")
-    if (n := p.figure(j)) is not None and j + 1 < p.end and p.words[j + 1] in lexicon.DEGREES.split():
+    if (n := p.figure(j)) is not None and j + 1 < p.end and p.words[j + 1] in _DEGREES:
         yield n, p.reach(j + 2)
-    for phrase, n in (("turned a quarter turn", 90.0), ("turned a half turn", 180.0), ("turned half a turn", 180.0),
-        ("rotated a quarter turn", 90.0), ("a quarter turn", 90.0), ("a half turn", 180.0), ("half a turn", 180.0),
-        ("a quarter of a turn", 90.0), ("halfway around", 180.0),
-                      ("quarter turn", 90.0), ("half turn", 180.0), ("around", 180.0)):  # fmt: skip
-        if phrase != "around" and (k := p.seq(j, phrase)):
-            yield n, k
+    for phrase, k in p.standing(j, _TURNS):
+        yield _TURNS[phrase], k

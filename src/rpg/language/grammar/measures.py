@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.amounts import length
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.prepositions import relation
 from rpg.language.meaning import Loc, Meaning, Pronoun
@@ -17,32 +17,25 @@ _AMONG = ("between them", "between each other", "in between them", "in between",
           "between each of the blocks")  # fmt: skip
 
 
-_AROUND = (
-    ("about", 0.25),
-    ("around", 0.25),
-    ("roughly", 0.25),
-    ("approximately", 0.25),
-    ("nearly", 0.25),
-    ("exactly", 0.0),
-)
+_AROUND = {"about": 0.25, "around": 0.25, "roughly": 0.25, "approximately": 0.25, "nearly": 0.25, "exactly": 0.0}
+_LIMITS = {
+    "at least": "low", "more than": "low", "no less than": "low", "a minimum of": "low", "at most": "high",
+    "less than": "high", "no more than": "high", "within": "high", "up to": "high", "not more than": "high",
+    "a maximum of": "high", "closer than": "high", "over": "low", "under": "high",
+}  # fmt: skip
+"""What a length that follows bounds."""
 
 
 @rule
 def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
     """A length as a range: "5 cm" is ±1 cm, "about 5 cm" ±25 %, "at least 5 cm", "no more than 5 cm"."""
-    for phrase, kind in (("at least", "low"), ("more than", "low"), ("no less than", "low"), ("a minimum of", "low"),
-                         ("at most", "high"), ("less than", "high"), ("no more than", "high"), ("within", "high"),
-                         ("up to", "high"),
-                         ("not more than", "high"), ("a maximum of", "high"), ("closer than", "high"),
-                         ("over", "low"), ("under", "high")):  # fmt: skip
-        if j := p.seq(i, phrase):
-            for metres, k in length(p, j):
-                yield ((metres, None) if kind == "low" else (None, metres)), k
-    for word, share in _AROUND:
-        if j := p.one(i, word):
-            for metres, k in length(p, j):
-                slack = metres * share if share else 0.01
-                yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), k
+    for phrase, j in p.standing(i, _LIMITS):
+        for metres, k in length(p, j):
+            yield ((metres, None) if _LIMITS[phrase] == "low" else (None, metres)), k
+    for word, j in p.standing(i, _AROUND):
+        for metres, k in length(p, j):
+            slack = metres * _AROUND[word] if _AROUND[word] else 0.01
+            yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), k
     if j := p.one(i, "between"):
         low = p.figure(j)
         after = p.one(j + 1, "and") if low is not None else 0
@@ -68,6 +61,7 @@ _GIVE = (
 )  # fmt: skip
 
 
+@choice
 def _tolerance(p: Parser, i: int) -> Results[float]:
     """ "plus or minus 5 mm" behind a length."""
     if j := p.any_of(p.opt(i, ","), _GIVE):
@@ -95,6 +89,7 @@ def _measured_so(p: Parser, far: Loc, i: int, j: int) -> Results[Loc]:
             yield replace(said, low=low, high=high, span=p.span(i, end)), end
 
 
+@choice
 def measured(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm from the red block", "at least 10 cm to the left of it", "within 3 cm of ..."."""
     start = p.any_of(i, ("at a distance of", "with a distance of", "a distance of")) or (
@@ -125,16 +120,19 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
 _NO_CLOSER = ("no closer to", "not closer to", "no nearer to", "not nearer to", "never closer to")
 _NO_FARTHER = ("no farther from", "no further from", "not farther from", "not further from", "no farther away from",
                "no further away from", "not farther away from", "not further away from")  # fmt: skip
+_CLOSER_THAN, _FARTHER_THAN = (
+    tuple(dict.fromkeys(" ".join(x.split()[:2]) + " than" for x in phrases)) for phrases in (_NO_CLOSER, _NO_FARTHER)
+)
 
 
+@choice
 def limited(p: Parser, i: int) -> Results[Meaning]:
     """ "no closer to it than 10 cm", "no farther than 8 cm from the blue one": a bound on a distance."""
-    for phrases, least in ((_NO_CLOSER, True), (_NO_FARTHER, False)):
+    for phrases, leads, least in ((_NO_CLOSER, _CLOSER_THAN, True), (_NO_FARTHER, _FARTHER_THAN, False)):
         if j := p.any_of(i, phrases):
             for landmark, k in noun_phrase(p, j):
                 for metres, end in length(p, p.one(k, "than")) if p.one(k, "than") else ():
                     yield _bound(p, i, end, landmark, metres, least), end
-        leads = tuple(dict.fromkeys(" ".join(x.split()[:2]) + " than" for x in phrases))
         if j := p.any_of(i, leads):
             for metres, k in length(p, j):
                 to = p.any_of(k, ("to", "from", "away from"))
@@ -170,6 +168,7 @@ _GAPS_OF = (
 )  # fmt: skip
 
 
+@choice
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
     start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
@@ -197,10 +196,11 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     yield from _spaced(p, i)
 
 
+@choice
 def _spaced(p: Parser, i: int) -> Results[Meaning]:
     """ "leaving a 2 cm gap between them", "with gaps of 2 cm"."""
     if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")) or (
-        i if i and p.words[i - 1] == "," else 0
+        i if p.follows(i, (",",)) else 0
     ):
         for (low, high), k in bounds(p, j):
             if gap := p.any_of(k, _ROOM):
@@ -223,6 +223,7 @@ def _each_other(p: Parser, i: int, end: int, low: float | None, high: float | No
     return Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=span)
 
 
+@choice
 def _moved(p: Parser, i: int) -> Results[Meaning]:
     """ "by at least 10 cm": how far something moves."""
     far = p.one(i, "by") or i

@@ -10,7 +10,7 @@ from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import Marks, adjectives, clash, color, merge, of_quality
 from rpg.language.grammar.amounts import Quantity
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.joined import all_but, apposed, more
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.pronouns import pronoun
@@ -76,6 +76,7 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
         yield from _of_these(p, i, of)
 
 
+@choice
 def _letters_of(p: Parser, i: int) -> Results[Meaning]:
     """ "the letters of the word LAMP": those letters, in no order yet."""
     j = p.any_of(i, ("the letters of", "letters of", "all letters of", "all the letters of", "the letters in"))
@@ -94,6 +95,7 @@ def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
                 yield Noun(head=whole.head, det="some", amount=found, plural=True, part_of=whole, span=p.span(i, k)), k
 
 
+@choice
 def _table(p: Parser, i: int) -> Results[Meaning]:
     j = p.opt(i, "the", "a", "this", "your", "my")
     j = p.opt(j, "work", "wooden")
@@ -109,21 +111,20 @@ _PARTS = {
 }  # fmt: skip
 
 
+@choice
 def _part(p: Parser, i: int) -> Results[Meaning]:
     """ "the top of the tower", "its top"."""
     if j := p.one(i, "its"):
-        for phrase, part in _PARTS.items():
-            if k := p.seq(j, phrase):
-                yield PartOf(part=part, whole=Pronoun(word="it", span=p.span(i, j)), span=p.span(i, k)), k
+        for phrase, k in p.standing(j, _PARTS):
+            yield PartOf(part=_PARTS[phrase], whole=Pronoun(word="it", span=p.span(i, j)), span=p.span(i, k)), k
     j = p.one(i, "the")
     if not j:
         return
-    for phrase, part in _PARTS.items():
-        if (k := p.seq(j, phrase)) and (k := p.one(k, "of")):
-            for whole, end in simple(p, k):
-                if isinstance(whole, TableTop):
-                    continue
-                yield PartOf(part=part, whole=whole, span=p.span(i, end)), end
+    for phrase, k in p.standing(j, _PARTS):
+        for whole, end in simple(p, of) if (of := p.one(k, "of")) else ():
+            if isinstance(whole, TableTop):
+                continue
+            yield PartOf(part=_PARTS[phrase], whole=whole, span=p.span(i, end)), end
 
 
 def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
@@ -157,6 +158,7 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
             )
 
 
+@choice
 def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     """The noun itself: (head, plural, traits it brings)."""
     for table, head in ((lexicon.BLOCK, "block"), (lexicon.LOOSE_BLOCK, "block")):
@@ -180,8 +182,8 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
         yield ("block", p.words[i] == "distractors", {"extra": True}), j
     if j := p.one(i, frozenset({"one", "ones"})):
         yield ("any", p.words[i] == "ones", {}), j
-    if i < p.end and p.words[i] in lexicon.COLOR_PLURAL:
-        yield ("block", True, {"colors": (lexicon.COLOR_PLURAL[p.words[i]],)}), p.reach(i + 1)
+    if several := p.peek(i, lexicon.COLOR_PLURAL):
+        yield ("block", True, {"colors": (several,)}), p.reach(i + 1)
 
 
 def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]:
@@ -190,7 +192,7 @@ def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]
             both = merge(marks, brings)
             if both is not None:
                 yield from _finish(p, i, k, quantity, head, plural, both)
-        if (figure := _OUTLINES.get(p.words[j])) and (both := merge(marks, {"shape": figure[0]})) is not None:
+        if (figure := p.peek(j, _OUTLINES)) and (both := merge(marks, {"shape": figure[0]})) is not None:
             yield from _finish(p, i, p.reach(j + 1), quantity, "patch", figure[1], both, cost=1)
         yield from _headless(p, i, start, j, quantity, marks)
 

@@ -9,7 +9,7 @@ from rpg.language.grammar.alternation import alternation
 from rpg.language.grammar.amounts import makes_number
 from rpg.language.grammar.ascents import ascent, counted
 from rpg.language.grammar.classes import classes
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.lists import listed, ranks
 from rpg.language.grammar.order_phrases import NAMED
@@ -52,7 +52,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
     """An order, a direction, a pattern, a spacing."""
     j = p.one(i, _LEADS) or p.any_of(i, _READABLE) or i
     for start in {i: None, j: None}:
-        for phrase, by, extra in _NAMED.get(p.words[start], ()):
+        for phrase, by, extra in p.peek(start, _NAMED) or ():
             into = phrase.startswith("in ") and p.words[start] == "into"
             if k := p.seq(start + 1, phrase[3:]) if into else p.seq(start, phrase):
                 paged = p.any_of(k, (", row by row", "row by row", ", row after row", "row after row"))
@@ -124,6 +124,7 @@ def _after_first(p: Parser, at: int) -> Results[tuple[Meaning, ...]]:
             yield (item, *rest), end
 
 
+@choice
 def _explicit(p: Parser, i: int) -> Results[Meaning]:
     """ "in the order red, yellow, green", "in this order: A, B, C", "red first, then blue"."""
     j = p.any_of(i, ("in the following order", "in the order of", "in the order", "in order", "in this order",
@@ -165,6 +166,7 @@ _SHRINKING = Patterns(
 """Numbers, or sizes, that grow or shrink along a line; what counts up a tower begins at its bottom."""
 
 
+@choice
 def _grown(p: Parser, i: int) -> Results[Meaning]:
     for patterns, descending in ((_GROWING, False), (_SHRINKING, True)):
         for j in patterns.matches(p, i):
@@ -179,6 +181,7 @@ def _grown(p: Parser, i: int) -> Results[Meaning]:
                 yield OrderBy(by=by, descending=descending, span=p.span(i, j)), j
 
 
+@choice
 def _run(p: Parser, i: int) -> Results[Meaning]:
     """ "from 1 to 5", "from E down to A": those symbols, in that order."""
     j = p.one(i, "from")
@@ -233,6 +236,7 @@ def _toward_list(p: Parser, i: int) -> Results[Meaning]:
             yield OrderBy(by="given", items=items, first=found.first, span=p.span(i, last)), last
 
 
+@choice
 def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
     """ "by colour", "according to size", "by even and odd", "into vowels and consonants"."""
     yield from classes(p, i)

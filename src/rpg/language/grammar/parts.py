@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Traits
 
@@ -78,8 +78,9 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         end = p.reach(both + 1) if found else p.opt(both, "end", "ends", "side", "sides")
         yield Places(side="ends", unit=found or "block", span=p.span(i, end)), end
         return
-    across = p.words[j + 1] if j + 1 < p.end else ""
-    if across in ("left", "right") and (along := _SIDES.get(p.words[j])) in ("top", "bottom", "back", "front"):
+    along = p.peek(j, _SIDES)
+    if along in ("top", "bottom", "back", "front") and p.stands(j + 1, ("left", "right")):
+        across = p.words[j + 1]
         end = p.opt(p.reach(j + 2), "corner", "block", "one", "cell", "cube")
         yield Places(side=f"{along} {across}", unit="cell", span=p.span(i, end)), end
         return
@@ -88,13 +89,13 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
     after = p.opt(after, "very")
     if p.words[after : after + 1] == ["outer"] and _NOUNS.get(p.words[after + 1]) == "edge":
         after += 1
-    word = p.words[after] if after < p.end else ""
-    if word in _SIDES:
+    if side := p.peek(after, _SIDES):
         p.reach(after + 1)
-        yield from _sided(p, i, after + 1, _SIDES[word], several, each, unit)
-    if word in _NOUNS and (owned or several is not None or word not in ("corner", "end")):
+        yield from _sided(p, i, after + 1, side, several, each, unit)
+    side = p.peek(after, _NOUNS)
+    if side and (owned or several is not None or not p.stands(after, ("corner", "end"))):
         end = p.any_of(p.reach(after + 1), ("of it", "of them", "pieces", "places")) or after + 1
-        yield _place(p, i, end, _NOUNS[word], "block", several, each), end
+        yield _place(p, i, end, side, "block", several, each), end
 
 
 def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool, unit: str) -> Results[Meaning]:
@@ -157,6 +158,7 @@ def _plain(theme: Meaning) -> bool:
     return bool(marks.colors or marks.labels or marks.size) and marks.rank is None and not marks.extra
 
 
+@choice
 def _coloured(p: Parser, i: int) -> Results[Absolute]:
     """ "black corners", "a green middle column", "a yellow top"."""
     j = p.opt(i, "a", "an", "the", "its", "all")
@@ -170,6 +172,7 @@ def _coloured(p: Parser, i: int) -> Results[Absolute]:
             yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
 
 
+@choice
 def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
     """ "a blue one in each corner", "white on both ends", "red in between", "red for the first row"."""
     for theme, k in noun_phrase(p, i):

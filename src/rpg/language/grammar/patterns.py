@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.adjectives import colors
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.meaning import Meaning, Pattern, Spacing
 
 _UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer", "stack": "stack", "tower": "stack",
@@ -41,6 +41,21 @@ _ONE_FOR_EACH = {
 """What is said of blocks that are stacked or grouped by colour: one tower, one group for each of them."""
 
 
+_PER = {
+    "one color per row": "row", "one color per column": "column", "one color per layer": "layer",
+    "a different color per row": "row", "one color for each row": "row", "one color for each layer": "layer",
+    "one color for each column": "column", "a different color for each row": "row",
+    "a different color for each column": "column", "a different color per layer": "layer",
+    "a different color for each layer": "layer", "a different color for every row": "row",
+    "a different color in each row": "row", "a different color in each layer": "layer",
+    "a different color per column": "column", "one color per level": "layer",
+    "a different color for every layer": "layer", "a different color for every column": "column",
+    "one color per stack": "stack", "one color per tower": "stack", "one color per pile": "pile",
+    "one color each": "stack", "a single color per row": "row",
+}  # fmt: skip
+"""What is said of every line, layer or stack."""
+
+
 @rule
 def pattern(p: Parser, i: int) -> Results[Meaning]:
     """ "where each row is a different colour", "one colour per layer", "in a checkerboard pattern"."""
@@ -54,25 +69,11 @@ def pattern(p: Parser, i: int) -> Results[Meaning]:
             "being", "has", "having", "in", "are", "be", "made of",
                          "containing", "made up of", "uses", "using", "with", "have", "of")) or k  # fmt: skip
         yield from _agree(p, i, k, unit)
-    for phrase, unit in (("one color per row", "row"), ("one color per column", "column"),
-        ("one color per layer", "layer"), ("a different color per row", "row"),
-                         ("one color for each row", "row"), ("one color for each layer", "layer"),
-                         ("one color for each column", "column"),
-                         ("a different color for each row", "row"), ("a different color for each column", "column"),
-                         ("a different color per layer", "layer"),
-                         ("a different color for each layer", "layer"), ("a different color for every row", "row"),
-                         ("a different color in each row", "row"),
-                         ("a different color in each layer", "layer"), ("a different color per column", "column"),
-                         ("one color per level", "layer"),
-                         ("a different color for every layer", "layer"),
-                         ("a different color for every column", "column"), ("one color per stack", "stack"),
-                         ("one color per tower", "stack"), ("one color per pile", "pile"),
-                         ("one color each", "stack"), ("a single color per row", "row")):  # fmt: skip
-        if k := p.seq(j, phrase):
-            yield Pattern(unit=unit, span=p.span(i, k)), k
-    for phrase, unit in _ONE_FOR_EACH.items():
-        if (k := p.seq(p.opt(i, ","), phrase)) and (k >= p.end or p.words[k] in (":", ",", ";")):
-            yield Pattern(unit=unit, span=p.span(i, k)), k
+    for phrase, k in p.standing(j, _PER):
+        yield Pattern(unit=_PER[phrase], span=p.span(i, k)), k
+    for phrase, k in p.standing(p.opt(i, ","), _ONE_FOR_EACH):
+        if k >= p.end or p.words[k] in (":", ",", ";"):
+            yield Pattern(unit=_ONE_FOR_EACH[phrase], span=p.span(i, k)), k
     yield from _checkered(p, i)
     if k := p.any_of(i, ("one per color", "one for each color", "one tower per color", "one stack per color",
         "one tower for each color", "one stack for each color",
@@ -97,6 +98,7 @@ _CHECKERED = (
 )  # fmt: skip
 
 
+@choice
 def _checkered(p: Parser, i: int) -> Results[Meaning]:
     """ "in a checkerboard pattern (of red and blue)"."""
     if j := p.any_of(i, _CHECKERED):
@@ -108,19 +110,9 @@ def _checkered(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _agree(p: Parser, i: int, k: int, unit: str) -> Results[Meaning]:
-    for phrase in _SAME:
-        if e := p.seq(k, phrase):
-            yield (
-                Pattern(
-                    unit=unit,
-                    different=phrase in ("one color", "a single color", "a color") and False,
-                    span=p.span(i, e),
-                ),
-                e,
-            )
-    for phrase in _DIFFERENT:
-        if e := p.seq(k, phrase):
-            yield Pattern(unit=unit, different=True, span=p.span(i, e)), e
+    for phrases, different in ((_SAME, False), (_DIFFERENT, True)):
+        for _, e in p.standing(k, phrases):
+            yield Pattern(unit=unit, different=different, span=p.span(i, e)), e
 
 
 @rule

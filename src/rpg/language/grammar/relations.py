@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.measures import bounds, limited, measured, measured_bare
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.prepositions import relation, side_relation
@@ -68,6 +68,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from _bare(p, i)
 
 
+@choice
 def _either_relation(p: Parser, i: int) -> Results[Meaning]:
     """ "to the left or to the right of", "left of and behind": two relations with one landmark."""
     start = p.one(i, "either") or i
@@ -91,6 +92,7 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
                 yield Coord(op=op, items=parts, span=span), end
 
 
+@choice
 def _either_place(p: Parser, i: int) -> Results[Meaning]:
     """ "either left of the red block or behind the blue one"."""
     start = p.one(i, "either")
@@ -101,6 +103,7 @@ def _either_place(p: Parser, i: int) -> Results[Meaning]:
                 yield Coord(op="or", items=(first, second), span=p.span(i, end)), end
 
 
+@choice
 def _between(p: Parser, i: int) -> Results[Meaning]:
     mods: tuple[str, ...] = ()
     j = i
@@ -123,6 +126,7 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
             yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, end)), end
 
 
+@choice
 def _possessive(p: Parser, i: int) -> Results[Meaning]:
     """ "on its left", "to its right", "on the blue block's left side"."""
     j = p.any_of(i, ("on", "to", "at"))
@@ -149,6 +153,7 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
                 yield Loc(rel=name, landmark=owner, span=p.span(i, end)), end
 
 
+@choice
 def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
     yield from measured_bare(p, i)

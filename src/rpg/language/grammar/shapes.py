@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from rpg.language import lexicon
-from rpg.language.grammar.core import Parser
+from rpg.language.grammar.core import Parser, Results, choice
 
 _LETTER_SHAPES = frozenset("LTVUX")
 
 
-def noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
-    """The structure's noun: (kind, plural, next)."""
+@choice
+def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
+    """The structure's noun: its kind, and whether it is a plural."""
     found = p.lex(i, lexicon.STRUCTURE)
     if found is not None and p.tokens[i].kind == "word":
         kind, plural = found
@@ -21,19 +20,19 @@ def noun(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
             else p.opt(i + 1, "shape", "formation", "outline", "pattern", "arrangement", "figure", "sign")
         )
         j = p.opt(j, "tower") if kind == "pyramid" else j
-        yield kind, plural, j
+        yield (kind, plural), j
     shape = p.lex(i, lexicon.SHAPE_ADJECTIVE)
     if shape and (j := p.one(i + 1, _FORMS)):
-        yield shape, False, j
+        yield (shape, False), j
     if p.words[i : i + 1] in (["cube"], ["cubes"]):
-        yield "cube", p.words[i] == "cubes", p.reach(i + 1)
+        yield ("cube", p.words[i] == "cubes"), p.reach(i + 1)
     if p.words[i : i + 1] in (["block"], ["box"], ["cuboid"]) and _dimensions_before(p, i):
-        yield "cube", False, p.reach(i + 1)
+        yield ("cube", False), p.reach(i + 1)
     if j := p.any_of(i, ("chess board", "checker board", "checkers board")):
-        yield "checkerboard", False, p.opt(j, "pattern")
+        yield ("checkerboard", False), p.opt(j, "pattern")
     for lead in ("color gradient", "gradient", "rainbow"):
         if j := p.seq(i, lead):
-            yield "gradient", False, j
+            yield ("gradient", False), j
     yield from _letter_shapes(p, i)
 
 
@@ -64,19 +63,20 @@ _LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "for
 _FORMING = frozenset({"like", "form", "forms", "make", "draw", "build", "create", "into", "as", "forming", "of"})
 
 
-def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
+@choice
+def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
     """ "L shape", "shape of a T", "an L"."""
     letter = _letter_at(p, i)
     if letter:
         for tail, j in p.standing(i + 1, _TAILS):
-            yield letter, tail == "shapes", j
+            yield (letter, tail == "shapes"), j
         if (
             p.words[i - 1 : i] in (["a"], ["an"])
             and i > 0
             and not (i + 1 < p.end and p.words[i + 1] in lexicon.BLOCK)
             and p.tokens[i].raw.isupper()
         ):
-            yield letter, False, p.reach(i + 1)
+            yield (letter, False), p.reach(i + 1)
     for lead, j in p.standing(i, _LEADS):
         letter = _letter_at(p, j)
         if letter and (
@@ -85,11 +85,11 @@ def _letter_shapes(p: Parser, i: int) -> Iterator[tuple[str, bool, int]]:
             or p.words[i - 1] == "like"
             or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
         ):
-            yield letter, False, p.opt(p.reach(j + 1), "shape", "formation")
+            yield (letter, False), p.opt(p.reach(j + 1), "shape", "formation")
         elif not letter and lead not in ("capital", "letter"):
             inner = p.lex(j, lexicon.STRUCTURE)
             if inner:
-                yield inner[0], False, p.opt(j + 1, "sign", "shape")
+                yield (inner[0], False), p.opt(j + 1, "sign", "shape")
 
 
 def _letter_at(p: Parser, i: int) -> str | None:

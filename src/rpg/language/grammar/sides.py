@@ -28,13 +28,28 @@ _GOING = (
 _AWAY = Patterns(f"{_GOING}? straight? away_from the? {_ME}", f"{_GOING} straight? away")
 _NEARER = Patterns(f"{_GOING}|coming|comes|that_comes straight? towards|toward|to the? {_ME}")
 """Lines that begin near the viewer, and far from them."""
-_AXES = (
-    ("horizontally", "y"), ("vertically", "z"), ("upright", "z"), ("along the y axis", "y"), ("along the x axis", "x"),
-    ("across the table", "y"), ("lengthwise", "x"), ("along the left right direction", "y"),
-    ("in left right direction", "y"), ("in the left right direction", "y"), ("along the left right axis", "y"),
-    ("along the front back direction", "x"), ("in front back direction", "x"), ("in the front back direction", "x"),
-    ("along the front back axis", "x"),
-)  # fmt: skip
+_BEGINNING = {
+    "starting from the left": ("left", "y"), "starting at the left": ("left", "y"),
+    "starting from the right": ("right", "y"), "starting from the bottom": ("bottom", "z"),
+    "starting at the bottom": ("bottom", "z"), "starting from the top": ("top", "z"),
+    "starting on the left": ("left", "y"), "starting on the right": ("right", "y"),
+    "starting at the right": ("right", "y"), "starting from the front": ("front", "x"),
+    "starting from the back": ("back", "x"), "upwards": ("bottom", "z"), "going right": ("left", "y"),
+    "going left": ("right", "y"), "downwards": ("top", "z"), "going down": ("top", "z"),
+    "bottom up": ("bottom", "z"), "top down": ("top", "z"), "upward": ("bottom", "z"),
+    "starting at the top": ("top", "z"), "starting at the front": ("front", "x"),
+    "starting with the bottom": ("bottom", "z"), "from near to far": ("front", "x"),
+    "from far to near": ("back", "x"), "away from the robot": ("front", "x"), "towards the robot": ("back", "x"),
+}  # fmt: skip
+"""Where an order begins, and its axis."""
+_ALONG = {
+    "horizontally": "y", "vertically": "z", "upright": "z", "along the y axis": "y", "along the x axis": "x",
+    "across the table": "y", "lengthwise": "x", "along the left right direction": "y",
+    "in left right direction": "y", "in the left right direction": "y", "along the left right axis": "y",
+    "along the front back direction": "x", "in front back direction": "x", "in the front back direction": "x",
+    "along the front back axis": "x",
+}  # fmt: skip
+"""The axis of a line."""
 
 
 @rule
@@ -42,8 +57,7 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
     """ "from left to right", "bottom to top", "from the bottom up", "vertically", "starting from the left"."""
     j = p.one(i, "from") or i
     j2 = p.opt(j, "the")
-    first = SIDES.get(p.words[j2]) if j2 < p.end else None
-    if first:
+    if first := p.peek(j2, SIDES):
         k = p.reach(j2 + 1)
         k = p.opt(k, "side", "end")
         if e := p.one(k, frozenset({"to", "towards"})):
@@ -59,28 +73,13 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
             yield Toward(first="bottom", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
         if p.words[k : k + 1] in (["down"], ["downwards"], ["downward"]) and first == "top" and j > i:
             yield Toward(first="top", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
-    for phrase, side, axis in (
-        ("starting from the left", "left", "y"), ("starting at the left", "left", "y"),
-        ("starting from the right", "right", "y"),
-        ("starting from the bottom", "bottom", "z"), ("starting at the bottom", "bottom", "z"),
-        ("starting from the top", "top", "z"),
-        ("starting on the left", "left", "y"), ("starting on the right", "right", "y"),
-        ("starting at the right", "right", "y"),
-        ("starting from the front", "front", "x"), ("starting from the back", "back", "x"),  ("upwards", "bottom", "z"),
-        ("going right", "left", "y"), ("going left", "right", "y"), ("downwards", "top", "z"),
-        ("going down", "top", "z"), ("bottom up", "bottom", "z"), ("top down", "top", "z"),
-        ("upward", "bottom", "z"), ("starting at the top", "top", "z"), ("starting at the front", "front", "x"),
-        ("starting with the bottom", "bottom", "z"),
-        ("from near to far", "front", "x"), ("from far to near", "back", "x"), ("away from the robot", "front", "x"),
-        ("towards the robot", "back", "x"),
-    ):  # fmt: skip
-        if k := p.seq(i, phrase):
-            yield Toward(first=side, axis=axis, span=p.span(i, k)), k
+    for phrase, k in p.standing(i, _BEGINNING):
+        side, axis = _BEGINNING[phrase]
+        yield Toward(first=side, axis=axis, span=p.span(i, k)), k
     for ways, side in ((_AWAY, "front"), (_NEARER, "back")):
         yield from ((Toward(first=side, axis="x", span=p.span(i, k)), k) for k in ways.matches(p, i))
-    for phrase, axis in _AXES:
-        if k := p.seq(i, phrase):
-            yield Toward(axis=axis, span=p.span(i, k)), k
+    for phrase, k in p.standing(i, _ALONG):
+        yield Toward(axis=_ALONG[phrase], span=p.span(i, k)), k
 
 
 _WHOLES = (
@@ -116,11 +115,11 @@ def at(p: Parser, i: int) -> Results[Meaning]:
     """A place within the structure: "at the bottom", "in the middle", "on the left", "third from the left"."""
     if j := p.any_of(i, _LEADS):
         yield from _inside(p, i, j)
-    for word, side in _EXTREMES.items():
-        if k := p.one(p.opt(i, "the"), word):
-            far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0
-            if far or p.words[k] not in ("to", "from"):
-                yield At(side=side, span=p.span(i, far or k)), far or k
+    for word, k in p.standing(p.opt(i, "the"), _EXTREMES):
+        side = _EXTREMES[word]
+        far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0
+        if far or p.words[k] not in ("to", "from"):
+            yield At(side=side, span=p.span(i, far or k)), far or k
     ordinal = p.lex(i, lexicon.ORDINAL)
     for side in ("left", "right", "bottom", "top") if ordinal else ():
         if k := p.any_of(i + 1, (f"from the {side}", f"from {side}")):

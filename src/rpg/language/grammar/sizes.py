@@ -69,10 +69,9 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
             yield Size(what="total", amount=found, span=p.span(i, end)), end
         if p.words[i] == "," and p.words[k - 1] in ("blocks", "cubes") and j == i + 1:
             yield Size(what="size", amount=found, span=p.span(i, k), cost=1), k
-        for unit, what in _UNITS.items():
-            if end := p.seq(k, unit):
-                ranging = unit == "in a row" and found.low != found.high
-                yield Size(what=what, amount=found, span=p.span(i, end), cost=2 if ranging else 0), end
+        for unit, end in p.standing(k, _UNITS):
+            ranging = unit == "in a row" and found.low != found.high
+            yield Size(what=_UNITS[unit], amount=found, span=p.span(i, end), cost=2 if ranging else 0), end
     for dims, k in dimensions(p, j):
         yield (
             Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),
@@ -81,11 +80,10 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
     yield from _led(p, i, j)
 
 
-_MEASURES = (
-    ("of height", "high"), ("with height", "high"), ("with a height of", "high"), ("of length", "long"),
-    ("with a length of", "long"), ("of size", "size"), ("with a width of", "wide"), ("of width", "wide"),
-    ("in height", "high"),
-)  # fmt: skip
+_MEASURES = {
+    "of height": "high", "with height": "high", "with a height of": "high", "of length": "long",
+    "with a length of": "long", "of size": "size", "with a width of": "wide", "of width": "wide", "in height": "high",
+}  # fmt: skip
 _WITH = (
     "with", "of", "having", "that has", "which has", "that have", "containing", "in", "whose", "has", "on",
     "with each side", "the",
@@ -105,17 +103,16 @@ _COUNTED = (
 
 def _led(p: Parser, i: int, j: int) -> Results[Size]:
     """After "with", "of", "having"."""
-    for lead, what in _MEASURES:
-        for found, k in amounts.amount(p, p.seq(i, lead)) if p.seq(i, lead) else ():
-            yield Size(what=what, amount=found, span=p.span(i, k)), p.opt(k, *_BLOCKS)
+    for lead, told in p.standing(i, _MEASURES):
+        for found, k in amounts.amount(p, told):
+            yield Size(what=_MEASURES[lead], amount=found, span=p.span(i, k)), p.opt(k, *_BLOCKS)
     k = p.any_of(j, _WITH) or (j if j > i else 0)
     if not k:
         return
     k = p.opt(k, "a", "an", "the", "its")
     for found, e in amounts.amount(p, k):
-        for part, what in _PARTS.items():
-            if end := p.one(e, part):
-                yield Size(what=what, amount=found, span=p.span(i, end)), end
+        for part, end in p.standing(e, _PARTS):
+            yield Size(what=_PARTS[part], amount=found, span=p.span(i, end)), end
         for phrases, what, cost in _COUNTED:
             if end := p.any_of(e, phrases):
                 yield Size(what=what, amount=found, span=p.span(i, end), cost=cost), end

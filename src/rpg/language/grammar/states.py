@@ -64,9 +64,8 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             continue
         readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
         readings += () if negated else becoming(p, i, k, theme, mode)
-        for phrase in _STARTS:
-            if s := p.seq(k, phrase):
-                readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
+        for _, s in p.standing(k, _STARTS):
+            readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
         for found, end in readings:
             lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
             if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & (_MODALS | _BOUND):

@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, merge
 from rpg.language.grammar.amounts import Quantity
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.equations import equation, unequal
 from rpg.language.grammar.labels import digits_of, literal
 from rpg.language.grammar.lists import listed
@@ -95,6 +95,7 @@ _BEFORE_UNITS = {
 }  # fmt: skip
 
 
+@choice
 def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     for phrase, j in p.standing(i, MODIFIERS):
         update = MODIFIERS[phrase]
@@ -115,17 +116,17 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
             yield _Before(marks=Marks({k: v for k, v in marks.items() if k != "target"})), j
     if p.lex(i, lexicon.BLOCK) is not None:
         yield _Before(), i + 1
-    rank = _RANKS.get(p.words[i]) if i < p.end else None
-    if rank:
+    if rank := p.peek(i, _RANKS):
         yield _Before(marks=Marks({"rank": rank})), p.reach(i + 1)
 
 
+@choice
 def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     """ "an alternating red-blue tower", "a red-white-blue tower": which colours, and in which order."""
     turns = p.one(i, "alternating")
-    if i and (p.words[i - 1] in lexicon.COLOR or p.words[i - 1] == "alternating"):
+    if p.lex(turns or i, lexicon.COLOR) is None or p.follows(i, lexicon.COLOR) or p.follows(i, ("alternating",)):
         return
-    for items, j in listed(p, turns or i) if p.lex(turns or i, lexicon.COLOR) is not None else ():
+    for items, j in listed(p, turns or i):
         joined = all(isinstance(x, Noun) and len(x.traits.colors) == 1 for x in items) and "," not in p.words[i:j]
         if not joined or p.lex(j, lexicon.STRUCTURE) is None or (not turns and "and" in p.words[i:j]):
             continue
@@ -141,7 +142,7 @@ _RANKS = {
 
 
 def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Results[Meaning]:
-    for kind, plural, k in noun(p, j):
+    for (kind, plural), k in noun(p, j):
         if (
             kind == "cube"
             and len(before.dims) != 3

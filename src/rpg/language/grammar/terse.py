@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.adjuncts import adjuncts
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.orders import order
@@ -40,7 +40,7 @@ _SORTING = frozenset({"reverse", "reversed", "alphabetical", "alphabetic", "back
 
 def _ordered(p: Parser, i: int) -> Results[Meaning]:
     """ "reverse alphabetical order for A, B and C in a row", "count down from 5 to 1"."""
-    if i >= p.end or p.words[i] not in _SORTING:
+    if not p.stands(i, _SORTING):
         return
     for found, j in ((x, p.opt(k, "order")) for x, k in order(p, i) if isinstance(x, OrderBy)):
         if found.by == "run":
@@ -53,6 +53,7 @@ def _ordered(p: Parser, i: int) -> Results[Meaning]:
                 yield said, end
 
 
+@choice
 def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "red pile right", "purple block: far left corner": a part of the table ends the note."""
     for theme, j in noun_phrase(p, i):
@@ -66,6 +67,7 @@ def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=3), k
 
 
+@choice
 def _spelt(p: Parser, i: int) -> Results[Meaning]:
     """A word, and that it is spelt."""
     text = literal(p, i)

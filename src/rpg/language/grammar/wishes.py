@@ -61,7 +61,7 @@ class Patterns(Phrases):
 
     def matches(self, p: Parser, i: int) -> Iterator[int]:
         """Positions after the patterns that stand at i."""
-        for row in self.rows.get(p.words[i] if i < p.end else "", ()):
+        for row in p.peek(i, self.rows) or ():
             ends = {i}
             for tree, optional in row:
                 after = {j for at in ends for j in _standing(p, at, tree)}

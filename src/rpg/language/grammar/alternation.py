@@ -11,13 +11,58 @@ from rpg.language.meaning import Meaning, Noun, OrderBy, Traits
 _TURNS = Patterns(
     "so|so_that|such_that|where|in_which|while|and? the|their|its? color|colors|blocks|cubes "
     "should|must|will|do|does? alternate|alternates|take_turns",
-    "whose|with color|colors|blocks should|must|will|do|does? alternate|alternates|alternating",
+    "whose|with the|their? color|colors|blocks should|must|will|do|does? alternate|alternates|alternating|taking_turns",
     "so_that|so|that|which|such_that they|it? should|must|will? alternate|alternates in_color|colors?",
+    "taking|take|in turns|turn",
+    "by|in turns",
 )
 """The colours of the blocks spoken of alternate."""
+_WHERE_NO = "so_that|so|such_that|in_which|where|with|and|but|of_which?"
+_NEXT = (
+    "neighbors|neighboring_blocks|neighboring_cubes|neighboring_ones|adjacent_blocks|adjacent_cubes|adjacent_ones|"
+    "touching_blocks|blocks_next_to_each_other"
+)
+_TOUCH = "neighbors|next_to_each_other|side_by_side|adjacent|touching|beside_each_other|next_to_one_another"
+_APART = Patterns(
+    f"{_WHERE_NO} no two {_NEXT} are|is|have|share|with|of|having? may|should|must|can? have|share|be|show? of|in? "
+    "the? same|equal color|colors",
+    f"{_WHERE_NO} {_NEXT} in|of|with different color|colors",
+    f"{_WHERE_NO} no two blocks|cubes|ones? of|in|with the? same|equal|one color|colors are|stand|may|should|must|can? "
+    f"be|stand|sit|come|lie|end_up? {_TOUCH}",
+    f"{_WHERE_NO} no two blocks|cubes|ones? of|in|with the? same|equal|one color|colors may|should|must|can? touch",
+    f"{_WHERE_NO} {_NEXT} should|must|always|all? have|are|be|show|differ of|in? different? color|colors",
+)
+"""Nowhere along the line do two neighbours agree in colour."""
+_SAME_BACK = (
+    "the_same from|in|seen_from|read_from|when_read_from both|either ends|end|sides|side|directions|direction|ways"
+)
+_MIRRORED = Patterns(
+    f"which|that|so_that_it|so_it|such_that_it? should|must|can_be|to? read|reads|reading|look|looks|is|be "
+    f"{_SAME_BACK}",
+    "mirrored|symmetric|symmetrical|symmetrically around|about|to|with_respect_to|in the|its middle|center",
+)
+_ALONE = Patterns(
+    "the|their|its? color|colors|blocks|cubes should|must|will|do|have_to? alternate|take_turns",
+    "they|it should|must|will|do|does? alternate|take_turns in_color|colors?",
+)
+_IT_READS = Patterns(f"it|the_row|the_line|the_tower|this should|must|has_to? read|reads|look|looks|be|is {_SAME_BACK}")
+_TWICE = frozenset(
+    {"no", "neighbors", "neighboring", "adjacent", "the", "their", "its", "they", "it", "this", "colors"}
+)
+
+
+@rule
+def alternation_alone(p: Parser, i: int) -> Results[OrderBy]:
+    """ "The colours alternate.", "No two neighbours have the same colour.": of the line that was built."""
+    if p.stands(i, _TWICE):
+        for patterns, by in ((_ALONE, "alternating"), (_APART, "alternating"), (_IT_READS, "mirrored")):
+            yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
+
+
 _BETWEEN = (
     "alternating between", "with alternating colors", "in alternating colors ,", "alternating", "alternately",
-    "alternately in", "with alternating", "of alternating", "switching between",
+    "alternately in", "with alternating", "of alternating", "switching between", "that alternates between",
+    "that alternates", "which alternates between", "which alternates", "alternates between", "that alternate between",
 )  # fmt: skip
 """What two colours follow."""
 _AFTER = ("alternating", "in alternation", "alternately", "alternate", "taking turns", "take turns")
@@ -31,9 +76,12 @@ _REST = ("the rest", "the others", "the other ones", "the remaining ones", "the 
 def alternation(p: Parser, i: int) -> Results[Meaning]:
     """Colours that alternate, with the two of them where they are named."""
     for j in _TURNS.matches(p, i):
-        yield OrderBy(by="alternating", span=p.span(i, j)), j
-        if k := p.one(j, "between"):
-            yield from _two(p, i, k)
+        two = p.opt(j, "between", ":")
+        if two == j or p.words[j] == ":":
+            yield OrderBy(by="alternating", span=p.span(i, j)), j
+        yield from _two(p, i, two)
+    for patterns, by in ((_APART, "alternating"), (_MIRRORED, "mirrored")):
+        yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
     for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.alternation import alternation_alone
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
@@ -26,6 +27,8 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _spelt(p, i)
     yield from kept_clear(p, i)
     yield from _ordered(p, i)
+    for found, j in alternation_alone(p, i):
+        yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j)), j
     start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
     if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER)):
         everything = Pronoun(word="everything", span=p.span(i, j))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -57,16 +57,16 @@ class Steered:
 def steer(version: Version, request: str, options: CompileOptions | None = None) -> Steered:
     """Carry out `request` on `version`, as if that were the current one. A refused request changes nothing."""
     options, request = options or CompileOptions(), request.replace("\r", " ")
-    family = Family(version.directory.parent)
+    versions = Family(version.directory.parent).versions()
     _require_sound(version)
     options.listen("steer", "read")
     try:
-        understood = interpret(request, history_of(family, version), reader(options))
+        understood = interpret(request, history_of(versions, version), reader(options))
     except Refusal as refusal:
         return Steered(request, "refused", diagnostics=refusal.diagnostics)
     if understood.reverts:
-        return _gone_back(next(v for v in family.versions() if v.number == understood.reference), understood)
-    return _built(family, version, understood, options)
+        return _gone_back(next(v for v in versions if v.number == understood.reference), understood)
+    return _built(versions, version, understood, options)
 
 
 def _gone_back(version: Version, understood: Interpretation) -> Steered:
@@ -104,9 +104,8 @@ def reader(options: CompileOptions) -> Callable[[str], tuple[TaskSchema | None, 
     return lambda text: front_end.read(text, name=None, seed=options.seed, author=options.author)
 
 
-def history_of(family: Family, current: Version) -> History:
+def history_of(versions: Sequence[Version], current: Version) -> History:
     """The versions of a family as requests refer to them."""
-    versions = family.versions()
     numbers = {version.hash: version.number for version in versions}
     past = []
     for version in versions:
@@ -117,13 +116,15 @@ def history_of(family: Family, current: Version) -> History:
     return History(tuple(past), current.number)
 
 
-def _built(family: Family, current: Version, understood: Interpretation, options: CompileOptions) -> Steered:
+def _built(
+    versions: Sequence[Version], current: Version, understood: Interpretation, options: CompileOptions
+) -> Steered:
     """Compile, prove and classify the result; write it where it passes."""
     reference = current
     if understood.reference is not None:
-        reference = next(v for v in family.versions() if v.number == understood.reference)
+        reference = next(v for v in versions if v.number == understood.reference)
         _require_sound(reference)
-    outcome, twin = _compiled(family, understood.task, options)
+    outcome, twin = _compiled(versions, understood.task, options)
     if outcome.status == "refused" or outcome.program is None:
         return Steered(
             understood.request, "refused", outcome, interpretation=understood, diagnostics=outcome.diagnostics
@@ -142,7 +143,7 @@ def _built(family: Family, current: Version, understood: Interpretation, options
         request=understood.request,
         status=outcome.status,
         outcome=outcome,
-        place=publish_version(outcome, family, content_of(outcome, steering)),
+        place=publish_version(outcome, Family(current.directory.parent), content_of(outcome, steering)),
         interpretation=understood,
         verdict=verdict,
         proof=proof,
@@ -152,16 +153,15 @@ def _built(family: Family, current: Version, understood: Interpretation, options
     )
 
 
-def _compiled(family: Family, schema: TaskSchema, options: CompileOptions) -> tuple[Outcome, int | None]:
+def _compiled(versions: Sequence[Version], schema: TaskSchema, options: CompileOptions) -> tuple[Outcome, int | None]:
     """Compile a schema, or take over the validation of a version of the family with the very same code."""
     schema = phrased(schema, options)
     try:
         task = prepared(schema)
     except Refusal as refusal:
         return Outcome("refused", schema.instruction, diagnostics=refusal.diagnostics), None
-    digest = sha256(lower(task))
-    for version in family.versions():
-        if version.snapshot.snapshot.code_hash == digest and version.schema == task:
+    for version in versions:
+        if version.schema == task and version.snapshot.snapshot.code_hash == sha256(lower(task)):
             outcome = _as_compiled(version)
             return (outcome if options.pictures else replace(outcome, pictures={})), version.number
     return compile_schema(schema, options), None

@@ -275,8 +275,11 @@ def rests_on(state: BlockState, a: str, b: str) -> bool:
 
 def _overlap(state: BlockState, a: str, b: str) -> bool:
     """Does one of the two blocks stand over part of the other?"""
-    reach = (state.world.edge[a] + state.world.edge[b]) * 0.875
-    if plane_distance(state, a, b) >= reach:
+    halves, way = (state.world.edge[a] + state.world.edge[b]) / 2, plane_distance(state, a, b)
+    # the shadow of a cube holds a circle as wide as its edge, whichever way it is turned, and is less than 1.75 as wide
+    if way < halves - 2 * OVERLAP_EPS:
+        return True
+    if way >= halves * 1.75:
         return False
     return footprint_gap(state, a, b) < -OVERLAP_EPS
 

@@ -6,7 +6,7 @@ States are held by key (see `identity`), so that each version can see them with 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from itertools import combinations
 from random import Random
@@ -46,6 +46,10 @@ RANDOM = "random layout"
 """The source of states that are no version's in particular."""
 RENEWED = 16
 """After so many states another order of the places on the table is drawn."""
+
+
+Spot = tuple[float, float]
+"""A place on the table."""
 
 
 class Layout(NamedTuple):
@@ -198,8 +202,9 @@ class Bank:
             for start in self.begun[side.label]:
                 self.samples.append(Sample(start, start, f"{side.label} start"))
             for state in goals.get(side.label, ()):
-                for dealt in self._dealt(state):
-                    self._add(side, dealt, "goal re-dealt", None)
+                for dealt, alike in self._dealt(state):
+                    # nobody can tell look-alikes that have changed places, but who knows where they came from
+                    self._add(side, dealt, "goal re-dealt", True if alike and not side.looks_back else None)
         while len(self.samples) < SIZE:
             self.samples.append(self._random(len(self.samples)))
 
@@ -211,15 +216,17 @@ class Bank:
         except Refusal:
             return []
 
-    def _dealt(self, state: BlockState) -> Iterator[BlockState]:
-        """The same places with other blocks in them, dealt among blocks of one size."""
-        names = sorted(state.position)
+    def _dealt(self, state: BlockState) -> Iterator[tuple[BlockState, bool]]:
+        """The same places with other blocks in them, dealt among blocks of one size; and whether look-alikes alone
+        have changed places."""
+        names, look = sorted(state.position), state.world.look
         for _ in range(SHUFFLES):
             other = names[:]
             self.rng.shuffle(other)
             pairs = [(a, b) for a, b in zip(names, other, strict=True) if state.world.edge[a] == state.world.edge[b]]
             if {a for a, _ in pairs} == {b for _, b in pairs}:
-                yield state.moved({a: (state.position[b], state.orientation.get(b, IDENTITY)) for a, b in pairs})
+                dealt = state.moved({a: (state.position[b], state.orientation.get(b, IDENTITY)) for a, b in pairs})
+                yield dealt, all(look[a] == look[b] for a, b in pairs)
 
     def _add(self, side: Side, state: BlockState, source: str, holds: bool | None) -> None:
         """Add a state of one version, with the other version's blocks somewhere on the table as well."""
@@ -254,19 +261,19 @@ class Bank:
 
     def _random(self, number: int) -> Sample:
         """Blocks dealt into stacks of random heights, square to the table: by turns close together and anywhere."""
-        draw, sizes = self.rng.random, self.sizes
-        names = sorted(sizes, key=lambda _: draw())
+        draw, sizes, alike = self.rng.random, self.sizes, self.alike
+        names = [name for _, name in sorted([(draw(), name) for name in sizes])]
         position: dict[str, Vec3] = {}
         for x, y in self._near(len(names)) if number % 2 == 0 else self._anywhere(number):
             height = min(len(names), HEIGHTS[int(draw() * len(HEIGHTS))])
             stack = names[-height:]
-            if not self.alike:
+            if alike:
+                for k, z in zip(stack, self._levels, strict=False):
+                    position[k] = (x, y, z)
+            else:
                 stack.sort(key=lambda k: -sizes[k])
-            z = TABLE_Z
-            for k in stack:
-                edge = sizes[k]
-                position[k] = (x, y, z + edge / 2)
-                z += edge
+                for k, z in zip(stack, _levels([sizes[k] for k in stack]), strict=True):
+                    position[k] = (x, y, z)
             del names[-height:]
             if not names:
                 break
@@ -274,6 +281,11 @@ class Bank:
             position[k] = self._aside(index, k)
         begun = self.begun["new"]
         return Sample(Layout(position, self._upright, True), begun[int(draw() * len(begun))], RANDOM)
+
+    @cached_property
+    def _levels(self) -> list[float]:
+        """Heights of the centres in a stack of blocks that are all of one size."""
+        return _levels([max(self.sizes.values())] * max(HEIGHTS))
 
     @cached_property
     def _upright(self) -> dict[str, Quat]:
@@ -291,13 +303,33 @@ class Bank:
     def _anywhere(self, number: int) -> Iterator[tuple[float, float]]:
         """Places on the table in a random order, which is drawn anew every so often."""
         if number % RENEWED == 1:
-            self.rng.shuffle(self.slots)
+            _shuffle(self.slots, self.rng)
         first = int(self.rng.random() * len(self.slots))
         yield from self.slots[first:]
         yield from self.slots[:first]
 
 
-def _slots(pitch: float) -> list[tuple[float, float]]:
+def _levels(edges: Iterable[float]) -> list[float]:
+    """Heights of the centres of blocks that stand one on the other, from the table up."""
+    found, z = [], TABLE_Z
+    for edge in edges:
+        found.append(z + edge / 2)
+        z += edge
+    return found
+
+
+def _shuffle(items: list[Spot], rng: Random) -> None:
+    """As `rng.shuffle` does it, which takes three times as long for its calls: there are hundreds of places."""
+    bits = rng.getrandbits
+    for last in range(len(items) - 1, 0, -1):
+        width = (last + 1).bit_length()
+        other = bits(width)
+        while other > last:
+            other = bits(width)
+        items[last], items[other] = items[other], items[last]
+
+
+def _slots(pitch: float) -> list[Spot]:
     """Places on the table that are clear of each other, some of them beside the workspace."""
     return [
         (round(WORKSPACE_X[0] + i * pitch, 4), round(1.6 * WORKSPACE_Y[0] + j * pitch, 4))

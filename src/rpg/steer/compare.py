@@ -126,22 +126,20 @@ def compare(identity: Identity, bank: Bank) -> Comparison:
 def _verdicts(old: Judge, new: Judge, bank: Bank) -> tuple[list[bool], list[bool]]:
     """What either version says of every state."""
     places = places_of(bank.sizes, [sample.layout.position for sample in bank.samples])
-    befores = old.own(bank, places)
-    afters = befores if bank.same else new.own(bank, places)
+    afters = new.own(bank, places)
+    befores = afters if bank.same else old.own(bank, places)
     # Blocks of the other version may stand in; in a random layout that neither accepts it is not worth a look.
     doubtful = [
         k
         for k, sample in enumerate(bank.samples)
         if befores[k] != afters[k] or not (befores[k] or sample.source == RANDOM)
     ]
-    with_others = old.any(bank, places, [k for k in doubtful if not befores[k]])
-    befores = [with_others.get(k, before) for k, before in enumerate(befores)]
+    with_others = new.any(bank, places, [k for k in doubtful if not afters[k]])
+    judged = [with_others.get(k, after) for k, after in enumerate(afters)]
     if bank.same:
-        afters = befores
-    else:
-        with_others = new.any(bank, places, [k for k in doubtful if not afters[k]])
-        afters = [with_others.get(k, after) for k, after in enumerate(afters)]
-    return befores, afters
+        return judged, judged
+    with_others = old.any(bank, places, [k for k in doubtful if not befores[k]])
+    return [with_others.get(k, before) for k, before in enumerate(befores)], judged
 
 
 def _included(bank: Bank) -> bool:

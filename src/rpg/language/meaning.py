@@ -215,7 +215,7 @@ class Places(Meaning):
     """Some places of a structure: "the first row" (`side` "first", `index` 1), "the two middle blocks", "each corner".
 
     `side` is a side, "first", "last", or "ends", "corners", "edge", "inner", "rest"; `unit` what is counted: "block",
-    "row", "column", "layer", "half", "third"; `several`: how many of them.
+    "row", "column", "layer", "half", "third"; `several`: how many of them; `of`: how many such units there are.
     """
 
     side: str
@@ -223,6 +223,7 @@ class Places(Meaning):
     index: int | None = None
     several: int | None = None
     each: bool = False
+    of: int | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

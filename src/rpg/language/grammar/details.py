@@ -5,7 +5,9 @@ from __future__ import annotations
 from rpg.language.grammar.absolutes import more_parts, one_more
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each import each_clause
+from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.parts import part_statement
+from rpg.language.grammar.patterns import pattern
 from rpg.language.meaning import Absolute, Clause, Coord, Meaning
 
 
@@ -13,6 +15,11 @@ from rpg.language.meaning import Absolute, Clause, Coord, Meaning
 def part_clause(p: Parser, i: int) -> Results[Meaning]:
     """ "its top is red", "make the middle one blue", "the two ends should be white"."""
     yield from each_clause(p, i)
+    for lines, j in each_line(p, i):
+        if isinstance(lines, Coord):
+            yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j
+    for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) else ():
+        yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
     start = p.any_of(i, ("make", "let", "have", "keep")) or i
     told = dict.fromkeys(part_statement(p, start))
     for first, j in told:

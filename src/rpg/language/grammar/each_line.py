@@ -2,61 +2,137 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from rpg.language.grammar.adjectives import color
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.lists import listed
-from rpg.language.grammar.sides import toward
+from rpg.language.grammar.sides import OPPOSITE, SIDES, toward
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Places, Toward, Traits
 
-_UNITS = {
-    "row": "row", "rows": "row", "column": "column", "columns": "column", "layer": "layer", "layers": "layer",
-    "level": "layer", "levels": "layer",
-}  # fmt: skip
-_ONE = (
-    "in one color", "of one color", "in a single color", "of a single color", "a different color", "one color",
-    "in its own color", "a single color", "in a different color", "of a different color", "a color of its own",
-)  # fmt: skip
+_UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer"}
+_WHERE = "with|where|and|so_that|such_that|having|in_which|whose|while?"
+_ONE = "one|a|a_single|its_own|a_different|the_same|one_single|a_separate|a_distinct|only_one|just_one|another"
+
+
+def _openings(unit: str) -> Patterns:
+    """What the colours of all rows (or columns, or layers) are told after."""
+    return Patterns(
+        f"{_WHERE} each|every {unit} is|being|has|having|should_have|should_be|must_be|must_have|shows|gets|made? "
+        f"in|of|to_have|with? {_ONE} color of_its_own?",
+        f"{_WHERE} using|in|of? {_ONE} color per|for_each|for_every|to_each|to_every|in_each|in_every|each|every "
+        f"{unit}",
+        f"{_WHERE} each|every {unit} single_colored|one_colored|uniform|unicolored",
+        f"{_WHERE} the|its {unit}s are|being|should_be|must_be|in_the_colors|colored|in|colored_in|have_the_colors",
+        f"{_WHERE} the|its? {unit}s :",
+        f"color|paint the|its|all {unit}s",
+        f"with|whose the|its? {unit}s are|being|colored|in?",
+    )
+
+
+_EACH = Patterns(f"each|every being|is|has|having|with? in|of|with? {_ONE} color of_its_own?")
+"""The same behind "three columns"."""
+
+
+_OPENINGS = {unit: _openings(unit) for unit in _UNITS}
+_COLON = ("- from", ": from", ", from", ", namely", ": namely", ":", ",", "-", "from", "namely", "in")
 _FIRST = {"row": ("back", "front", "top", "bottom"), "column": ("left", "right"), "layer": ("bottom", "top")}
 """Where a count of lines may begin, the side of the first one in front."""
+_LEADS = ("in the", "at the", "on the", "for the", "is the", "in", "at", "on", "the", "is in the", "goes to the", "is")
+_NEXT = ("and then", "then", "and finally", "finally", "and last", "and", "followed by")
+_ITEM_SIDES = {
+    **{word: side for word, side in SIDES.items() if word not in ("base", "ground")},
+    "nearest": "front", "closest": "front", "farthest": "back", "furthest": "back", "upper": "top", "lower": "bottom",
+    "middle": "middle", "center": "middle",
+}  # fmt: skip
+_MARKED = frozenset({"each", "every", "row", "rows", "column", "columns", "layer", "layers", "level", "levels"})
 
 
 @rule
 def each_line(p: Parser, i: int) -> Results[Meaning]:
     """As many parts as there are colours, counted from the side that the direction names."""
-    comma = p.opt(i, ",")
-    if each := p.any_of(comma, ("each", "every", "with each", "where each", "with every")):
-        unit = _UNITS.get(p.words[each]) if each < p.end else None
-        told = p.any_of(each + 1, _ONE) or p.any_of(p.opt(each + 1, "is", "being", "should"), _ONE) if unit else 0
-        start = p.one(told, ":") if told else 0
-    else:
-        lead = p.any_of(comma, ("the", "with the", "where the", "with", "its", "whose")) or comma
-        unit = p.peek(lead, _UNITS)
-        if not unit or not p.words[lead].endswith("s") or not (lead > i or i == 0):
-            return
-        start = p.any_of(lead + 1, ("are", "being", ":", "should be", "are :", "must be", "in the colors", "colored"))
-    if not unit or not start:
+    start = p.opt(i, ",", ":")
+    if _MARKED.isdisjoint(p.words[start : start + 9]):
         return
+    for word, unit in _UNITS.items():
+        for k in _OPENINGS[word].matches(p, start):
+            led = p.words[start] in ("with", "whose") and p.words[k - 1] == f"{word}s"
+            led = (
+                led or p.one(i, ",") or p.words[k - 1] in (":", "are", "being", "in", "colored") or p.any_of(k, _COLON)
+            )
+            if led:
+                yield from _colors(p, i, k if p.words[k - 1] == ":" else p.any_of(k, (":", ",", "-")) or k, unit)
+    behind = _UNITS.get(p.words[start - 1].removesuffix("s")) if start > 0 and p.words[start] == "each" else None
+    for k in _EACH.matches(p, start) if behind else ():
+        if end := p.any_of(k, (":", ",", "-")):
+            yield from _colors(p, i, end, behind or "")
+
+
+def _colors(p: Parser, i: int, start: int, unit: str) -> Results[Meaning]:
     for way, j in toward(p, start):
-        if isinstance(way, Toward):
-            yield from _lines(p, i, p.opt(j, ":", ","), unit, way)
-    for items, j in listed(p, start):
-        for way, end in toward(p, p.opt(j, ",")):
-            if isinstance(way, Toward) and (found := _parts(items, unit, way)) is not None:
-                yield Coord(op="absolutes", items=found, span=p.span(i, end)), end
+        if isinstance(way, Toward) and way.first is not None:
+            told, end = _told(p, p.opt(j, ":", ","), unit)
+            yield from _whole(p, i, end, told, unit, way.first)
+    told, end = _told(p, p.opt(start, "from"), unit)
+    yield from _whole(p, i, end, told, unit, None)
+    for way, j in toward(p, p.opt(end, ",")) if told else ():
+        if isinstance(way, Toward) and way.first is not None:
+            yield from _whole(p, i, j, told, unit, way.first)
 
 
-def _lines(p: Parser, i: int, j: int, unit: str, way: Toward) -> Results[Meaning]:
-    for items, end in listed(p, j):
-        if (found := _parts(items, unit, way)) is not None:
-            yield Coord(op="absolutes", items=found, span=p.span(i, end)), end
+Told = tuple[tuple[str, str, tuple[int, int]], ...]
+"""Colours, each with the side where it is said to be, or with none."""
 
 
-def _parts(items: tuple[Meaning, ...], unit: str, way: Toward) -> tuple[Meaning, ...] | None:
-    sides = _FIRST[unit]
-    if way.first not in sides or not all(isinstance(x, Noun) and x.traits == Traits(colors=x.traits.colors[:1])
-                                         and x.traits.colors and x.amount is None for x in items):  # fmt: skip
-        return None
-    ordered = items if sides.index(way.first) % 2 == 0 else items[::-1]
-    return tuple(
-        Absolute(theme=item, adjuncts=(Places(side="first", unit=unit, index=n, span=item.span),), span=item.span)
-        for n, item in enumerate(ordered, 1)
+def _told(p: Parser, i: int, unit: str) -> tuple[Told, int]:
+    """ "red, white, blue", "red far, white middle, blue near", "red in the far one, then white": all of them."""
+    found: list[tuple[str, str, tuple[int, int]]] = []
+    at = end = i
+    while len(found) < 12:
+        named = next(iter(color(p, at)), None)
+        if named is None:
+            break
+        k = p.opt(named[1], "again")
+        side, end = _side(p, k, unit)
+        found.append((named[0], side, p.span(at, end)))
+        comma = p.opt(end, ",")
+        at = p.any_of(comma, _NEXT) or comma
+    return tuple(found), end
+
+
+def _side(p: Parser, i: int, unit: str) -> tuple[str, int]:
+    j = p.any_of(i, _LEADS) or i
+    side = p.lex(j, _ITEM_SIDES)
+    if side is None or p.words[j + 1] in ("to", "of"):
+        return "", i
+    return side, p.opt(p.reach(j + 1), unit, "one", "end", "side")
+
+
+def _whole(p: Parser, i: int, j: int, told: Told, unit: str, first: str | None) -> Iterator[tuple[Meaning, int]]:
+    """The parts that the colours make, if they are told in one way."""
+    sides = [side for _, side, _ in told]
+    if len(told) < 2:
+        return
+    if first is None and all(sides) and len(set(sides)) == len(sides):
+        places = [Places(side=_end(side, unit), unit=unit, of=len(told), span=span) for _, side, span in told]
+    else:
+        begin = first or sides[0] or (_FIRST[unit][0] if unit != "layer" else "")
+        last = "middle" not in sides and sides[-1] in ("", OPPOSITE.get(begin))
+        inner = [side for side in sides[1:-1] if side]
+        if begin not in _FIRST[unit] or inner or not last or (first is not None and any(sides)):
+            return
+        numbers = range(1, len(told) + 1) if _FIRST[unit].index(begin) % 2 == 0 else range(len(told), 0, -1)
+        places = [
+            Places(side="first", unit=unit, index=n, of=len(told), span=span)
+            for n, (_, _, span) in zip(numbers, told, strict=True)
+        ]
+    parts = tuple(
+        Absolute(theme=Noun(head="any", traits=Traits(colors=(named,)), span=span), adjuncts=(place,), span=span)
+        for place, (named, _, span) in zip(places, told, strict=True)
     )
+    yield Coord(op="absolutes", items=parts, span=p.span(i, j)), j
+
+
+def _end(side: str, unit: str) -> str:
+    """Rows of a grid on the table that are told as on a page: the top one is the far one."""
+    return {"top": "back", "bottom": "front"}.get(side, side) if unit == "row" else side

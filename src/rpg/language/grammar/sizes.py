@@ -93,6 +93,8 @@ _COUNTED = (
       "blocks wide bottom"), "base", 0),
     (("blocks each", "cubes each", "blocks per row", "blocks in each row", "cubes per row", "per row",
       "blocks in every row", "each"), "columns", 0),
+    (("blocks per column", "blocks in each column", "cubes per column", "per column", "blocks in every column",
+      "cubes in each column"), "rows", 0),
     (("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side",
       "per side", "cubes on each side"), "side", 0),
     (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",

@@ -6,11 +6,11 @@ import math
 from dataclasses import replace
 
 from rpg.ir import structures as s
-from rpg.language.meaning import Coord, Noun, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Noun, Places, Size, Structure, Traits
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
-from rpg.passes.schema.resolve.parts import widened
+from rpg.passes.schema.resolve.parts import place_of, widened
 from rpg.passes.schema.resolve.patterns import pattern_of
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import plain_colors
@@ -20,6 +20,7 @@ from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "3x3 square", "2 by 4 grid", "3x3x3 cube", "4x4 checkerboard"."""
     plain(shape)
+    shape = _of_lines(shape, spec)
     rows, columns, layers = _dims(shape, spec, theme, scene)
     need = rows * columns * layers
     if shape.kind == "checkerboard":
@@ -34,6 +35,16 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         blocks=names, rows=rows, columns=columns, layers=layers, pattern=pattern, readable=readable, span=shape.span
     )
     return made("grid" if shape.kind == "checkerboard" else shape.kind, node, names, shape.span, scene)
+
+
+def _of_lines(shape: Structure, spec: Spec) -> Structure:
+    """ "a grid, one colour per row: red, white, blue" has three rows, where nothing else is said of them."""
+    told = {place.unit: place.of for item in spec.absolutes if isinstance(place := place_of(item), Places) and place.of}
+    for unit, whats in (("row", ("rows", "deep")), ("column", ("columns", "wide", "long"))):
+        if told.get(unit) and not shape.dims and shape.extent(*whats, "side") is None:
+            amount = Amount(told[unit] or 0, told[unit])
+            shape = replace(shape, sizes=(*shape.sizes, Size(what=whats[0], amount=amount, span=shape.span)))
+    return shape
 
 
 def _two_colors(shape: Structure, spec: Spec) -> Structure:

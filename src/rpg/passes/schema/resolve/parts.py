@@ -115,6 +115,9 @@ def _lines(
     for k, cell in enumerate(cells):
         lines.setdefault({"row": cell.row, "column": cell.column, "layer": cell.level}[unit], []).append(k)
     ordered = [lines[n] for n in sorted(lines)]
+    if part.of is not None and part.of != len(ordered):
+        raise refuse("count-mismatch", f"there are {len(ordered)} {unit}s, but {part.of} are told", part.span,
+                     f"say something of each {unit}", there=len(ordered), told=part.of)  # fmt: skip
     first, last = FIRST[unit]
     side = SAME.get(side, side) if unit == "row" else side
     if side in ("first", "last"):

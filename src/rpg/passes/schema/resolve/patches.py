@@ -134,6 +134,8 @@ def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:
 def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
     """ "each block on the patch of its colour": one patch for every colour among the theme."""
     blocks = [scene.things[n] for n in theme.names]
+    if any(b.kind == "towers" and set(b.members) >= set(theme.names) for b in scene.built):
+        raise refuse("misplaced", "each tower or each block?", span, "say 'each tower on the patch of its colour'")
     spare = iter(
         c
         for c in ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")

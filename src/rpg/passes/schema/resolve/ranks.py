@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import At, Noun
+from rpg.language.meaning import At, Noun, Traits
 from rpg.passes.schema.resolve.positions import SIDES
 from rpg.passes.schema.resolve.reordered import begun_in_order
 from rpg.passes.schema.resolve.things import alike, matching
@@ -31,8 +31,9 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         known = built if built.ordered else begun_in_order(built, scene)
         if known is None or (rank.isdigit() and known.kind == "stack" and len(known.members) == 2):
             continue
-        found = _in(known, rank)
+        found = _in(_such(known, noun, scene), rank)
         if found is not None and (noun.head != "patch"):
+            _told_apart(known, found, noun, scene)
             return Ref(names=(found,))
     if (found_ := _among_alike(noun, rank, scene)) is not None:
         return found_
@@ -46,6 +47,22 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     raise refuse(
         "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
     )
+
+
+def _such(built: Built, noun: Noun, scene: Scene) -> Built:
+    """The members that a place is counted among: "the second red block" of a row is the second of the red ones."""
+    if noun.traits == Traits(rank=noun.traits.rank):
+        return built
+    such = {t.name for t in matching(replace(noun.traits, rank=None), scene, False)}
+    return replace(built, members=tuple(name for name in built.members if name in such))
+
+
+def _told_apart(built: Built, name: str, noun: Noun, scene: Scene) -> None:
+    """Refuse one of the letters of a word that show the same: any of them may stand in its place."""
+    labels = [scene.things[n].label for n in built.members]
+    if built.kind in ("word", "equation") and labels.count(scene.things[name].label) > 1:
+        raise refuse("ambiguous", "this stands several times in the word, and any of them may stand at each place",
+                     noun.span, "speak of a letter that stands there once")  # fmt: skip
 
 
 def _numbered(noun: Noun, number: str, scene: Scene) -> Ref:

@@ -94,6 +94,8 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
             "name them in clauses of their own",
         )
     names = tuple(dict.fromkeys(n for part in parts for n in part.names))
+    if meaning.op == "and" and len(names) < sum(len(part.names) for part in parts if part.quant is None):
+        raise refuse("ambiguous", "a block is named twice in this list", meaning.span, "name each block once")
     built = tuple(b for part in parts for b in part.built)
     single = all(len(part.names) == 1 or part.listed for part in parts)
     return Ref(

@@ -91,7 +91,7 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
         built, atoms = make(shape, spec, None, scene, scope)
         spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
         return Ref(names=tuple(n for b in built for n in b.members), built=tuple(built), span=shape.span), atoms
-    if isinstance(shape, Noun) and shape.det == "each" and shape.head == "any":
+    if isinstance(shape, Noun) and shape.det == "each" and shape.head == "any" and shape.traits.colors:
         raise refuse("ambiguous", "it is not clear of what this is each one", shape.span, "say it in two sentences")
     ref = refer(shape, scene, scope)
     if not ref.built and not spec.places:

@@ -59,6 +59,7 @@ _PIECES = re.compile(
     (?P<bullet>(?:(?<=\n)|^)\s*(?:[-*•]|\d{{1,2}}[.)])(?=\s)|(?<!\w)\d{{1,2}}\)(?=\s))
   | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
   | (?P<aside>\b(?:i\.e\.|e\.g\.|viz\.)[,:]?)
+  | (?P<short>\b(?:max|min)\b\.?(?=\s*(?:\d|one\b|two\b|three\b|four\b|five\b))|\b(?:max|min|approx)\.(?=\s))
   | (?P<word>(?<!\w)['’]em\b|\bw/o?(?=\s))
   | (?P<quote>"[^"]{{1,80}}"|“[^”]{{1,80}}”|«[^»]{{1,80}}»|(?<!\w)[‘'][^'’]{{1,80}}[’'](?!\w)|`[^`]{{1,80}}`)
   | (?P<dims>\d+(?:\s*[x×*]\s*\d+){{1,2}}(?![\w.]))
@@ -71,6 +72,7 @@ _PIECES = re.compile(
     """,
     re.VERBOSE,
 )
+_SHORT = {"max": "maximum", "min": "minimum", "approx": "approximately"}
 _ORDINAL_TAIL = {"st", "nd", "rd", "th"}
 
 
@@ -114,6 +116,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("number", raw, raw, span, float(raw[:12]))]
         case "word" | "letters":
             return _word(raw, span)
+        case "short":
+            return [Token("word", _SHORT[raw.rstrip(".")], raw, span)]
         case "bullet":
             return [Token("punct", ";", raw, span)]
         case "aside":

@@ -11,6 +11,7 @@ from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.offsets import offset
 from rpg.language.grammar.orders import order
 from rpg.language.grammar.parts import wholes
 from rpg.language.grammar.relations import loc
@@ -77,6 +78,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from manner(p, i)
     yield from size_phrase(p, i)
     yield from each_led(p, i)
+    yield from offset(p, i)
 
 
 @rule

@@ -171,6 +171,9 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
         if word in ("none", "one"):
             continue
         plural = None if det in ("any", "no") else det != "each"
+        if word == "no" and (k := p.one(j, frozenset({"other", "further", "additional"}))):
+            yield Quantity("no other", None, None), k
+            continue
         yield Quantity(det, fixed, plural), j
         k = p.one(j, THE)
         if k and det in ("all", "both"):

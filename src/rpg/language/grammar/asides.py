@@ -48,7 +48,12 @@ _FREE = (
     "the color does not matter",
     "color does not matter", "colors do not matter", "the colors do not matter", "any color will do",
     "any color is fine", "i do not care which", "i do not care", "i do not mind which", "i do not care which one",
-    "it does not matter which one", "i do not mind", "rather",
+    "it does not matter which one", "i do not mind", "rather", "whichever you prefer", "whatever you prefer",
+    "whichever you like", "whatever you like", "it does not matter which side", "does not matter which side",
+    "the side does not matter", "on whichever side", "whichever side", "in either order", "either order is fine",
+    "which goes where is up to you", "which one goes where is up to you", "which is which does not matter",
+    "which goes where does not matter", "it does not matter which goes where", "in both cases", "in either case",
+    "in any case", "however", "in either direction", "no matter which one", "no matter which side", "whichever one",
     "that is all", "that is it", "i think",
     "all good",
 )  # fmt: skip

@@ -15,6 +15,7 @@ from rpg.language.grammar.having import having
 from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.offsets import centering
 from rpg.language.grammar.piled import piled
 from rpg.language.grammar.states import state
 from rpg.language.grammar.terse import about, said_of, terse
@@ -71,6 +72,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     if mode in ("command", "any"):
         yield from _command(p, i)
     yield from gap(p, i)
+    yield from centering(p, i)
     yield from state(p, i, when)
     for there, j in _exists(p, i):
         begun = mode == "start" and isinstance(there, Clause) and there.mode == "given"

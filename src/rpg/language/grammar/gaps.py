@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.measures import bounds
+from rpg.language.grammar.measures import bounds, their_ends
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.sides import at
 from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That
@@ -20,9 +20,23 @@ _GAPS = (
 )
 
 
+_ARE = ("are", "should be", "must be", "have to be", "are to be", "shall be", "lie", "stay", "being")
+
+
 @rule
-def gap(p: Parser, i: int) -> Results[Meaning]:
+def gap(p: Parser, i: int) -> Results[Clause]:
     """ "leave a gap of 6 cm between the red and the green block", "the distance between A and B should be 12 cm"."""
+    for measure, j in their_ends(p, i):
+        them = Pronoun(word="them", span=p.span(i, j))
+        are = p.any_of(j, _ARE)
+        for (low, high), k in bounds(p, are) if are else ():
+            if end := p.any_of(k, ("apart", "from each other", "apart from each other", "away from each other")):
+                yield _far_apart(p, i, end, them, low, high, measure), end
+    yield from _left_between(p, i)
+
+
+def _left_between(p: Parser, i: int) -> Results[Clause]:
+    """ "leave a gap of 6 cm between the red and the green block": the distance comes first."""
     j = (
         p.any_of(
             i,

@@ -218,7 +218,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "in the scene": ("idle", None), "side up": ("idle", None),
     "where it is": ("stay", None), "where they are": ("stay", None), "in place": ("stay", None),
     "as it is": ("stay", None), "as they are": ("stay", None),
-    "untouched": ("stay", None), "alone": ("stay", None), "still": ("stay", None), "where they were": ("stay", None),
+    "untouched": ("stay", None), "alone": ("alone", None), "still": ("stay", None), "where they were": ("stay", None),
     "unmoved": ("stay", None),
     "in its place": ("stay", None), "in their places": ("stay", None), "at its place": ("stay", None),
     "where it was": ("stay", None), "undisturbed": ("stay", None),

@@ -22,6 +22,7 @@ _LIMITS = {
     "at least": "low", "more than": "low", "no less than": "low", "a minimum of": "low", "at most": "high",
     "less than": "high", "no more than": "high", "within": "high", "up to": "high", "not more than": "high",
     "a maximum of": "high", "closer than": "high", "over": "low", "under": "high",
+    "maximum": "high", "minimum": "low",
 }  # fmt: skip
 """What a length that follows bounds."""
 
@@ -168,15 +169,26 @@ _GAPS_OF = (
 )  # fmt: skip
 
 
+_THEIRS_ARE = {"faces": "faces", "sides": "faces", "centers": "centres", "middles": "centres"}
+_THEIRS = {f"{whose}{ends}": measure for whose in ("", "the ", "their ") for ends, measure in _THEIRS_ARE.items()}
+
+
+@choice
+def their_ends(p: Parser, i: int) -> Results[str]:
+    """ "their centers", "the faces of the blocks": between what a distance is measured, as the subject of a clause."""
+    for phrase, j in p.standing(i, _THEIRS):
+        yield _THEIRS[phrase], p.any_of(j, ("of the blocks", "of the two", "of the two blocks", "of the cubes")) or j
+
+
 @choice
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
     start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
     start = p.one(i, "to") if p.words[i : i + 2] == ["to", "within"] else start
-    faces = p.any_of(p.opt(i, "with", ","), ("faces", "the faces", "their faces"))
-    for (low, high), j in bounds(p, faces) if faces else ():
-        if end := p.one(j, "apart"):
-            yield _each_other(p, i, end, low, high, "faces"), end
+    for measure, k in their_ends(p, p.opt(i, "with", ",")):
+        for (low, high), j in bounds(p, p.opt(k, "being")):
+            if end := p.any_of(j, ("apart", "from each other", "apart from each other")):
+                yield _each_other(p, i, end, low, high, measure), end
     for (low, high), j in bounds(p, start):
         end, measure = p.any_of(j, _BETWEEN_CENTERS), "centres"
         if not end:

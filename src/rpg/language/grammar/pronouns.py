@@ -19,7 +19,7 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         "their faces", "their letters", "the up faces",
             "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces")
     ):  # fmt: skip
-        yield Pronoun(word="them", span=p.span(i, j)), j
+        yield Pronoun(word="them", span=p.span(i, j), cost=int(p.words[j - 1] == "faces")), j
     for phrase, j in p.standing(i, ("each other", "one another", "the other ones", "the other one", "the others",
                    "the rest", "others",
                    "the other two",

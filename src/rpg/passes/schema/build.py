@@ -202,6 +202,7 @@ def _resolved(
     )
     stated: dict[int, list[g.Goal]] = {}
     for n in order:
+        scene.sentence = n
         stated[n] = chain_goals(chains[n], scene)
     links, sequence = in_time(links, chains, (0, len(text)))
     goal = join([(links[n], stated[n]) for n in sequence], scene, (0, len(text)))

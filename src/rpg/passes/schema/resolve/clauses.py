@@ -26,8 +26,10 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.alike import by_likeness, counterparts
+from rpg.passes.schema.resolve.alone import told_alone
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
+from rpg.passes.schema.resolve.centred import centred
 from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
 from rpg.passes.schema.resolve.leftovers import nothing_left
 from rpg.passes.schema.resolve.logic import conj, negation
@@ -137,9 +139,7 @@ def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
     return [g.Always(goal=conj(goals, span), span=span)] if goals else []
 
 
-LEAVING = frozenset(
-    {"get", "take", "move", "bring", "transfer", "relocate", "pull", "drag", "carry", "shift", "slide", "shove"}
-)
+LEAVING = {"get", "take", "move", "bring", "transfer", "relocate", "pull", "drag", "carry", "shift", "slide", "shove"}
 """Verbs of moving: what they move off something is on it at the start."""
 
 
@@ -152,7 +152,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    clause = by_likeness(clause, spec, scene) or clause
+    clause = told_alone(by_likeness(clause, spec, scene) or clause, spec)
     if clause.lemma in LEAVING and clause.verb in ("place", "use") and not clause.negated:
         spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
     if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
@@ -180,6 +180,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return spell(clause, spec, scene, scope)
         case "part":
             return parts_alone(spec, scene, scope, clause.span)
+        case "offset":
+            return centred(spec, scene, clause.span)
     if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
         return goals
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):

@@ -10,6 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
 from rpg.language.meaning import Amount, At, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, Structure, TableTop
+from rpg.passes.schema.resolve.centred import centred
 from rpg.passes.schema.resolve.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer
@@ -88,7 +89,8 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
         _merge_distance(spec)
     _no_chain(spec)
     vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
-    level = [p for p in spec.places if p not in vertical]
+    offsets = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
+    level = [p for p in spec.places if p not in vertical and p not in offsets]
     respectively = spec.manner("respectively") is not None
     for item in [*vertical, *level]:
         if isinstance(item, Loc) and item.rel == "heaped":
@@ -98,7 +100,8 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
                 )
             continue
         goals += _place_one(ref, item, scene, scope, span, respectively)
-    spec.places = []
+    spec.places = [*offsets]
+    goals += centred(spec, scene, span, ref.names)
     return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
 
 

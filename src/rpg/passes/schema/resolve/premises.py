@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Coord, In, Loc
+from rpg.passes.schema.resolve.alone import beyond
 from rpg.passes.schema.resolve.conflicts import clash, required
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.relations import place
@@ -31,9 +32,11 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
             scene.start_goals += [f for f in facts if f not in scene.start_goals]
     for span in scene.held.values():
         raise refuse("no-goal", "a block that is held has no place at the end", span, "say where to put it down")
-    for names, patches, span in scene.exclusive:
-        others = [t.name for t in scene.blocks() if t.name not in names]
-        kept += [g.Not(goal=r.OnPatch(a=(n,), patch=p, span=span), span=span) for n in others for p in patches]
+    for alone in scene.exclusive:
+        others = beyond(alone, scene)
+        if not others:
+            raise refuse("no-referent", "there is no other block", alone.span, "say which other blocks there are")
+        kept += [g.Not(goal=alone.there(n), span=alone.span) for n in others]
     still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
     if still:
         kept.append(r.Stayed(a=still))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Noun, Pronoun
+from rpg.language.meaning import Amount, Noun, Pronoun, Traits
+from rpg.passes.schema.resolve.operands import DIRECTIONS
 from rpg.passes.schema.resolve.world import Mention, Ref, Scene, Scope, Thing, refuse
 
 _EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
@@ -41,9 +42,8 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return _it(word, scene, scope)
     if word.word in ("nothing", "nothing else", "none of them", "neither of them"):
         names = tuple(t.name for t in scene.blocks() if not t.extra)
-        from rpg.language.meaning import Amount
-
-        return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True)
+        beyond = Traits() if word.word == "nothing else" else None
+        return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, beyond=beyond)
     if word.word in ("everything", "all", "all of it"):
         names = tuple(t.name for t in scene.blocks() if not t.extra)
         if not names:
@@ -97,8 +97,30 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     last = single[-1].clause
     rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
-        return _decide(word, scene, list(rivals.values()))
+        return _parallel(list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
     return single[-1].ref
+
+
+def _parallel(rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
+    """What "it" is where the clause before says something of just that kind; None where nothing settles it.
+
+    "Brown goes left of it and black right of it" is one thing in one sentence. "Red must be on the patch, and blue must
+    not be on it", "a red block left of the patch and a blue one right of it": of the patch again.
+    """
+    marks = [m for m in rivals if m.role == "landmark"]
+    if len(marks) != 1 or not scope.rel:
+        return None
+    before, again = marks[0].rel, scope.rel
+    kept_off = before in ("on", "in") and again in ("not on", "not in", "not above", "off")
+    if marks[0].ref.patch and kept_off:
+        return marks[0].ref
+    if marks[0].sentence != scene.sentence:
+        return None
+    same = marks[0].word == "it" and before in DIRECTIONS and again in DIRECTIONS
+    return marks[0].ref if same or (marks[0].ref.patch and {before, again} in _ACROSS) else None
+
+
+_ACROSS = ({"left", "right"}, {"front", "behind"})
 
 
 def _one_of_two(word: Pronoun, scene: Scene) -> Ref:

@@ -40,7 +40,7 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
             raise refuse("misplaced", "this is no description of blocks or patches", meaning.span)
     found = replace(found, span=meaning.span)
     if not found.reciprocal:
-        scene.mention(found, scope.role)
+        scene.mention(found, scope.role, scope.rel, getattr(meaning, "word", ""))
     if found.names and scope.role == "landmark":
         scene.last_landmark_patch = found.patch
         scene.last_landmark_at = meaning.span[0]
@@ -196,6 +196,11 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         not_of_a_structure(noun, scene)
     if noun.part_of is not None:
         return _partitive(noun, scene, scope)
+    if noun.det == "no other" and noun.head != "patch":
+        if scope.role != "theme":
+            raise refuse("misplaced", "'no other' does not fit here", noun.span, "name the blocks")
+        names = tuple(t.name for t in matching(noun.traits, scene, False))
+        return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, beyond=noun.traits)
     if noun.traits.extra:
         return _extras(noun, scene, scope)
     if noun.traits.rank:

@@ -12,6 +12,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest, Operand
 from rpg.ir.order import Order
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.passes.schema.resolve.alone import none_beyond, only_here, only_on
 from rpg.passes.schema.resolve.corners import corners
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import none_another, reciprocal
@@ -49,6 +50,10 @@ PATCH_MIDDLE = 0.02
 
 def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> Atoms:
     """The goals that "theme is <meaning>" states."""
+    if theme.beyond is not None:
+        return [none_beyond(theme, meaning, scene, scope, _relate)]
+    if theme.op == "only" and isinstance(meaning, In):
+        theme = only_here(theme, meaning, scene)
     if theme.op == "only" and not (isinstance(meaning, Loc) and meaning.landmark is not None):
         raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
     match meaning:
@@ -116,11 +121,12 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return [
             conj([disj([_relate(one, Ref(names=(m,)), loc, scene, span) for m in found], span) for one in units], span)
         ]
+    nowhere = theme.quant is not None and theme.quant.high == 0
+    rel = f"not {loc.rel}" if nowhere or loc.negated or scene.denying else loc.rel
+    like = like and loc.rel in ("on", "in")
     mark = refer(
-        loc.landmark,
-        scene,
-        replace(scope, role="landmark", like_patch=like and loc.rel in ("on", "in"), pool=(), need=None),
-    )
+        loc.landmark, scene, replace(scope, role="landmark", like_patch=like, pool=(), need=None, rel=rel)
+    )  # fmt: skip
     return related(theme, mark, loc, scene, span)
 
 
@@ -186,7 +192,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if loc.rel == "off" and "leaving" in loc.mods:
         _begins_on(theme, mark, scene, span)
     if theme.op == "only":
-        theme = _alone(theme, mark, loc, scene)
+        theme = only_on(theme, mark, loc, scene)
     if mark.matching:
         if loc.rel not in ("on", "in", "above"):
             raise refuse("misplaced", "blocks match the patches that they are on", loc.span, "say 'on'")
@@ -196,14 +202,6 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if mark.patch:
         return _patch(theme, mark, loc, scene, span)
     return [_landmarks(theme, mark, loc, scene, span)]
-
-
-def _alone(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
-    """ "only the red block is on the patch": it is, and no other block that the task has."""
-    if not mark.patch or loc.rel not in ("on", "in") or loc.negated or theme.quant is not None:
-        raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
-    scene.exclusive.append((theme.names, mark.names, loc.span))
-    return replace(theme, op="and")
 
 
 def _begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:

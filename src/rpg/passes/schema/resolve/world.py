@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -58,10 +58,21 @@ class Built:
 
 
 @dataclass(frozen=True)
+class Exclusive:
+    """What holds `there` of no block of the task but of `names`. `traits`: of blocks that look so."""
+
+    names: tuple[str, ...]
+    there: Callable[[str], Goal]
+    span: Span
+    traits: Traits
+
+
+@dataclass(frozen=True)
 class Ref:
     """What a noun phrase stands for.
 
     `quant`: how many of `names` are meant, where it is not all ("exactly two of"). `op` "or": any of `parts`.
+    `beyond`: "nothing else", "no other block": none besides those of which the same was said, if they look so.
     """
 
     names: tuple[str, ...] = ()
@@ -79,6 +90,7 @@ class Ref:
     everything: bool = False
     reciprocal: bool = False
     part: str | None = None
+    beyond: Traits | None = None
     span: Span = (0, 0)
 
     @property
@@ -89,16 +101,22 @@ class Ref:
 
 @dataclass
 class Mention:
-    """An object spoken of: where, as what."""
+    """An object spoken of: where, as what. `rel`: the relation that it is the landmark of; `word`: by which pronoun."""
 
     ref: Ref
     role: str
     clause: int
+    rel: str = ""
+    word: str = ""
+    sentence: int = 0
 
 
 @dataclass(frozen=True)
 class Scope:
-    """Where in the task a phrase stands: the start or the goal; blocks of the structure spoken of; the role."""
+    """Where in the task a phrase stands: the start or the goal; blocks of the structure spoken of; the role.
+
+    `rel`: the relation that it is the landmark of, with "not" in front where that is denied.
+    """
 
     start: bool = False
     pool: tuple[str, ...] = ()
@@ -108,6 +126,7 @@ class Scope:
     given: bool = False
     need_each: int = 1
     share: bool = False
+    rel: str = ""
 
 
 @dataclass
@@ -130,6 +149,7 @@ class Scene:
     heaps: list[tuple[str, ...]] = field(default_factory=list)
     used: set[str] = field(default_factory=set)
     clause: int = 0
+    sentence: int = 0
     counter: int = 0
     batch: int = 0
     last_landmark_patch: bool = False
@@ -156,7 +176,7 @@ class Scene:
     denied: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     only: list[str] = field(default_factory=list)
     held: dict[str, Span] = field(default_factory=dict)
-    exclusive: list[tuple[tuple[str, ...], tuple[str, ...], Span]] = field(default_factory=list)
+    exclusive: list[Exclusive] = field(default_factory=list)
     returned: set[str] = field(default_factory=set)
     unstacked: set[str] = field(default_factory=set)
     lenient: bool = False
@@ -223,9 +243,9 @@ class Scene:
                 mention.ref = replace(mention.ref, names=tuple(kept))
         return tuple(kept)
 
-    def mention(self, ref: Ref, role: str) -> None:
+    def mention(self, ref: Ref, role: str, rel: str = "", word: str = "") -> None:
         """Remember what was spoken of, for pronouns."""
-        self.mentions.append(Mention(ref, role, self.clause))
+        self.mentions.append(Mention(ref, role, self.clause, rel, word, self.sentence))
 
     def stacked(self, upper: str, lower: str, span: Span) -> None:
         """One block was put on another: together, and with the stack that the lower one tops, they are a tower."""

@@ -1,0 +1,25 @@
+"""How far off centre a block may lie on another one: a tighter limit than what "on" asks for by itself."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Loc
+from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.world import Scene, refuse
+
+
+def centred(spec: Spec, scene: Scene, span: Span, names: tuple[str, ...] | None = None) -> list[g.Goal]:
+    """Every block that is put on another one (of `names`) is so near its middle."""
+    found = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
+    if not found:
+        return []
+    spec.places = [p for p in spec.places if p not in found]
+    pairs = [(a, b) for a, b in scene.on_top.items() if a not in scene.begun_on and (names is None or a in names)]
+    stacked = {name for pair in pairs for name in pair}
+    others = any(t.name not in stacked and not t.extra for t in scene.blocks()) and "all" in found[0].mods
+    if len(found) > 1 or not pairs or scene.denying or others:
+        raise refuse("ambiguous", "it is not said which block lies on which, centred so well", found[0].span,
+                     "say it of a block that is put on another one")  # fmt: skip
+    return [r.Distance(a=(a,), b=(b,), maximum=found[0].high, span=span) for a, b in pairs]

@@ -77,6 +77,11 @@ _IDLE = phrases(
 )
 
 
+_IT_GOES = tuple(
+    f"{stop} {goes}"
+    for stop in (".", ",", ";", ", and", "and", ". and")
+    for goes in ("it goes", "it should go", "it should be", "it must be", "it belongs", "put it", "place it", "set it")
+)
 _LIES = phrases(
     "lie around | lies around | lie there | lies there | lie on the table | lies on the table | are lying around | "
     "is lying around | stand around | stands around | are there | is there | serve | serves | are | is | be"
@@ -152,7 +157,7 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 yield r.Add(theme=theme, stay=True, span=p.span(i, end)), end
             for listed, end in _namely(p, k, theme):
                 yield r.Add(theme=listed, span=p.span(i, end)), end
-            for start in (k, p.one(k, "in")):
+            for start in (k, p.one(k, "in"), longest(p, k, _IT_GOES)):
                 for spots, end in places(p, start) if start else ():
                     if spots or (j > i and start == k):
                         new = r.Add(theme=theme, places=spots, span=p.span(i, end), cost=0 if verb else 2)
@@ -251,7 +256,7 @@ def _taken(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 def remove(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from _let_go(p, i)
     yield from _all_but(p, i)
-    for phrase in (*REMOVE, "without", "no more", "no"):
+    for phrase in (*REMOVE, "leave", "without", "no more", "no"):
         if j := p.seq(i, phrase):
             for theme, k in dict.fromkeys([*things(p, j), *subjects(p, j)]):
                 end = longest(p, k, "away | out | off | again") or k
@@ -259,5 +264,5 @@ def remove(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                     for whole, stop in simple(p, from_):
                         if isinstance(whole, m.Structure | m.Pronoun | m.TableTop):
                             yield r.Remove(theme=theme, span=p.span(i, stop)), stop
-                if phrase != "take" or end > k:
+                if phrase not in ("take", "leave") or end > k:
                     yield r.Remove(theme=theme, span=p.span(i, end)), end

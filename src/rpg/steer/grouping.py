@@ -103,6 +103,7 @@ def _by(p: Parser, i: int) -> Iterator[tuple[str | None, int]]:
 
 def outliers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap one block from each pile into another so each has one outlier"."""
+    yield from _with_strangers(p, i)
     j = longest(p, i, "swap | move | exchange | switch | trade | put | mix")
     if not j:
         return
@@ -123,6 +124,20 @@ _ELSEWHERE = phrases(
     "another pile | to another group | to another | into the other | to the other | into the next | with "
     "another | into a different one | into a different pile | with the others | into the others | to a "
     "different pile | into the wrong one | into the wrong pile"
+)
+
+
+def _with_strangers(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "with exactly one stranger in each group", "one outlier per pile"."""
+    j = longest(p, i, "with | let there be | i want | have | make it | there should be") or i
+    for n, k in _counts(p, p.opt(j, "exactly", "just")):
+        of = longest(p, longest(p, k, _STRANGERS), "in each | per | in every | in both | for each")
+        if group := p.one(of, _GROUPS) if of else 0:
+            yield r.Outliers(count=n, span=p.span(i, group)), group
+
+
+_STRANGERS = phrases(
+    "outlier | outliers | odd one out | stranger | strangers | misfit | wrong block | foreign block | different block"
 )
 
 
@@ -147,12 +162,7 @@ def _so_each(p: Parser, i: int, n: int) -> int:
         return i
     j = p.opt(j, "exactly")
     for found, k in _counts(p, j):
-        k = longest(
-            p,
-            k,
-            "outlier | outliers | odd one out | stranger | strangers | misfit | wrong block | "
-            "foreign block | different block",
-        )
+        k = longest(p, k, _STRANGERS)
         if k and found == n:
             return k
     return i

@@ -138,10 +138,20 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
     carry_out(draft, parsed.requests)
     if _AFTER.match(request):
         _staged(draft, past.schema.goal)
+    if _BESIDES.match(request) and not all(
+        part in conjuncts(draft.schema.goal) for part in conjuncts(past.schema.goal)
+    ):
+        told, hint = "this cannot be besides what the task asks for already", "leave out 'also' to change it"
+        raise draft.refusal("edit-unclear", told, (0, len(request)), hint)
     return finish(request, draft, past)
 
 
 _AFTER = re.compile(r"^\W*(?:and\s+)?(?:then|finally|after that|afterwards|next(?! to)|lastly)\b", re.IGNORECASE)
+
+
+_BESIDES = re.compile(
+    r"^\W*(?:also|in addition|additionally|furthermore|moreover)\b\W*(?:put|place|stack|set|lay|add)\b", re.IGNORECASE
+)
 
 
 def _staged(draft: Draft, before: g.Goal) -> None:

@@ -75,14 +75,9 @@ def _as_one(tokens: list[Token]) -> list[Token]:
             first, last = found[-3], found[-1]
             found[-3:] = [replace(first, word="them", span=(first.span[0], last.span[1]))]
             wholes = [k for k in wholes if k < len(found)]
-        elif " ".join(each.word for each in found[-2:]) == "it all" and below_or_on(found[:-2]):
+        elif " ".join(each.word for each in found[-2:]) == "it all":
             found[-2:] = [replace(found[-2], word="them", span=(found[-2].span[0], token.span[1]))]
     return [token for k, token in enumerate(found) if k not in wholes or k + 1 == len(found)]
-
-
-def below_or_on(tokens: list[Token]) -> bool:
-    """Whether what follows is what something is put on, or under."""
-    return bool(tokens) and tokens[-1].word in _BELOW | {"on"}
 
 
 _EDITS = phrases(

@@ -253,6 +253,9 @@ def _counted(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, .
             raise _ambiguous(view, phrase.span, found, "")
         return found
     if amount is not None and amount != len(found):
+        shown = tuple(name for name in found if symbol_of(view.world, name) == str(amount))
+        if len(shown) == 1 and phrase.det == "the" and phrase.head == "any" and phrase.traits == m.Traits():
+            return shown
         counted = f"there are {len(found)} such blocks, not {amount}"
         raise Refusal([_diagnostic("ambiguous-object", phrase.span, counted, _choices(view, found))])
     if len(found) > 1 and not every and amount is None:

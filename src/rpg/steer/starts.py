@@ -20,13 +20,17 @@ _STARTS = (
 _BEFORE = "at the start | in the beginning | at the beginning | initially | at first | to begin with | when it starts"
 _SCATTERED = (
     "scattered | scattered about | scattered around | scattered on the table | apart | separately | spread out | "
-    "lying around | anywhere | anywhere on the table | lying about | at random places | in random places | randomly"
+    "unstacked | on the table | each on the table | lying around | anywhere | anywhere on the table | lying about | "
+    "at random places | in random places | randomly"
 )
 _TURNED = (
     "stacked the other way round | stacked the other way around | stacked upside down | stacked in reverse | "
     "stacked in reverse order | stacked in the opposite order | the other way round | the other way around | "
     "upside down | in reverse order | in the opposite order | reversed | as the reversed tower | in the reverse order"
 )
+
+
+_NOT_STACKED = "instead of stacked | rather than stacked | not stacked | , not stacked | instead of in a stack"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,6 +46,7 @@ def starts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for j in _subject(p, i):
         j = p.opt(j, "all", "out", "off", "both")
         if k := longest(p, j, _SCATTERED):
+            k = longest(p, k, _NOT_STACKED) or k
             yield Begin(how="scattered", span=p.span(i, k)), k
         if k := longest(p, j, _TURNED):
             yield Begin(how="reverse", span=p.span(i, k)), k
@@ -51,6 +56,8 @@ def starts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def _subject(p: Parser, i: int) -> Iterator[int]:
     """The position after "they start", "let them start", "start with all of them", "at the start they are"."""
+    if j := longest(p, i, "start | begin | start out | start them | begin with them | start with them"):
+        yield j
     lead = longest(p, i, "let | have | make") or i
     if (j := longest(p, lead, _WHO)) and (k := longest(p, j, _STARTS)):
         yield k

@@ -33,7 +33,7 @@ def divided(request: str) -> tuple[str, int] | None:
     before, colon, after = request.partition(":")
     if not colon or not before.strip() or not after.strip() or _pairs(after, 0) is None:
         return None
-    return before, len(before) + 1
+    return re.sub(r"\b(swap|switch|exchange) it\b", r"\1 them", before), len(before) + 1
 
 
 def check(request: str, begin: int, task: TaskSchema) -> None:

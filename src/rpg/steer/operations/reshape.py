@@ -93,6 +93,9 @@ def _towers(draft: Draft, wanted: m.Structure, names: Sequence[str], span: Span)
     if not isinstance(said, m.Noun) or said.traits != m.Traits() or said.conditions:
         raise draft.refusal("edit-unclear", "these are not the blocks of the task", wanted.span, _WHOLE)
     each = wanted.size.low if wanted.size else said.amount.low if said.amount else 0
+    if any(isinstance(figure.node, Towers) for figure in draft.view.figures):
+        told = "this may be fewer of the towers that there are, or other towers of the same blocks"
+        raise draft.refusal("edit-unclear", told, wanted.span, _WHOLE)
     count = wanted.amount.low if wanted.amount else len(names) // each if each else 0
     if count < 2 or (each and count * each != len(names)) or 2 * count > len(names):
         told = f"{len(names)} blocks do not form these towers"

@@ -40,7 +40,17 @@ _DOWN = Patterns(
     "and? then|from_there|from_there_on only? descending|decreasing|falling|going_down|shrinking|downwards|down",
     f"{_IN} falling|shrinking|descending|decreasing|downward number|numeric|numerical|size? {_ORDER}",
 )
+_PAGED = Patterns(
+    "reading|read|going|running|always|ordered|so_that_they_read? from? the? left to the? right "
+    "and|,|and_then|,_and|,_then from? the? top|far|back to the? bottom|near|front side|row?",
+    "so|so_that you|i|we|one can read them|it in_order|like_a_page|like_a_book",
+    "like a page|book of_a_book?",
+    "row by|after row from? left_to_right?",
+    "as on a page",
+)
+"""As a page is read: the far row first, each from left to right."""
 _NAMES = (
+    ("paged", False, _PAGED),
     ("label", False, _ALPHABETICAL), ("label", True, _BACKWARDS), ("number", False, _INCREASING),
     ("number", False, _NUMERICAL),
     ("number", True, _DECREASING), ("ascending", False, _UP), ("ascending", True, _DOWN),

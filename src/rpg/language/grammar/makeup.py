@@ -218,6 +218,10 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 
     k = p.any_of(j, _OF) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
     k = k or (p.any_of(p.opt(j, ","), _OF_EACH) if base.plural else 0)
+    if base.sizes and base.sizes[-1].what == "dims" and not k:
+        for members, end in noun_phrase(p, j):
+            if isinstance(members, Noun) and members.det == "bare" and members.plural and members.amount is None:
+                yield replace(base, members=members, span=p.span(i, end)), end
     if not k or (p.words[k - 1] == "from" and run(p, k)):
         return
     for start in dict.fromkeys((k, p.one(k, "each"))):

@@ -116,6 +116,9 @@ def sized_alike(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
 
 def shares_head(before: Meaning, item: Meaning) -> bool:
     """ "the red and blue blocks": the plural noun stands for both, it is not "the red one and several blue blocks"."""
+    if isinstance(before, Structure) and isinstance(own := before.members, Noun) and isinstance(item, Noun):
+        counted = own.amount is not None and item.amount is not None and item.det == own.det == "bare"
+        return counted and own.head == "any" and bool(own.traits.colors) and item.head == "block"
     if not (isinstance(before, Noun) and isinstance(item, Noun)):
         return False
     bare = item.det == "bare" and item.plural and item.amount is None and item.head != "any" and item.traits.colors

@@ -28,7 +28,7 @@ def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
         yield ("cube", p.words[i] == "cubes"), p.reach(i + 1)
     if p.words[i : i + 1] in (["block"], ["box"], ["cuboid"]) and _dimensions_before(p, i):
         yield ("cube", False), p.reach(i + 1)
-    if j := p.any_of(i, ("chess board", "checker board", "checkers board")):
+    if j := p.any_of(i, ("chess board", "checker board", "checkers board", "chess pattern", "checker pattern")):
         yield ("checkerboard", False), p.opt(j, "pattern")
     for lead in ("color gradient", "gradient", "rainbow"):
         if j := p.seq(i, lead):

@@ -77,6 +77,8 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
             Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),
             p.any_of(k, ("in size", "blocks", "cubes")) or k,
         )
+    for dims, k in dimensions(p, i + 1) if p.one(i, "of") else ():
+        yield Size(what="dims", dims=dims, span=p.span(i, k)), k
     yield from _led(p, i, j)
 
 

@@ -42,11 +42,11 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
             "misplaced", f"this direction does not fit a {kind}", wrong.span, f"say from {sides[0]} to {sides[1]}"
         )
     found = Order()
-    for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "reverse")):
+    for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "paged", "reverse")):
         merged = _merge(found, order, names, kind, scene, scope, order.first if order in pointed else first)
         if found.by == merged.by != "any" and not scene.lenient:
             merged = one_way(found, merged, order in pointed, first) or _two_orders(order.span)
-        if found.by not in ("any", merged.by) and order.by not in ("in_order", "reverse", "either", "any"):
+        if found.by not in ("any", merged.by) and order.by not in ("in_order", "paged", "reverse", "either", "any"):
             if scene.lenient:
                 continue
             merged = agreed(found, merged, first is not None, scene) or _two_orders(order.span)
@@ -148,6 +148,15 @@ def _merge(
             return Order(by="given", ranks=tuple((n,) for n in names), first=first or _default_side(kind))  # type: ignore[arg-type]
         case "in_order":
             return _in_order(found, things, names, kind, scene, order, first)
+        case "paged" if {t.kind for t in things} <= {"letter", "digit"} and len({t.kind for t in things}) == 1:
+            labels = [t.label or "" for t in things]
+            if all(labels) and labels != sorted(labels):
+                raise refuse("ambiguous", "these could be sorted, or stand as they are listed", order.span,
+                             "say 'in alphabetical order', or 'in the order' with all of them")  # fmt: skip
+            return _in_order(found, things, names, kind, scene, order, first)
+        case "paged":
+            listed = Order(by="given", ranks=tuple((n,) for n in names), first=_default_side(kind))  # type: ignore[arg-type]
+            return found if found.by != "any" else listed
         case "label" | "number" | "ascending":
             return _symbolic(order, things, kind, scene, first)
         case "countdown":

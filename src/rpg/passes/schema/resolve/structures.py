@@ -10,7 +10,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS
-from rpg.language.meaning import Coord, Noun, OrderBy, Size, Structure
+from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve import figures, grids, groups, lots, stepped, symbols, towers
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.orders import order_of
@@ -82,6 +82,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         )
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
+    shape = _paged(shape, spec, theme)
     _known_sizes(shape)
     if shape.filled is False and shape.kind in _MASSIVE:
         raise refuse("unsupported-structure", f"a {shape.kind} has no hole here", shape.span, "say 'an outline square'")
@@ -99,6 +100,22 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if one_by_one(shape, spec):
         return each_of(shape, spec, theme, maker, scene, scope)
     return maker(shape, spec, theme, scene, scope)
+
+
+def _paged(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:
+    """ "two rows of three, in reading order": rows that are read one after the other make a grid."""
+    many = shape.amount.low if shape.amount is not None and shape.amount.low == shape.amount.high else 1
+    read = any(o.by == "paged" or (o.by == "in_order" and theme is not None) for o in spec.orders)
+    if shape.kind != "row" or not shape.plural or many < 2 or not read or spec.absolutes:
+        return shape
+    inner = isinstance(shape.members, Noun) and shape.each_size
+    long = shape.extent("size", "long", "columns") or (amount_of(shape.members) if inner else None)
+    lines = [("rows", many), *([("columns", long)] if long else [])]
+    sizes = tuple(Size(what=what, amount=Amount(n, n), span=shape.span) for what, n in lines)
+    members = shape.members
+    if isinstance(members, Noun) and inner:
+        members = replace(members, amount=None)
+    return replace(shape, kind="grid", plural=False, amount=None, sizes=sizes, members=members, each_size=False)
 
 
 _MASSIVE = ("grid", "checkerboard", "cube", "wall", "pyramid", "staircase", "stack", "row", "line", "column", "pile")

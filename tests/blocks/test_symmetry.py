@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.state import World
-from rpg.blocks.symmetry import interchangeable, link, namings, rename_state
+from rpg.blocks.symmetry import Canonical, interchangeable, link, namings, rename_state
 from rpg.core.diagnostics import Refusal
 from rpg.ir.assets import ColoredCube
 from rpg.ir.goal import Goal
@@ -83,3 +85,43 @@ def test_too_many_duties_are_refused() -> None:
     chain = goal("all", goals=[{"kind": "left_of", "a": f"red_{k}", "b": f"red_{k + 1}"} for k in range(8)])
     with pytest.raises(Refusal, match="look alike"):
         namings(interchangeable(chain, world))
+
+
+COLORS = ("red", "blue", "green")
+RED_ROW = ("red_0", "red_1", "red_2")
+PAIRED = World(
+    [
+        *(ColoredCube(name=f"red_{k}", color="red") for k in range(3)),
+        *(ColoredCube(name=f"blue_{k}", color="blue") for k in range(3)),
+        *(ColoredCube(name=f"green_{k}", color="green") for k in range(3)),
+    ]
+)
+
+
+def pairs(*colors: str, count: int = 3) -> list[dict[str, object]]:
+    return [
+        {"kind": "on", "a": f"{upper}_{k}", "b": f"{lower}_{k}"}
+        for upper, lower in pairwise(colors)
+        for k in range(count)
+    ]
+
+
+@pytest.mark.parametrize(
+    "condition, ways",
+    [
+        (goal("all", goals=pairs("blue", "red")), 6),
+        (goal("all", goals=[{"kind": "row", "blocks": RED_ROW}, *pairs("blue", "red")]), 6),
+        (goal("all", goals=pairs("green", "blue", "red")), 36),
+        (goal("all", goals=pairs("blue", "red", count=2)), 18),
+        (goal("all", goals=[*pairs("blue", "red"), {"kind": "left_of", "a": "red_0", "b": "red_1"}]), 36),
+        (goal("all", goals=[*pairs("blue", "red"), *pairs("green", "red", count=1)]), 54),
+        (goal("all", goals=[{"kind": "stack", "blocks": [f"{c}_{k}" for c in COLORS]} for k in range(3)]), 36),
+    ],
+)
+def test_look_alikes_that_go_together_change_places_together(condition: Goal, ways: int) -> None:
+    canonical = Canonical(PAIRED)
+    every, few = (namings(interchangeable(condition, PAIRED, jointly=jointly)) for jointly in (False, True))
+    assert {repr(canonical(condition, naming)) for naming in every} == {
+        repr(canonical(condition, naming)) for naming in few
+    }
+    assert len(few) == ways <= len(every)

@@ -28,25 +28,67 @@ SYMMETRIC = frozenset({"beside", "adjacent", "touching", "near", "apart", "dista
 """Relations whose `a` and `b` may change places."""
 
 
-def interchangeable(goal: g.Goal, world: World) -> Cells:
-    """The cells of every class of look-alikes that `goal` tells apart; empty when it is symmetric already."""
+def interchangeable(goal: g.Goal, world: World, *, jointly: bool = True) -> Cells:
+    """The cells of every class of look-alikes that `goal` tells apart; empty when it is symmetric already.
+
+    `jointly`: where "a blue block is on each red one" the reds need not change places, as it comes to the same when the
+    blues do. Two names are in one cell, too, where an exchange of names in later classes makes up for theirs: these
+    commute, so that namings that deal only the later ones find all that the goal can say.
+    """
     canonical = Canonical(world)
     original = canonical(goal, {})
     mentioned = set(names(goal))
+    classes = [members for members in _classes(world) if not mentioned.isdisjoint(members)]
+    partners = _Partners(goal, world) if jointly and len(classes) > 1 else None
     found = []
-    for members in _classes(world):
-        if mentioned.isdisjoint(members):
-            continue
+    for number, members in enumerate(classes):
+        later = {name for others in classes[number + 1 :] for name in others}
         cells: list[list[str]] = []
         for name in members:
-            home = next((cell for cell in cells if canonical(goal, {cell[0]: name, name: cell[0]}) == original), None)
-            if home is None:
-                cells.append([name])
+            for cell in cells:
+                swap = {cell[0]: name, name: cell[0]}
+                along = partners.of(swap, later) if partners is not None and later else None
+                if canonical(goal, swap) == original or (along and canonical(goal, along) == original):
+                    cell.append(name)
+                    break
             else:
-                home.append(name)
+                cells.append([name])
         if len(cells) > 1:
             found.append(tuple(tuple(cell) for cell in cells))
     return tuple(found)
+
+
+class _Partners:
+    """Guesses which further names have to change places along with two, from the atoms that speak of each of them."""
+
+    def __init__(self, goal: g.Goal, world: World) -> None:
+        self._look = world.look
+        self._about: dict[str, list[tuple[str, tuple[str, ...]]]] = {}
+        for atom in atoms(goal):
+            mentioned = names(atom)
+            for name in mentioned:
+                self._about.setdefault(name, []).append((atom.kind, mentioned))
+
+    def of(self, swap: dict[str, str], free: set[str]) -> dict[str, str] | None:
+        """`swap` with exchanges of names among those `free`; None where there is nothing to exchange."""
+        along, waiting = dict(swap), [next(iter(swap.items()))]
+        while waiting:
+            one, other = waiting.pop()
+            for kind, mentioned in self._about.get(one, ()):
+                if other in mentioned:
+                    continue
+                for another, counterparts in self._about.get(other, ()):
+                    if kind == another and len(mentioned) == len(counterparts) and one not in counterparts:
+                        pairs = [(a, b) for a, b in zip(mentioned, counterparts, strict=True) if along.get(a, a) != b]
+                        if all(self._may_change(a, b, along, free) for a, b in pairs):
+                            along |= dict(pairs) | {b: a for a, b in pairs}
+                            waiting += pairs
+                            break
+        return along if len(along) > len(swap) else None
+
+    def _may_change(self, a: str, b: str, along: dict[str, str], free: set[str]) -> bool:
+        unbound = a not in along and b not in along and a in free and b in free
+        return unbound and self._look.get(a) == self._look.get(b)
 
 
 def namings(cells: Cells) -> tuple[dict[str, str], ...]:
@@ -86,7 +128,9 @@ def link(goal: g.Goal, world: World) -> g.Goal:
             return node
         doubled = _doubled(order, world)
         others = g.All(goals=tuple(part for part in parts if part is not node))
-        told_apart = {name for group in interchangeable(others, world) for cell in group for name in cell}
+        told_apart = {
+            name for group in interchangeable(others, world, jointly=False) for cell in group for name in cell
+        }
         if doubled & told_apart:
             return node.model_copy(update={"order": order.model_copy(update={"match": "name"})})
         return node

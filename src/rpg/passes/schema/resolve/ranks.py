@@ -27,14 +27,11 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if len(sized) > 1 and sized[0][0] != sized[1][0]:
             return Ref(names=(sized[0][1],))
         raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
-    for built in list(reversed(scene.built)):
-        known = built if built.ordered else begun_in_order(built, scene)
-        if known is None or (rank.isdigit() and known.kind == "stack" and len(known.members) == 2):
-            continue
-        found = _in(_such(known, noun, scene), rank)
-        if found is not None and (noun.head != "patch"):
-            _told_apart(known, found, noun, scene)
-            return Ref(names=(found,))
+    there = [] if noun.head == "patch" else _candidates(noun, rank, scene)
+    if len(set(there)) > 1:
+        raise refuse("ambiguous", "this could be a block of several structures", noun.span, "name its colour or label")
+    if there:
+        return Ref(names=there[:1])
     if (found_ := _among_alike(noun, rank, scene)) is not None:
         return found_
     if rank.isdigit() or rank == "last":
@@ -47,6 +44,25 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     raise refuse(
         "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
     )
+
+
+def _candidates(noun: Noun, rank: str, scene: Scene) -> tuple[str, ...]:
+    """The blocks at such a place of the structures spoken of, the last one first."""
+    found: list[str] = []
+    for built in reversed(scene.built):
+        known = built if built.ordered else begun_in_order(built, scene)
+        if known is None or (_counts(rank) and known.kind == "stack" and len(known.members) == 2):
+            continue
+        name = _in(_such(known, noun, scene), rank)
+        if name is not None:
+            _told_apart(known, name, noun, scene)
+            found.append(name)
+    return tuple(found)
+
+
+def _counts(rank: str) -> bool:
+    """Whether a place is counted along a structure, be it upright or not: two blocks on each other have no such."""
+    return rank.isdigit() or rank in ("first", "last")
 
 
 def _such(built: Built, noun: Noun, scene: Scene) -> Built:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import string
 
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Noun, Traits
 from rpg.passes.schema.resolve.things import alike, create, elastic, further, give, is_open, matching, open_to
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse, said
@@ -159,6 +160,8 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
             return (claimed[0].name,)
         if scope.role != "landmark" and (shown := _shown_on(noun, scene)) is not None:
             return (shown,)
+        if noun.head == "any" and noun.det == "the" and not patch:
+            _known_one(noun, scene, scope)
         scene.new_batch()
         return (create(noun.traits, scene, patch).name,)
     if amount is not None:
@@ -197,6 +200,20 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
         [create(noun.traits, scene, patch) for _ in range(max(0, count - len(found)))], noun, scene, patch
     )
     return tuple(t.name for t in found)
+
+
+def _known_one(noun: Noun, scene: Scene, scope: Scope) -> None:
+    """Refuse "the big one" of no colour beside coloured blocks, and "the purple one" where all blocks were listed."""
+    there = [t for t in scene.blocks() if not t.extra]
+    look = noun.traits
+    sized = bool(look.size or look.edge) and look == Traits(size=look.size, edge=look.edge)
+    if sized and any(t.color or t.label for t in there):
+        raise refuse("ambiguous", "it is not said what colour this block has", noun.span, "name its colour")
+    begun = {name for goal in scene.start_goals for name in names_in(goal)}
+    listed = [t for t in there if t.declared and t.name not in begun]
+    if look.colors and len(listed) > 1 and not scope.given:
+        raise refuse("no-referent", "there is no such block among those that were listed", noun.span,
+                     "name one of those, or list this one too")  # fmt: skip
 
 
 def _shown_on(noun: Noun, scene: Scene) -> str | None:

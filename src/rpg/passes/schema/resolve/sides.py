@@ -221,7 +221,7 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
         if len(indices) != len(ref.names) or len(indices) >= total:
             raise refuse("contradiction", "so many blocks have no room there", span, "name fewer blocks", blocks=total)
         for index, name in zip(indices, ref.names, strict=True):
-            if index in places or not 0 <= index < total:
+            if index in places or name in places.values() or not 0 <= index < total:
                 raise refuse(
                     "contradiction", "two blocks are given the same place", span, "give each a place of its own"
                 )

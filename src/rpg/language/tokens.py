@@ -162,7 +162,9 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         before = out[-1] if out else None
         after = tokens[index + 1] if index + 1 < len(tokens) else None
         adjoining = before is not None and before.span[1] == token.span[0]
-        if before and _counts(before) and len(token.raw) == 2 and token.raw[0].isupper() and token.raw[1] == "s":
+        if token.word == "'s" and before and _letter(before) and len(out) > 1 and _several(out[-2]):
+            out.append(replace(token, kind="word", word="blocks"))
+        elif before and _counts(before) and len(token.raw) == 2 and token.raw[0].isupper() and token.raw[1] == "s":
             letter = Token("word", token.word[0], token.raw[0], (token.span[0], token.span[0] + 1))
             out += [letter, replace(token, word="blocks", span=(token.span[0] + 1, token.span[1]))]
         elif before and adjoining and before.kind == "number" and token.word in _ORDINAL_TAIL:
@@ -185,8 +187,17 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
 
 
 def _counts(token: Token) -> bool:
-    """ "two As": before the plural of a letter stands a number."""
-    return token.kind == "number" or (token.kind == "word" and token.word in lexicon.NUMBER)
+    """ "two As", "both Ms": what stands before the plural of a letter."""
+    return _several(token) or (token.kind == "word" and token.word in ("all", "the"))
+
+
+def _several(token: Token) -> bool:
+    """ "two A's": where "the A's" may stand for "the A is"."""
+    return token.kind == "number" or (token.kind == "word" and (token.word in lexicon.NUMBER or token.word == "both"))
+
+
+def _letter(token: Token) -> bool:
+    return token.kind == "word" and len(token.raw) == 1 and token.raw.isupper()
 
 
 def _is_range(before: Token, after: Token) -> bool:

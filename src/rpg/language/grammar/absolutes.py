@@ -10,7 +10,20 @@ from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.parts import part_statement, unit_of
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import SIDES, at
-from rpg.language.meaning import Absolute, At, Coord, Loc, Manner, Meaning, Noun, Places, Pronoun, TableTop, Traits
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Places,
+    Pronoun,
+    Structure,
+    TableTop,
+    Traits,
+)
 
 _LEADS = (
     "with", "having", "where", "keeping", "whose", "and with", "but with", "crowned by", "crowned with", "topped by",
@@ -199,9 +212,16 @@ def more_parts(p: Parser, i: int, at_: int, first: Absolute) -> Results[Meaning]
     yield from _absolute_more(p, i, at_, (first,))
 
 
+def _no_place(mark: Meaning | None) -> bool:
+    """ "vowels in one group", "the rest in another": told of members, not of where something lies."""
+    return isinstance(mark, Structure) or (isinstance(mark, Pronoun) and mark.word not in ("it", "them"))
+
+
 @choice
 def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in loc(p, i):
+        if isinstance(found, Loc) and found.rel == "in" and _no_place(found.landmark):
+            continue
         yield (found,), k
         if isinstance(found, Loc) and not isinstance(found.landmark, TableTop):
             yield from (

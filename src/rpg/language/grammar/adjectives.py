@@ -26,7 +26,9 @@ _PLAIN = {
     "long": ("long", True), "elongated": ("long", True), "plain": ("kind", "plain"), "ordinary": ("kind", "plain"),
     "semantic": ("kind", "symbol"), "symbol": ("kind", "symbol"), "symbols": ("kind", "symbol"),
     "extra": ("extra", True), "distractor": ("extra", True),
-    "additional": ("extra", True), "matching": ("matching", True), "corresponding": ("matching", True),
+    "additional": ("extra", True), "unused": ("extra", True), "superfluous": ("extra", True),
+    "irrelevant": ("extra", True), "unneeded": ("extra", True), "matching": ("matching", True),
+    "corresponding": ("matching", True),
     "respective": ("matching", True),
     "even": ("quality", "even"), "odd": ("quality", "odd"), "vowel": ("quality", "vowel"),
     "consonant": ("quality", "consonant"),
@@ -186,8 +188,9 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
 
 
 def _counted(p: Parser, i: int) -> bool:
-    """ "two A blocks": so many with the same letter."""
-    return i > 0 and p.number(i - 1) is not None and p.tokens[i].raw.isupper()
+    """ "two A blocks", "both A blocks": so many with the same letter."""
+    told = i > 0 and (p.words[i - 1] in ("both", "all", "the") or p.number(i - 1) is not None)
+    return told and p.tokens[i].raw.isupper()
 
 
 def _introduces_a_digit(word: str) -> bool:
@@ -199,6 +202,7 @@ _LABELLED = ("labelled", "labeled", "marked", "showing", "named", "called", "bea
              "with", "numbered", "displaying", "lettered")  # fmt: skip
 _LABEL_NOUNS = frozenset({"letter", "letters", "label", "labels", "number", "numbers", "digit", "digits", "symbol",
                           "symbols", "sign"})  # fmt: skip
+_LABEL_PLURALS = frozenset(word for word in _LABEL_NOUNS if word.endswith("s"))
 _KINDS = {"letter": "letter", "letters": "letter", "number": "digit", "numbers": "digit", "digit": "digit",
           "digits": "digit", "symbols": "symbol", "symbol": "symbol"}  # fmt: skip
 
@@ -268,8 +272,11 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         if head == "patch" or "same" not in phrase:
             yield Marks({"matching": True}), j
     if j := p.any_of(i, _EDGE_OF):
-        yield from ((Marks({"edge": metres}), k) for metres, k in length(p, j))
-    if j := p.any_of(i, ("with", "having", "that has", "which has", "with a")):
+        yield from ((Marks({"edge": metres}), p.any_of(k, _EDGES) or k) for metres, k in length(p, j))
+    yield from _each_long(p, i)
+    if j := p.any_of(
+        i, ("with", "having", "that has", "which has", "with a", "have", "has", "that have", "which have")
+    ):
         for metres, k in length(p, j):
             if end := p.any_of(k, _EDGES):
                 yield Marks({"edge": metres}), end
@@ -277,6 +284,20 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         for (listed, either), k in colors(p, j):
             if not (p.words[i] in ("colored", "painted") and _goes_on(p, k)):
                 yield Marks({"colors": listed, "either": either}), k
+
+
+def _each_long(p: Parser, i: int) -> Results[Marks]:
+    """ "(three blocks,) 5 cm each", "each 5 cm wide": the edge of every one of them."""
+    j = p.opt(i, ",")
+    every = p.one(j, _EVERY)
+    for metres, k in length(p, every or j):
+        k = p.opt(k, "wide", "large", "long", "high", "tall", "cubes", "edge", "edges")
+        end = k if every else p.any_of(k, ("each", "apiece"))
+        if end and p.words[end] not in ("apart", "away", "from", "to", "of"):
+            yield Marks({"edge": metres}), end
+
+
+_EVERY = frozenset({"each", "all", "both"})
 
 
 def _goes_on(p: Parser, k: int) -> bool:
@@ -289,7 +310,11 @@ def _goes_on(p: Parser, k: int) -> bool:
 @choice
 def _symbols_after(p: Parser, i: int) -> Results[Marks]:
     """ "(blocks) A, B and C", "(letters) from A to D", "(blocks) labelled A", "(blocks) red and blue"."""
-    for (labels, more), j in label_list(p, i, p.follows(i, _LABEL_NOUNS)):
+    told = label_list(p, i, p.follows(i, _LABEL_NOUNS))
+    several = len(told) > 1 and p.follows(i, _LABEL_PLURALS)
+    for (labels, more), j in told:
+        if several and len(labels) == 1:
+            continue
         yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
     if j := p.one(i, "from"):
         yield from ((Marks({"labels": labels}), k) for labels, k in run(p, j) if k < p.end and labels[0] < labels[-1])

@@ -52,7 +52,11 @@ _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "for
 
 _USING = (
     "using", "with", "from", "among", "out of", "by using", "made of", "made from", "made out of", "consisting of",
-    "composed of", "built from", "made up of", "use", "made with",
+    "composed of", "built from", "made up of", "use", "made with", "using only", "with only", "from only", "only from",
+    "only with", "only using", "out of only", "made only of", "made only from", "consisting only of", "that only has",
+    "which only has", "that has only", "which has only", "that only contains", "that contains only", "containing only",
+    "that consists only of", "that only uses", "with nothing but", "using nothing but", "made of only",
+    "with just", "using just", "exclusively from", "using exclusively", "made exclusively of",
 )  # fmt: skip
 
 
@@ -157,7 +161,7 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
             if isinstance(target, Structure):
                 yield Into(structure=target, span=p.span(i, k)), k
         for target, k in noun_phrase(p, j):
-            if not isinstance(target, Structure) and isinstance(getattr(target, "items", (None,))[0], Structure):
+            if isinstance(target, Coord) and all(isinstance(x, Structure) for x in target.items):
                 yield Into(structure=target, span=p.span(i, k)), k
 
 
@@ -165,6 +169,8 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
 def _using(p: Parser, i: int) -> Results[Meaning]:
     for lead, j in p.standing(i, _USING):
         for members, k in noun_phrase(p, j):
+            if isinstance(members, Coord) and members.op == "only":
+                continue
             if not any(isinstance(part, Structure) for part in parts_of(members)):
                 yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
     if j := p.any_of(i, ("in", "by", "written in", "written with", "spelled with", "spelled in")):

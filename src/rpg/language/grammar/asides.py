@@ -56,6 +56,17 @@ _FREE = (
     "in any case", "however", "in either direction", "no matter which one", "no matter which side", "whichever one",
     "that is all", "that is it", "i think",
     "all good",
+    *(
+        f"{lead}{which} {hue}{free}"
+        for lead in ("", "in ", "of ", "with ", "using ")
+        for which in ("any", "whatever", "whichever", "arbitrary", "random")
+        for hue in ("color", "colors")
+        for free in ("", " you like", " you want", " you have", " you please", " you prefer", " is fine", " are fine",
+                     " will do", " there are", " at all", " will be fine", " is ok")
+    ),
+    *(f"{lead}{choice}" for lead in ("with the ", "with ", "the ", "") for choice in (
+        "colors however you like", "color however you like", "colors as you like", "colors of your choice",
+        "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
 _BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
@@ -130,7 +141,7 @@ def _emphatic(words: list[str], end: int) -> bool:
 
 
 def _set_off(words: list[str], at: int, end: int) -> bool:
-    before = at == 0 or words[at - 1] in _BREAKS or words[at] in ("in", "regardless")
+    before = at == 0 or words[at - 1] in _BREAKS or words[at] in ("in", "regardless", "with", "using", "of")
     before = before and not (at and words[at - 1] in ("rest", "others"))
     return before and (end == len(words) or words[end] in _BREAKS)
 

@@ -68,7 +68,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         for item, k in clause(p, colon):
             if isinstance(had[-1], Clause) and isinstance(had[-1].theme, Structure) and _mere_colors(item):
                 continue
-            if isinstance(item, Clause) and isinstance(had[-1], Clause) and had[-1].adjuncts and item.verb != "exist":
+            told = isinstance(had[-1], Clause) and (had[-1].adjuncts or had[-1].lemma in ("tally", "size"))
+            if isinstance(item, Clause) and told and item.verb != "exist":
                 whole = (*had, replace(item, cost=item.cost + 3))
                 yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
         for item, k in inventory(p, colon):

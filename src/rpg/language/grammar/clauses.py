@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.alike import all_alike
 from rpg.language.grammar.chatter import CHATTER
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.details import part_clause
@@ -17,6 +18,7 @@ from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.offsets import centering
 from rpg.language.grammar.piled import piled
+from rpg.language.grammar.spare import spare
 from rpg.language.grammar.states import state
 from rpg.language.grammar.terse import about, said_of, terse
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
@@ -84,6 +86,8 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _for_each(p, i)
     yield from _what(p, i, when)
     yield from inventory(p, i)
+    yield from spare(p, i)
+    yield from all_alike(p, i)
     yield from terse(p, i, when)
     for (theme, start), _ in about(p, i):
         for found, j in _command(p, start):

@@ -10,9 +10,11 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import color
+from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.sizes import IN_TOTAL
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits
 
 _LEADS = (
@@ -47,6 +49,15 @@ _ARE = ("are", "is", "number", "are exactly", "should be", "must be", "will be",
 _BETWEEN = ("and also", "and", "plus", "&", "+", "as well as", "and then")
 
 
+_HEADED = Patterns(
+    "the|our|my|your|these|all? letters|digits|numbers|blocks|cubes|symbols|pieces|bricks|colors|set|inventory|"
+    "material|available|given|equipment|stock|supply "
+    "in_play|given|available|provided|to_use|used|here|on_the_table|at_hand|you_have|we_have|i_have|you_get|you_need|"
+    "to_be_used|to_work_with|involved|present|in_use|for_this|for_it|in_the_scene|needed? are|is? :|,|-?",
+)
+"""What stands before a list of what there is."""
+
+
 @rule
 def inventory(p: Parser, i: int) -> Results[Clause]:
     """The things there are; `lemma` "tally" where nothing says so but the list itself."""
@@ -55,10 +66,20 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
         taken = p.words[i] in ("take", "use", "using")
         for theme, told, j in _contents(p, p.opt(lead, "exactly", "just", "only", ":"), taken):
             yield _given(p, i, j, theme, told, 0 if taken and (told or _several(theme)) else 1), j
+    for start in _HEADED.matches(p, i):
+        if p.words[start - 1] in (":", ",", "-", "are", "is"):
+            for theme, told, j in _contents(p, start):
+                yield _given(p, i, j, theme, told, 1), j
+            for named, j in noun_phrase(p, start) if p.words[start - 1] == ":" else ():
+                if _mere_colors(named):
+                    yield replace(_given(p, i, j, named, (), 2), lemma=""), j
     of = p.one(i, "of")
     for theme, j in simple(p, of) if of else ():
         if isinstance(theme, Noun) and _counted(theme, True) and theme.det == "the" and p.words[j : j + 1] == [","]:
             yield _given(p, i, j, theme, (), 2), j
+    for items, j in _run(p, of) if of and i == 0 else ():
+        if len(items) > 1 and p.words[j : j + 1] == [","]:
+            yield _given(p, i, j, _whole(p, of, j, items), (), 2), j
     added = p.one(i, "add")
     for theme, j in simple(p, added) if added else ():
         if isinstance(theme, Noun) and theme.traits.extra:
@@ -68,11 +89,44 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
             yield _given(p, i, j, theme, told, 2), j
     yield from _numbered(p, i)
     yield from _at_hand(p, i)
+    yield from _sized(p, i, lead)
+
+
+_SIZE_OF = (
+    "block size", "cube size", "the block size", "the cube size", "edge length", "the edge length", "size",
+    "the size", "blocks", "cubes", "all blocks", "all cubes", "all of them", "the size of the blocks",
+    "the size of the cubes", "the edge length of the blocks", "the edge length of the cubes",
+)  # fmt: skip
+
+
+def _sized(p: Parser, i: int, lead: int) -> Results[Clause]:
+    """ "use 5 cm cubes", "block size: 5 cm": how large all the blocks are."""
+    if lead or i == 0 or p.follows(i, _OPENERS):
+        for theme, j in simple(p, lead or i):
+            marks = theme.traits if isinstance(theme, Noun) else Traits()
+            sized = marks == Traits(edge=marks.edge, size=marks.size) and (marks.edge or (marks.size and lead))
+            plain = isinstance(theme, Noun) and theme.head == "block" and theme.plural and theme.det == "bare"
+            if isinstance(theme, Noun) and plain and sized and theme.amount is None:
+                yield _size(p, i, j, theme.traits, 0 if lead else 2), j
+    of = p.any_of(i, _SIZE_OF)
+    for edge, j in length(p, p.opt(of, ":", "=", "is", "are", ",")) if of else ():
+        yield _size(p, i, j, Traits(edge=edge), 1), p.opt(j, "each")
+
+
+def _size(p: Parser, i: int, j: int, traits: Traits, cost: int) -> Clause:
+    blocks = Noun(head="block", det="all", plural=True, traits=traits, span=p.span(i, j))
+    return replace(_given(p, i, j, blocks, (), cost), lemma="size")
 
 
 _AT_HAND = (
-    "are given", "is given", "are available", "is available", "are provided", "is provided", "are present", "exist",
-    "are at hand", "are at your disposal", "are to hand", "are in the scene", "are supplied", "are at our disposal",
+    "exist", "exists", "also exist", "also exists",
+    *(
+        f"{are} {also}{there}"
+        for are in ("is", "are")
+        for also in ("", "also ", "already ")
+        for there in ("given", "available", "provided", "present", "at hand", "at your disposal", "to hand",
+                      "in the scene", "supplied", "at our disposal", "there", "in play")
+    ),
 )  # fmt: skip
 
 
@@ -151,6 +205,14 @@ def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
         k = p.any_of(p.opt(j, "block", "blocks", "cube", "cubes"), _OF_LISTED)
         for items, end in _colors(p, k) if k else ():
             yield tuple(_of_color(c, many, p.span(i, end)) for c in items), end
+
+
+def _mere_colors(theme: Meaning) -> bool:
+    """ "red, yellow and black": a block of each."""
+    if isinstance(theme, Coord):
+        return theme.op == "and" and all(map(_mere_colors, theme.items))
+    plain = isinstance(theme, Noun) and theme.head == "any" and theme.det == "bare" and theme.amount is None
+    return plain and isinstance(theme, Noun) and theme.traits == Traits(colors=theme.traits.colors)
 
 
 def _of_color(named: str, many: int, span: tuple[int, int]) -> Noun:

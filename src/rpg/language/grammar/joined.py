@@ -9,6 +9,7 @@ from rpg.language.grammar.adjectives import adjectives, color
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.retold import (
     bare_color,
+    mere_size,
     named_together,
     part_after,
     restates,
@@ -19,13 +20,14 @@ from rpg.language.grammar.retold import (
     tally,
     universal,
 )
-from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
 
 _JOIN = frozenset({"and", "or", "plus", "&", "nor"})
 
 
 def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     """ "all the blocks that are not red"."""
+    yield from _but_so_many(p, i, whole, j)
     k = p.any_of(j, ("that are not", "which are not", "that is not", "which is not")) if isinstance(whole, Noun) else 0
     if not k or not isinstance(whole, Noun) or whole.det not in ("all", "each", "the") or whole.head == "patch":
         return
@@ -33,6 +35,19 @@ def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
         out = Noun(head="block", det="all", plural=True, traits=Traits(colors=(named,)), span=p.span(k, end))
         whole = replace(whole, det="all", plural=True)
         yield Coord(op="besides", items=(whole, out), span=p.span(i, end)), end
+
+
+def _but_so_many(p: Parser, i: int, whole: Meaning, j: int) -> Results[Noun]:
+    """ "all yellow blocks but one", "all five red blocks except two"."""
+    k = p.any_of(j, ("but", "except", "except for", "apart from", "save")) if isinstance(whole, Noun) else 0
+    if not k or not isinstance(whole, Noun) or whole.det != "all" or not whole.plural or whole.part_of is not None:
+        return
+    for many, end in amounts.count(p, k):
+        end = p.any_of(end, ("of them", "of these", "block", "blocks", "cube", "cubes")) or end
+        if not amounts.makes_number(p, end) and p.words[end] != "of":
+            some, span = Amount(many, many), p.span(i, end)
+            them = replace(whole, det="the")
+            yield Noun(head=whole.head, det="all but", amount=some, plural=True, part_of=them, span=span), end
 
 
 def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
@@ -117,6 +132,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         if part_after(items[-1], item):
             item = replace(item, cost=item.cost + 3)
         if not joined and isinstance(items[-1], Structure) and isinstance(item, Noun) and bare_color(item):
+            continue
+        if not joined and isinstance(item, Noun) and mere_size(item):
             continue
         whole = sized_alike((*items, item))
         if joined and now == "and" and (named := named_together(whole)) is not None:

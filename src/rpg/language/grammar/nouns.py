@@ -21,6 +21,12 @@ _APART = frozenset({"own", "separate", "distinct"})
 _OUTLINES = {word + end: (word, bool(end)) for word in ("square", "circle", "rectangle") for end in ("", "s")}
 """Figures by which a patch is called as well: the word, its shape, whether it is a plural."""
 _SINGLE = Quantity("bare")
+_PRESENT = ("present", "in the scene", "lying around", "around", "in view", "also present")
+"""What may be said of where distractors are, which is nowhere in particular."""
+_EVERYTHING = ("everything", "everything that is", "everything which is", "all that is", "anything that is")
+_LISTING = frozenset({"bare", "the", "all", "both"})
+_SYMBOLS = (lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)
+"""Nouns with which symbols are read as what they tell apart, not as blocks of their own."""
 
 
 @rule
@@ -66,6 +72,10 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
         yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
     yield from _letters_of(p, i)
+    if j := p.any_of(i, _EVERYTHING):
+        for marks, k in adjectives(p, j):
+            if marks.keys() & {"colors", "kind", "size"}:
+                yield Noun(head="block", det="all", plural=True, traits=Traits(**marks), span=p.span(i, k)), k
     for found, j in amounts.quantity(p, i):
         if found.partitive:
             yield from _partitive(p, i, j, found)
@@ -130,6 +140,8 @@ def _part(p: Parser, i: int) -> Results[Meaning]:
 def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
     """ "two of the four red blocks", "none of them"."""
     for whole, end in simple(p, j):
+        if isinstance(whole, Noun) and whole.head == "any" and whole.det == "the" and found.det in ("all", "no"):
+            whole = replace(whole, plural=whole.plural or bool(whole.traits.colors))
         if (
             isinstance(whole, Noun)
             and whole.det in ("the", "bare", "its", "other", "all")
@@ -137,6 +149,9 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
         ):
             plain = whole.det == "bare" and whole.amount is None
             if plain and found.det != "some":
+                continue
+            if found.det == "all" and whole.det == "the" and whole.amount is not None and whole.part_of is None:
+                yield replace(whole, det="all", span=p.span(i, end)), end
                 continue
             yield (
                 Noun(
@@ -213,7 +228,8 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     if j == start and (counted or quantity.det in ("other", "another")):
         digit = quantity.det == "the" and p.tokens[start - 1].kind == "number"
         yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=3 if digit else 2)
-    if (quantity.det in ("bare", "the", "all", "both") and quantity.amount is None) or quantity.det == "a":
+    named = j > start and any(p.words[j - 1] in table for table in _SYMBOLS)
+    if not named and ((quantity.det in _LISTING and quantity.amount is None) or quantity.det == "a"):
         for (labels, more), k in label_list(p, j):
             held = merge(marks, {"labels": labels, "open_ended": more})
             digit = len(labels) == 1 and labels[0].isdigit()
@@ -279,6 +295,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
 
     yield noun, j
     tried = [(noun, j)]
+    if noun.traits.extra and (k := p.any_of(j, _PRESENT)):
+        yield noun, k
     k = p.one(j, "number") or j
     long = k < p.end and (k > j or (p.tokens[k].kind == "number" and len(p.words[k]) > 1))
     if long and (counted := _numbered(p, i, k, noun)) is not None:

@@ -13,6 +13,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.lists import listed, ranks
 from rpg.language.grammar.order_phrases import NAMED
+from rpg.language.grammar.parted import parted
 from rpg.language.grammar.patterns import pattern, spacing
 from rpg.language.grammar.sides import toward
 from rpg.language.grammar.wishes import Patterns
@@ -240,6 +241,7 @@ def _toward_list(p: Parser, i: int) -> Results[Meaning]:
 def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
     """ "by colour", "according to size", "by even and odd", "into vowels and consonants"."""
     yield from classes(p, i)
+    yield from parted(p, i)
     j = p.any_of(i, ("by", "according to", "based on", "by their", "according to their", "by the", "depending on",
         "by whether they are", "according to whether they are", "on the basis of", "based on their",
                      "by same", "by different", "by block"))  # fmt: skip

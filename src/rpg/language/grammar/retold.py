@@ -57,7 +57,17 @@ def retelling(items: tuple[Meaning, ...], item: Meaning) -> tuple[Noun, ...] | N
     if len(items) == 1 and first.det == "some" and item.amount is not None and item.head == "any":
         return (replace(first, amount=item.amount, traits=replace(first.traits, colors=item.traits.colors)),)
     general = first.det in ("bare", "the", "all") and first.plural and first.traits.kind is not None
+    if general and len(items) == 1 and first.det in ("all", "the") and _named_by(first, item):
+        return (replace(first, traits=replace(first.traits, labels=item.traits.labels), cost=0),)
     return () if general and not first.traits.colors and item.traits.labels and item.det == "bare" else None
+
+
+def _named_by(first: Noun, item: Noun) -> bool:
+    """ "all letters (A, B, C)": just which they are."""
+    kind, labels = first.traits.kind, item.traits.labels
+    fits = all(x.isalpha() for x in labels) if kind == "letter" else all(x.isdigit() for x in labels)
+    plain = first.traits == Traits(kind=kind, quality=first.traits.quality) and item.traits == Traits(labels=labels)
+    return plain and fits and bool(labels) and kind in ("letter", "digit") and item.det == "bare"
 
 
 def _counted_symbols(first: Noun, item: Noun) -> bool:
@@ -76,6 +86,13 @@ def _some_of_it(item: Noun) -> bool:
 def bare_color(item: Noun) -> bool:
     """ "red" after a structure and a comma says something of the structure."""
     return item.head == "any" and item.det == "bare" and item.amount is None and bool(item.traits.colors)
+
+
+def mere_size(item: Noun) -> bool:
+    """ "5 cm cubes" behind a comma says how large the blocks are, it names no further ones."""
+    marks = item.traits
+    sized = bool(marks.edge or marks.size) and marks == Traits(edge=marks.edge, size=marks.size)
+    return sized and item.head == "block" and item.plural and item.det == "bare" and item.amount is None
 
 
 def part_after(before: Meaning, item: Meaning) -> bool:

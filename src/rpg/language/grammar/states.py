@@ -289,6 +289,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
             side = At(side=marks["rank"], span=p.span(j, k))
             yield Clause(verb="be", theme=theme, adjuncts=(side,), negated=negated, mode=mode, span=p.span(i, k)), k
         elif marks and "rank" not in marks and the == j:
+            k = p.opt(k, *lexicon.BLOCK) if marks.keys() <= {"edge", "size"} else k
             quality = Quality(traits=Traits(**marks), span=p.span(j, k))
             yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
     for marks, k in of_quality(p, j, head):

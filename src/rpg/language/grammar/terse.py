@@ -15,7 +15,10 @@ from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, OrderBy,
 
 _SPELT = ("spelled out", "spelt out", "written out", "spelled", "spelt", "written")
 _KINDRED = ("same colors", "the same colors", "same color", "the same color", "blocks of the same color",
-            "cubes of the same color", "same colored blocks", "equal colors", "each color", "like colors")  # fmt: skip
+            "cubes of the same color", "same colored blocks", "equal colors", "each color", "like colors",
+            "same letters", "the same letters", "equal letters", "same numbers", "the same numbers",
+            "equal numbers", "equal digits", "same digits",
+            "blocks with the same letter", "blocks with the same number", "same symbols", "each letter")  # fmt: skip
 _TOGETHER = ("be together", "should be together", "must be together", "together", "are together", "go together",
              "stay together", "be in one group", "should go together", "in one group")  # fmt: skip
 
@@ -32,8 +35,9 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
     if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER)):
         everything = Pronoun(word="everything", span=p.span(i, j))
-        by_color = OrderBy(by="attribute", attribute="color", span=p.span(i, k))
-        yield Clause(verb="sort", lemma="sort", theme=everything, adjuncts=(by_color,), span=p.span(i, k), cost=1), k
+        told = "color" if {*p.words[start:j]} & {"color", "colors", "colored"} else "label"
+        by = OrderBy(by="attribute", attribute=told, span=p.span(i, k))
+        yield Clause(verb="sort", lemma="sort", theme=everything, adjuncts=(by,), span=p.span(i, k), cost=1), k
 
 
 _SORTING = frozenset({"reverse", "reversed", "alphabetical", "alphabetic", "backwards", "backward", "numerical",

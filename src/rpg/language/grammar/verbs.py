@@ -12,6 +12,7 @@ from rpg.language.grammar.labels import literal
 from rpg.language.grammar.likes import like_with_like
 from rpg.language.grammar.manners import direction
 from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.orders import order
 from rpg.language.grammar.remade import remade, reverse
 from rpg.language.meaning import (
     At,
@@ -24,6 +25,7 @@ from rpg.language.meaning import (
     Manner,
     Meaning,
     Noun,
+    OrderBy,
     Pronoun,
     Quality,
     Structure,
@@ -36,7 +38,7 @@ _PARTICLES = {
     "place": ("up", "out", "down", "together", "over", "back"), "pick": ("up", "out", "off", "away"),
     "build": ("up", "out", "together"), "stack": ("up", "together"), "unstack": ("down", "apart"),
     "arrange": ("up", "out", "together", "apart"), "sort": ("up", "out", "together"), "swap": ("over", "around"),
-    "turn": ("over", "around", "up", "down"),
+    "turn": ("over", "around", "up", "down"), "keep": ("up", "down", "together", "over", "around", "apart", "back"),
 }  # fmt: skip
 """What may follow a verb without changing what it says."""
 PARTICLES = ("up", "out", "down", "together", "over", "around", "apart", "back", "off", "away", "aside")
@@ -118,10 +120,21 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
                 continue
             said = (*found, *alone)
             yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word), end
+    if sense == "sort" and p.words[j] in ("by", "according"):
+        yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):
         for found, end in adjuncts(p, j):
             if found:
                 yield Clause(verb=sense, lemma=lemma, adjuncts=found, span=p.span(i, end), word=word, cost=1), end
+
+
+def _by_first(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "group by colour the two black and three orange cubes"."""
+    for by, k in order(p, j):
+        for theme, end in noun_phrase(p, p.opt(k, ",", ":")) if isinstance(by, OrderBy) else ():
+            for found, last in adjuncts(p, end):
+                span, word = p.span(i, last), p.span(i, i + 1)
+                yield Clause(verb="sort", lemma=lemma, theme=theme, adjuncts=(by, *found), span=span, word=word), last
 
 
 def _separated(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:

@@ -45,6 +45,8 @@ from rpg.passes.schema.resolve.inventory import each_agrees
 from rpg.passes.schema.resolve.kept import brought_about
 from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.premises import keep_premises
+from rpg.passes.schema.resolve.sized import sized
+from rpg.passes.schema.resolve.spare import definite, none_ignored, without_spare
 from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.tidy import once, tidy
 from rpg.passes.schema.resolve.world import Scene, refuse, said
@@ -193,6 +195,7 @@ def _resolved(
     scene = Scene(lenient=lenient)
     for note in notes:
         scene.assume(note)
+    links, chains = sized(links, tuple(without_spare(chain) for chain in chains), scene)
     scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))
@@ -246,6 +249,7 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
     """Every block that was spoken of must matter: one that no condition mentions was lost on the way."""
     check_besides(scene)
     each_agrees(scene)
+    none_ignored(goal, scene)
     for traits, count, span in scene.closed:
         there = len(matching(traits, scene, False))
         if there != count:
@@ -274,13 +278,14 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
             chains[0].span,
             "name its blocks",
         )
+    some = any(_selects(part) for chain in chains for part in parts_of(chain))
     told = (
         set(names_in(goal))
         | {n for x in scene.start_goals for n in names_in(x)}
         | {n for heap in scene.heaps for n in heap}
     )
     for thing in scene.things.values():
-        listed = thing.declared and thing.name not in scene.tallied
+        listed = thing.declared and (thing.name not in scene.tallied or some)
         if thing.name in told or thing.extra or listed or thing.name in scene.spare:
             continue
         span = next((m.ref.span for m in scene.mentions if thing.name in m.ref.names), chains[0].span)
@@ -290,6 +295,12 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
             span,
             "say where it should be, or that it is a distractor",
         )
+
+
+def _selects(part: Meaning) -> bool:
+    """ "All the red ones": of what there is, with others that are not meant."""
+    marks = part.traits if isinstance(part, Noun) and part.det in ("all", "each") else Traits()
+    return bool(marks.colors or marks.kind or marks.size or marks.edge) and not marks.labels
 
 
 def _rest(part: Meaning) -> bool:
@@ -305,11 +316,13 @@ def _rest(part: Meaning) -> bool:
 
 def _sets_scene(chain: Chain) -> bool:
     """Whether a sentence only says what there is or how it starts: it is read first."""
-    return all(
-        isinstance(c, Clause)
-        and (c.mode == "given" or any(isinstance(m, Manner) and m.kind == "extra" for m in c.adjuncts))
-        for c in chain.clauses
-    )
+    return all(isinstance(c, Clause) and (c.mode == "given" or _brings_extras(c)) for c in chain.clauses)
+
+
+def _brings_extras(clause: Clause) -> bool:
+    """ "Two blue blocks lie around": blocks that come into the task by this."""
+    extra = any(isinstance(m, Manner) and m.kind == "extra" for m in clause.adjuncts)
+    return extra and clause.theme is not None and not definite(clause.theme)
 
 
 _THEM = frozenset({"them", "they", "these", "those", "everything", "all", "the others", "the rest"})
@@ -324,12 +337,20 @@ def _of_everything(chain: Chain, pointed: bool) -> bool:
         and clause.verb == "be"
         and isinstance(clause.theme, Noun)
         and clause.theme.head == "block"
-        and clause.theme.det in ("all", "each")
-        and (clause.theme.traits, clause.theme.amount, clause.theme.part_of) == (Traits(), None, None)
+        and (clause.theme.det in ("all", "each") or (clause.theme.det == "the" and _sizes(clause)))
+        and (clause.theme.traits, clause.theme.part_of) == (Traits(), None)
+        and (clause.theme.amount is None or clause.theme.det == "all")
         and bool(clause.adjuncts)
         and all(isinstance(adjunct, Quality) for adjunct in clause.adjuncts)
         for clause in chain.clauses
     )
+
+
+def _sizes(clause: Clause) -> bool:
+    """ "The cubes are 5 cm wide"."""
+    plural = isinstance(clause.theme, Noun) and clause.theme.plural
+    marks = [a.traits for a in clause.adjuncts if isinstance(a, Quality)]
+    return plural and all(x == Traits(edge=x.edge, size=x.size) for x in marks)
 
 
 def _begins_with_all(clause: Clause) -> bool:

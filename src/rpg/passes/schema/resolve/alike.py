@@ -97,7 +97,8 @@ def by_likeness(clause: Clause, spec: Spec, scene: Scene) -> Clause | None:
         return None
     spec.places = [p for p in spec.places if p not in close]
     spec.intos = [i for i in spec.intos if i not in piles or getattr(i.structure, "plural", False)]
-    spec.orders.append(OrderBy(by="attribute", attribute="color", span=theme.span))
+    told = "label" if theme.traits.kind in ("letter", "digit", "symbol") else "color"
+    spec.orders.append(OrderBy(by="attribute", attribute=told, span=theme.span))
     open_ = replace(theme, traits=replace(theme.traits, scheme=None), det="the" if theme.det == "bare" else theme.det)
     verb = "stack" if piled else "sort"
     return replace(clause, verb=verb, lemma=verb, theme=open_)

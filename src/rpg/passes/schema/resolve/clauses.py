@@ -39,7 +39,8 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.reordered import reverse
 from rpg.passes.schema.resolve.shaped import shaped
-from rpg.passes.schema.resolve.sorting import in_sequence, sort
+from rpg.passes.schema.resolve.sorting import by_kinds, in_sequence, sort
+from rpg.passes.schema.resolve.spare import ignore
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.spelled import spell
 from rpg.passes.schema.resolve.stacking import Towers
@@ -152,7 +153,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    clause = told_alone(by_likeness(clause, spec, scene) or clause, spec)
+    clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)
     if clause.lemma in LEAVING and clause.verb in ("place", "use") and not clause.negated:
         spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
     if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
@@ -171,7 +172,7 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         case "exist":
             return _exist(clause, spec, scene, scope)
         case "ignore":
-            return _ignore(clause, scene, scope)
+            return ignore(clause, scene, scope)
         case "keep" | "touch" | "pick" | "unstack" | "remove" | "swap" | "turn" | "use" | "reverse":
             return _special(clause, spec, scene, scope)
         case "sort":
@@ -352,13 +353,6 @@ def _there_already(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Go
     for name in scene.mentions[-1].ref.names:
         scene.things[name].declared = True
     scene.start_goals += [x for x in goals if not (isinstance(x, g.All) and not x.goals) and x not in scene.start_goals]
-    return []
-
-
-def _ignore(clause: Clause, scene: Scene, scope: Scope) -> Goals:
-    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    for name in theme.names:
-        scene.things[name].extra = True
     return []
 
 

@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import PATCH_SIDE, Asset, ColoredCube, Faces, GoalPatch, SemanticCube
 from rpg.ir.goal import Goal
 from rpg.ir.walk import rename
+from rpg.passes.schema.resolve.sized import size_all
 from rpg.passes.schema.resolve.strangers import no_strangers
 from rpg.passes.schema.resolve.things import EDGES, VOWELS
 from rpg.passes.schema.resolve.world import Scene, Thing, refuse
@@ -60,6 +61,7 @@ def _symbols_for(thing: Thing) -> str:
 def choose(scene: Scene) -> set[str]:
     """Give every object the looks that were left open; the things whose colour was."""
     things = list(scene.things.values())
+    size_all(scene)
     no_strangers(scene)
     _count_open(things, scene)
     for thing in things:

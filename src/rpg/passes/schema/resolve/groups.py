@@ -106,7 +106,8 @@ def attribute_of(spec: Spec) -> str | None:
     """What blocks are sorted by, if it was said."""
     found = next((o for o in spec.orders if o.by == "attribute"), None)
     if found is not None:
-        spec.orders.remove(found)
+        again = replace(found, span=(0, 0))
+        spec.orders = [o for o in spec.orders if replace(o, span=(0, 0)) != again]
         spec.patterns = [p for p in spec.patterns if p.unit not in ("pile", "stack") or p.attribute != found.attribute]
         return found.attribute
     pattern = next((p for p in spec.patterns if p.unit in ("pile", "stack")), None)

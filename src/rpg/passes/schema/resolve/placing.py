@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place, related
+from rpg.passes.schema.resolve.spare import definite, pass_over
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -57,8 +58,7 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
     if clause.negated:
         raise refuse("misplaced", "it is said what these blocks are not, but not where they should be", clause.span,
                      "say where they should be")  # fmt: skip
-    marked = as_extra(clause.theme)
-    refer(marked, scene, Scope())
+    pass_over(refer(clause.theme if definite(clause.theme) else as_extra(clause.theme), scene, Scope()), scene)
     scene.mentions.pop()
     spec.places = [p for p in spec.places if not isinstance(getattr(p, "landmark", None), TableTop)]
     return True

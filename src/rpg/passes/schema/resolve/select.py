@@ -41,6 +41,9 @@ def select(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ..
 def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
     count = wanted(noun, scene, scope, patch)
     free = [t for t in found if t.name not in scene.used and (t.declared or t.name in scope.pool)]
+    told = [t for t in found if t.name in scene.tallied]
+    if scope.start and noun.traits == Traits() and not patch and count > 1 and len(told) == len(found) == count:
+        return tuple(t.name for t in told)
     if (
         noun.det == "another"
         and scene.parted

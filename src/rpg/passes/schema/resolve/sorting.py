@@ -35,8 +35,11 @@ SIDE = 3
 
 def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
+    divides = clause.lemma in DIVIDES or (clause.lemma == "sort" and _from_others(spec))
     line = any(getattr(i.structure, "kind", "") in ("row", "line", "column", "stack", "grid") for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
+    if clause.lemma in GATHERS | DIVIDES and not line and (by := [o for o in spec.orders if o.by == "label"]):
+        raise refuse("misplaced", "groups have no order", by[0].span, "say 'in a row', or 'by the same letter'")
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
         built, goals = _sort_piles(clause.theme, spec, scene, scope)
         return goals
@@ -54,8 +57,9 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if isinstance(theme_meaning, Structure):
         return shaped(clause, spec, scene, scope)
     attribute = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
-    need = 4 if line or ordered else SIDE if clause.lemma in DIVIDES and (apart or spec.usings) else 6
+    need = 4 if line or ordered else SIDE if divides and (apart or spec.usings) else 6
     each = 1 if line or ordered else _lot(spec, scene)
+    _at_hand(theme_meaning, spec, scene)
     need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     if line or ordered:
@@ -74,10 +78,10 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
         return [node, *places(ref, spec, scene, scope, clause.span)]
     pair = len(theme.names) == 2 and not theme.parts and not spec.intos and not spec.usings and apart is None
-    if clause.lemma in DIVIDES and attribute is None and pair:
+    if divides and attribute is None and pair:
         one, other = theme.names
         return [r.Apart(a=(one,), b=(other,), span=clause.span), *places(theme, spec, scene, scope, clause.span)]
-    if clause.lemma in DIVIDES and attribute is None and (apart is not None or len(theme.parts) == 2 or spec.usings):
+    if divides and attribute is None and (apart is not None or len(theme.parts) == 2 or spec.usings):
         return _separate(theme, apart, spec, scene, scope, clause)
     shape = _pile_target(spec)
     attribute = attribute_of(spec)
@@ -87,6 +91,36 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
     ref = replace(theme, built=tuple(built))
     return goals + places(ref, spec, scene, scope, clause.span)
+
+
+def by_kinds(clause: Clause, spec: Spec) -> Clause:
+    """ "A, B, 1 and 2: letters in one group, digits in the other": told of each kind, whatever the verb."""
+    if any(o.by == "parted" for o in spec.orders):
+        spec.orders = [replace(o, by="attribute") if o.by == "parted" else o for o in spec.orders]
+        kept = isinstance(clause.theme, Structure) or spec.intos or clause.verb == "stack"
+        clause = clause if kept else replace(clause, verb="sort")
+    return clause
+
+
+def _from_others(spec: Spec) -> bool:
+    """ "sort the vowels from the consonants"."""
+    return any(x.lead == "from" for x in spec.usings) or any(
+        isinstance(x, Loc) and x.rel in ("apart", "off") and not x.negated and not _of_each_other(x)
+        for x in spec.places
+    )  # fmt: skip
+
+
+def _at_hand(theme: Meaning, spec: Spec, scene: Scene) -> None:
+    """ "separate the odd from the even digits, using 1 to 6": the symbols among which these are."""
+    if not any(isinstance(x, Noun) and x.traits.quality and not x.traits.labels for x in parts_of(theme)):
+        return
+    for using in list(spec.usings):
+        if isinstance(using.members, Noun) and len(using.members.traits.labels) > 1:
+            found = refer(using.members, scene, Scope(given=True, start=True))
+            scene.mentions.pop()
+            spec.usings.remove(using)
+            for name in found.names:
+                scene.things[name].declared = True
 
 
 def in_sequence(clause: Clause, theme: Ref, spec: Spec, scene: Scene) -> None:

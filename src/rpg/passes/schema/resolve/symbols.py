@@ -147,6 +147,8 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
                 Traits(labels=(symbol,), colors=traits.colors[:1], edge=traits.edge, size=traits.size), scene, False
             )
         names.append(found.name)
+    if len(pool) > len(names):
+        scene.used.update(names)
     if theme is not None:
         _none_left(pool, names, text, span)
     return tuple(names)

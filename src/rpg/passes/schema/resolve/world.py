@@ -138,6 +138,8 @@ class Scene:
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
     `kept`: what the verb "keep" asks for, each with what it says of the start.
+    `ignored`: blocks that are said to be distractors, each with the words that say so.
+    `sized`: the size that is said of all blocks, with its words.
     """
 
     things: dict[str, Thing] = field(default_factory=dict)
@@ -182,6 +184,8 @@ class Scene:
     lenient: bool = False
     besides: list[tuple[Traits, Ref, Span]] = field(default_factory=list)
     kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
+    sized: tuple[Traits, Span] | None = None
+    ignored: dict[str, Span] = field(default_factory=dict)
 
     def assume(self, text: str) -> None:
         """Record a default that was taken."""

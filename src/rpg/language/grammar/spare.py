@@ -1,0 +1,102 @@
+"""Blocks that are only there: "leave out the S", "two black ones serve as a distraction", "distractor: a green one"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.wishes import Patterns
+from rpg.language.meaning import Clause, Coord, Meaning, Noun, Pronoun
+
+_PASS_OVER = (
+    "leave out", "leave aside", "ignore", "disregard", "forget about", "forget", "skip", "omit", "do not use",
+    "do not need", "you do not need", "we do not need", "not using", "without using", "without", "and not",
+    "never use", "not", "pay no attention to", "do not care about", "but not",
+)  # fmt: skip
+"""What stands before blocks that are not to be used. Behind "without" and "not" alone no place may follow."""
+_LEAVE = frozenset({"leave", "leaving", "keep", "put", "set", "lay", "add", "include", "have", "place", "throw"})
+_ASIDE = Patterns(
+    "just|simply? aside|out|lying_around|around|unused|out_of_it|off_to_the_side|to_one_side|to_the_side|on_the_side|"
+    "on_one_side|out_of_the_way|out_of_play|over|alone_as_distractors|lying_on_the_side|lying_on_the_table_unused "
+    "somewhere|anywhere|on_the_table?",
+)
+_AS = Patterns(
+    "in|on_the_table|to_the_scene|to_the_table|lying_around|somewhere|lying_somewhere? ,? merely|only|just|purely? "
+    "as|for a|an|some|pure|mere? distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys",
+)
+_DOING_NOTHING = Patterns(
+    "are|is|be|should_be|must_be|will_be? also|too|just|only|merely|simply|all? lying|standing|sitting|there|around|"
+    "lying_around|on_the_table? ,? merely|just|only|purely? as|for|to a|an|some|pure|mere? "
+    "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys|distract|confuse",
+    "lie|lies|stand|stands|sit|sits also|too|just|only? around|there|about also|too|somewhere|on_the_table? ,? "
+    "as|for? a? distractor|distractors|distraction?",
+    "serve|serves|act|acts|function|functions also|just|only|merely|simply? as|for a|an|mere|pure? "
+    "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys",
+    "are|is|be|should_be|must_be|will_be also|just|only|merely|simply|mere|pure? distractors|distraction|decoration|"
+    "decorations|a_distractor|a_decoy|decoys|unused|irrelevant|superfluous|left_over|leftover|left_out|spare|not_used|"
+    "not_needed|not_required|not_involved|not_part_of_it|not_part_of_this|ignored|to_be_ignored|of_no_importance|"
+    "unimportant|unneeded|no_part_of_it|not_relevant|not_of_interest|lying_around|around here|there|at_all|for_this? "
+    "on_the_table|somewhere|for_now?",
+    "do|does not matter|count|play_a_role|belong_to_it|take_part|belong_to_the_word here|at_all?",
+    "play|plays no role|part here|in_this|in_it?",
+    "should|must|may|can|will|are_to|is_to be? not be? used|needed|moved_or_used",
+    "should|must|may|can not be used|needed|part_of_it",
+    "can|should|may|must be ignored|left_out|disregarded|left_aside",
+    "remain|remains|stay|stays|go|goes unused|out_of_it|aside|left_over",
+)
+_BELONGING = Patterns("that|which do|does not belong to the_word|it|the_tower|the_row|the_structure|them")
+_LABELS = (
+    "distractor :", "distractors :", "distractor", "distractors", "as distractors :", "as a distractor :", "decoys :",
+    "extra :", "extras :", "as distractors", "as a distractor", "unused :", "not used :", "to be ignored :",
+    "for distraction :", "for distraction", "decoration :", "with the distractors", "with the distractor",
+    "with distractors :", "distraction :", "distractions :",
+)  # fmt: skip
+
+
+@rule
+def spare(p: Parser, i: int) -> Results[Clause]:
+    """What there is and is not to be used."""
+    over = p.any_of(i, _PASS_OVER)
+    for theme, j in noun_phrase(p, over) if over else ():
+        bare = p.words[over - 1] in ("not", "without")
+        if not bare or (_definite(theme) and (j >= p.end or p.words[j] in _STOPS)):
+            yield _said(p, i, p.opt(j, "at", "out", "aside"), theme), p.any_of(j, ("out", "aside")) or j
+    left = p.one(i, _LEAVE)
+    for theme, j in noun_phrase(p, p.opt(left, "in")) if left else ():
+        aside = _ASIDE.matches(p, j) if p.words[i].startswith("leav") or _told(theme) else ()
+        for k in {*aside, *_AS.matches(p, j)}:
+            yield _said(p, i, k, theme), k
+    named = p.any_of(i, _LABELS)
+    for theme, j in noun_phrase(p, p.opt(named, "are", "is")) if named else ():
+        if not _told(theme):
+            yield _said(p, i, j, theme), j
+    for theme, j in noun_phrase(p, i):
+        for k in {*_DOING_NOTHING.matches(p, j), *_AS.matches(p, p.opt(j, ","))} if _blocks(theme) else ():
+            for end in {k, max(_BELONGING.matches(p, k), default=k)}:
+                yield _said(p, i, end, theme), end
+
+
+_STOPS = frozenset({",", ":", "and", ";"})
+
+
+def _said(p: Parser, i: int, j: int, theme: Meaning) -> Clause:
+    return Clause(verb="ignore", lemma="spare", theme=theme, mode="goal", span=p.span(i, j), cost=1)
+
+
+def _blocks(theme: Meaning) -> bool:
+    if isinstance(theme, Coord):
+        return theme.op == "and" and not theme.cost and all(map(_blocks, theme.items))
+    return isinstance(theme, Noun) or (isinstance(theme, Pronoun) and theme.word not in ("it", "nothing"))
+
+
+def _told(theme: Meaning) -> bool:
+    """Whether a phrase speaks of distractors."""
+    if isinstance(theme, Coord):
+        return all(map(_told, theme.items))
+    return isinstance(theme, Noun) and theme.traits.extra
+
+
+def _definite(theme: Meaning) -> bool:
+    """ "without the S": of blocks that are there."""
+    if isinstance(theme, Coord):
+        return all(map(_definite, theme.items))
+    return isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det in ("the", "other", "all", "both"))

@@ -7,8 +7,10 @@ goal. `cost` ranks readings: natural ones are free.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass, fields, is_dataclass
 from functools import cache
+from operator import attrgetter
 from typing import Any, NamedTuple
 
 from rpg.core.diagnostics import Span
@@ -45,7 +47,7 @@ class Meaning(_Remembered):
             return self._hash
         except AttributeError:
             kind: Any = type(self)
-            found = hash((kind, *[getattr(self, name) for name in _names(kind)]))
+            found = hash((kind, _values(kind)(self)))
             object.__setattr__(self, "_hash", found)
             return found
 
@@ -314,9 +316,9 @@ class Chain(Meaning):
 
 
 @cache
-def _names(kind: Any) -> tuple[str, ...]:
-    """The fields of a kind of record."""
-    return tuple(f.name for f in fields(kind))
+def _values(kind: Any) -> Callable[[Any], tuple[Any, ...]]:
+    """What all fields of a kind of record hold."""
+    return attrgetter(*[f.name for f in fields(kind)])
 
 
 @cache
@@ -335,11 +337,12 @@ def cost_of(meaning: Any) -> int:
             return meaning._whole_cost
         except AttributeError:
             kind: Any = type(meaning)
-            found = meaning.cost + sum([cost_of(getattr(meaning, name)) for name in _inner(kind)])
+            held = [getattr(meaning, name) for name in _inner(kind)]
+            found = meaning.cost + sum([cost_of(part) for part in held if part])
             object.__setattr__(meaning, "_whole_cost", found)
             return found
     if isinstance(meaning, tuple) and not isinstance(meaning, Amount):
-        return sum(cost_of(item) for item in meaning)
+        return sum([cost_of(item) for item in meaning])
     return 0
 
 

@@ -38,11 +38,12 @@ class Firsts(NamedTuple):
     """What a rule asks of the word where it begins.
 
     `words`: those that it asks for, END if the end of the sentence is like one of them. `behind`: those that it asks
-    for in front of that word. `found`: its readings before all other words, of no length.
+    for in front of that word, `anywhere` in the sentence. `found`: its readings before all other words, of no length.
     """
 
     words: frozenset[str]
     behind: frozenset[str]
+    anywhere: frozenset[str]
     found: tuple[Any, ...]
 
 
@@ -54,6 +55,7 @@ class Asked:
         self.base = base
         self.words: set[str] = set()
         self.behind: set[str] = set()
+        self.anywhere: set[str] = set()
 
     def here(self, index: int) -> None:
         if index != self.base:

@@ -15,6 +15,7 @@ from rpg.language.meaning import Chain, cost_of
 from rpg.language.tokens import Token
 
 MAX_KEPT = 24
+TANGLED = "too-complex"
 _ENDS = frozenset({".", "!", "?"})
 _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
 _ASKING = frozenset({"is", "are", "was", "were", "does", "did", "which", "where", "why", "who", "when"})
@@ -116,24 +117,37 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
 def _read(tokens: list[Token]) -> list[tuple[list[Token], Sentence]]:
     """A sentence; where it makes no sense, and was said without a stop, the two that it is made of.
 
+    One that makes none is looked at again with nothing spared, for a diagnostic to say how far it was understood.
+    """
+    found = _parts(tokens)
+    if not isinstance(found, Refusal):
+        return found
+    if found.diagnostics[0].code == TANGLED:
+        raise found
+    return [(tokens, read_sentence(tokens, thorough=True))]
+
+
+def _parts(tokens: list[Token]) -> list[tuple[list[Token], Sentence]] | Refusal:
+    """The sentence or the two that it is made of.
+
     The second one is a command. Only one place to part them may make sense, for else it is not clear what was said.
     """
     try:
         return [(tokens, read_sentence(tokens))]
-    except Refusal:
+    except Refusal as refusal:
         starts = [n for n in range(2, len(tokens) - 2) if _commands(tokens, n)]
         found = [parts for n in starts if (parts := _parted(tokens, n))]
-        if len(found) != 1:
-            raise
-        return found[0]
+        return found[0] if len(found) == 1 else refusal
 
 
 def _parted(tokens: list[Token], n: int) -> list[tuple[list[Token], Sentence]]:
     """A sentence parted before its token `n`; nothing where a part makes no sense."""
     try:
-        return [(tokens[:n], read_sentence(tokens[:n])), *_read(tokens[n:])]
+        first = read_sentence(tokens[:n])
     except Refusal:
         return []
+    rest = _parts(tokens[n:])
+    return [] if isinstance(rest, Refusal) else [(tokens[:n], first), *rest]
 
 
 def _commands(tokens: list[Token], n: int) -> bool:
@@ -144,9 +158,9 @@ def _commands(tokens: list[Token], n: int) -> bool:
     return (plain or denied) and tokens[n - 1].word not in _LEADING and tokens[n - 1].kind in ("word", "literal")
 
 
-def read_sentence(tokens: list[Token]) -> Sentence:
+def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
     """The readings of one sentence, cheapest first."""
-    p = Parser(tokens)
+    p = Parser(tokens, thorough)
     start = p.opt(0, ",", ":")
     link = "and"
     if p.words[start : start + 1] == ["step"] and (step := p.number(start + 1)) is not None:
@@ -166,11 +180,11 @@ def read_sentence(tokens: list[Token]) -> Sentence:
     try:
         found = [(cost_of(c), n, c) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]
     except TooMuchWork:
-        raise Refusal([_tangled(p)]) from None
+        raise Refusal([stuck(p) if thorough else _tangled(p)]) from None
     if not found and any(t.value == SOFT for t in tokens):
-        return read_sentence([t for t in tokens if t.value != SOFT])
+        return read_sentence([t for t in tokens if t.value != SOFT], thorough)
     if not found and _adds(tokens):
-        return read_sentence(_unbracketed(tokens))
+        return read_sentence(_unbracketed(tokens), thorough)
     if not found:
         raise Refusal([stuck(p)])
     found.sort(key=lambda item: item[:2])
@@ -202,7 +216,7 @@ def _ends(p: Parser, j: int) -> bool:
 
 def _tangled(p: Parser) -> Diagnostic:
     return Diagnostic(
-        code="too-complex",
+        code=TANGLED,
         message="this sentence is too tangled to be read",
         span=p.span(0, p.end),
         hint="use several short sentences",

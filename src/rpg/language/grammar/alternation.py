@@ -66,6 +66,7 @@ _BETWEEN = (
 )  # fmt: skip
 """What two colours follow."""
 _AFTER = ("alternating", "in alternation", "alternately", "alternate", "taking turns", "take turns")
+_ENDS = frozenset(phrase.split()[-1] for phrase in _AFTER)
 _WHERE = ("in which", "where", "with", "so that", "such that", "so", ",")
 _ONE = ("every other one", "every second one", "every other block", "every second block", "every other cube",
         "every second cube", "every other", "every second")  # fmt: skip
@@ -85,7 +86,7 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
     for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):
-        for items, k in listed(p, j):
+        for items, k in listed(p, j) if p.rarely(_ENDS) else ():
             if end := p.any_of(k, _AFTER):
                 yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
         if k := p.any_of(j, _ONE):

@@ -55,6 +55,11 @@ _NAMES = (
     ("number", False, _NUMERICAL),
     ("number", True, _DECREASING), ("ascending", False, _UP), ("ascending", True, _DOWN),
 )  # fmt: skip
+_TELLING = frozenset(
+    f"{_ABC} z alphabetically numerical numeric number size numbers digits values numerals ascending increasing rising "
+    "growing upwards up descending decreasing falling shrinking downwards down".replace("|", " ").split()
+)
+"""Words without one of which none of these orders is told."""
 _EXTREMES = {
     **dict.fromkeys(("smallest", "lowest", "least", "littlest"), False),
     **dict.fromkeys(("biggest", "largest", "highest", "greatest"), True),
@@ -73,7 +78,7 @@ _COUNTING = {
 @rule
 def ascent(p: Parser, i: int) -> Results[Meaning]:
     """An order of letters, numbers or sizes."""
-    for by, descending, names in _NAMES:
+    for by, descending, names in _NAMES if p.anywhere(_TELLING) else ():
         yield from ((OrderBy(by=by, descending=descending, span=p.span(i, j)), j) for j in names.matches(p, i))
     yield from _extreme(p, i)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import lru_cache, wraps
-from itertools import chain, islice
+from itertools import islice
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 from rpg.core.diagnostics import Span
@@ -70,13 +70,18 @@ _TREES: dict[int, tuple[Collection[str], dict[str | None, Any]]] = {}
 
 
 class Parser:
-    """The tokens of one sentence with the memory of the rules applied to them."""
+    """The tokens of one sentence with the memory of the rules applied to them.
 
-    def __init__(self, tokens: list[Token]) -> None:
+    `thorough`: nothing is spared, so that `far` is as far as any rule comes.
+    """
+
+    def __init__(self, tokens: list[Token], thorough: bool = False) -> None:
+        self.thorough = thorough
         self.tokens = tokens
         self.words = [t.word if t.kind in ("word", "punct", "sign", "number") else "" for t in tokens] + ["", "", ""]
         self.heads: Sequence[str | None] = [*map(head_of, tokens), *[END] * len(tokens), END, END, END]
         self.end = len(tokens)
+        self.all = frozenset(self.words)
         self.memo: dict[tuple[Any, ...], list[tuple[Any, int]]] = {}
         self.far = 0
         self.work = 0
@@ -84,6 +89,8 @@ class Parser:
 
     def span(self, i: int, j: int) -> Span:
         """Characters of tokens i..j-1."""
+        if i < j:
+            return (self.tokens[i].span[0], self.tokens[j - 1].span[1])
         if not self.tokens:
             return (0, 0)
         last = self.tokens[max(i, j - 1)] if i < len(self.tokens) else self.tokens[-1]
@@ -176,6 +183,13 @@ class Parser:
         """Whether the word before i is among `words`."""
         return i > 0 and self.words[i - 1] in words
 
+    def anywhere(self, words: frozenset[str]) -> bool:
+        """Whether the sentence has one of `words`, without which it is not worth while to look further."""
+        return self.thorough or not self.all.isdisjoint(words)
+
+    rarely = anywhere
+    """The same of rare words: a sentence without them is spared whatever asks for them."""
+
     def token(self, i: int) -> Token | None:
         return self.tokens[i] if i < self.end else None
 
@@ -255,6 +269,13 @@ class Inquiry(Parser):
         self.asked.behind.update(words)
         return False
 
+    def anywhere(self, words: frozenset[str]) -> bool:
+        return True
+
+    def rarely(self, words: frozenset[str]) -> bool:
+        self.asked.anywhere.update(words)
+        return False
+
 
 class Beginning:
     """Spares a rule, or a choice of one, words with which it cannot begin. `firsts`: what it asks for, by arguments."""
@@ -276,17 +297,20 @@ class Beginning:
             known = self.firsts[args] = self._asked(args)
         if known is None:
             return None
-        words, behind, found = known
-        if head in words or (behind and i > 0 and p.words[i - 1] in behind):
+        words, behind, anywhere, found = known
+        if head in words or (behind and i > 0 and p.words[i - 1] in behind) or not p.all.isdisjoint(anywhere):
             return None
         if i > p.far:
             p.far = i
+        if p.thorough:
+            return None
         return [(meaning, i) for meaning in found] if found else _NOTHING
 
     def _asked(self, args: tuple[Any, ...]) -> Firsts | None:
         """What the rule asks of the word where it begins, at the start of a sentence and inside; None: too much."""
         words: set[str] = set()
         behind: set[str] = set()
+        anywhere: set[str] = set()
         found = []
         for kind in ("word", "punct", END):
             for base in (0, 1000):
@@ -297,7 +321,9 @@ class Beginning:
                     return None
                 words |= asked.words
                 behind |= asked.behind
-        return Firsts(frozenset(words), frozenset(behind), found[0]) if len(set(found)) == 1 else None
+                anywhere |= asked.anywhere
+        same = len(set(found)) == 1
+        return Firsts(frozenset(words), frozenset(behind), frozenset(anywhere), found[0]) if same else None
 
 
 _NOTHING: list[Any] = []
@@ -311,10 +337,10 @@ def rule(
     """Memoise a rule: its distinct readings at a place, in order of preference, bounded in number."""
     name = f"{body.__module__}.{body.__qualname__}"
     beginning = Beginning(body)
+    run = cast(Callable[..., Results[M]], body)
 
     @wraps(body)
-    def apply(p: Parser, i: int, *args: A.args, **kwargs: A.kwargs) -> list[tuple[M, int]]:
-        assert not kwargs
+    def apply(p: Parser, i: int, *args: Any) -> list[tuple[M, int]]:
         found = beginning.spared(p, i, args)
         if found is not None:
             return found
@@ -325,7 +351,7 @@ def rule(
             p.work += 1
             if p.work > MAX_WORK:
                 raise TooMuchWork
-            found = p.memo[key] = _distinct(body(p, i, *args, **kwargs))
+            found = p.memo[key] = _distinct(run(p, i, *args))
             for _, j in found:
                 p.reach(j)
         return found
@@ -338,29 +364,30 @@ def choice(
 ) -> Callable[Concatenate[Parser, int, A], Iterable[tuple[M, int]]]:
     """Make a part of a rule one that is not entered before words with which it cannot begin; it has no memory."""
     beginning = Beginning(body)
+    run = cast(Callable[..., Results[M]], body)
 
     @wraps(body)
-    def apply(p: Parser, i: int, *args: A.args, **kwargs: A.kwargs) -> Iterable[tuple[M, int]]:
-        assert not kwargs
+    def apply(p: Parser, i: int, *args: Any) -> Iterable[tuple[M, int]]:
         found = beginning.spared(p, i, args)
-        return body(p, i, *args, **kwargs) if found is None else found
+        return run(p, i, *args) if found is None else found
 
     return cast(Callable[Concatenate[Parser, int, A], Iterable[tuple[M, int]]], apply)
 
 
 def _distinct(readings: Results[M]) -> list[tuple[M, int]]:
     """The readings that differ: the first ones, or of many the cheapest."""
-    first = list(islice(readings, 2))
-    if len(first) < 2:
-        return first
-    seen: dict[tuple[Any, int], None] = {}
-    for reading in chain(first, readings):
-        seen.setdefault(reading)
-        if len(seen) >= MAX_WEIGHED:
-            break
-    if len(seen) <= MAX_READINGS:
-        return list(seen)
+    found = list(islice(readings, MAX_READINGS))
+    if len(found) < 2:
+        return found
+    seen = dict.fromkeys(found)
+    if len(found) == MAX_READINGS:
+        for reading in readings:
+            seen.setdefault(reading)
+            if len(seen) >= MAX_WEIGHED:
+                break
     found = list(seen)
+    if len(found) <= MAX_READINGS:
+        return found
     costs = [cost_of(meaning) for meaning, _ in found]
     kept = sorted(range(len(found)), key=costs.__getitem__)[:MAX_READINGS]
     return [found[n] for n in sorted(kept)]

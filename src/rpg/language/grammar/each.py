@@ -29,6 +29,7 @@ _EACH = ("each", "apiece", "in each", "in each of them", "in each one", "per tow
          "in every one")  # fmt: skip
 _TIMES = ("both times", "each time", "every time", "in each", "in both", "in each of them", "in both of them",
           "in each tower", "in both towers", "in every tower", "in each stack", "in both stacks", "each")  # fmt: skip
+_TIMES_WORDS = frozenset(phrase.split()[-1] for phrase in _TIMES)
 _ON = {"on": True, "on top of": True, "above": True, "over": True, "atop": True, "under": False, "below": False,
        "beneath": False, "underneath": False, "carrying": False, "carries": False, "supporting": False,
        "supports": False, "is on": True, "is on top of": True, "is under": False, "lies on": True, "sits on": True,
@@ -53,7 +54,7 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
     comma = p.opt(i, ",", ":")
     if j := p.any_of(comma, _LEADS):
         yield from _lot(p, i, j)
-    for found, j in _lot(p, i, comma) if comma > i else ():
+    for found, j in _lot(p, i, comma) if comma > i and p.anywhere(_TIMES_WORDS) else ():
         if found.first and (k := p.any_of(j, _TIMES)):
             yield replace(found, span=p.span(i, k)), k
 

@@ -52,15 +52,13 @@ _MARKED = frozenset({"each", "every", "row", "rows", "column", "columns", "layer
 def each_line(p: Parser, i: int) -> Results[Meaning]:
     """As many parts as there are colours, counted from the side that the direction names."""
     start = p.opt(i, ",", ":")
-    if _MARKED.isdisjoint(p.words[start : start + 9]):
+    if not p.anywhere(_MARKED):
         return
     for word, unit in _UNITS.items():
         for k in _OPENINGS[word].matches(p, start):
             led = p.words[start] in ("with", "whose") and p.words[k - 1] == f"{word}s"
-            led = (
-                led or p.one(i, ",") or p.words[k - 1] in (":", "are", "being", "in", "colored") or p.any_of(k, _COLON)
-            )
-            if led:
+            closed = p.words[k - 1] in (":", "are", "being", "in", "colored") or p.any_of(k, _COLON)
+            if led or p.one(i, ",") or closed:
                 yield from _colors(p, i, k if p.words[k - 1] == ":" else p.any_of(k, (":", ",", "-")) or k, unit)
     behind = _UNITS.get(p.words[start - 1].removesuffix("s")) if start > 0 and p.words[start] == "each" else None
     for k in _EACH.matches(p, start) if behind else ():

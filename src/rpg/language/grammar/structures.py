@@ -126,6 +126,8 @@ def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     turns = p.one(i, "alternating")
     if p.lex(turns or i, lexicon.COLOR) is None or p.follows(i, lexicon.COLOR) or p.follows(i, ("alternating",)):
         return
+    if not p.anywhere(_STRUCTURES):
+        return
     for items, j in listed(p, turns or i):
         joined = all(isinstance(x, Noun) and len(x.traits.colors) == 1 for x in items) and "," not in p.words[i:j]
         if not joined or p.lex(j, lexicon.STRUCTURE) is None or (not turns and "and" in p.words[i:j]):
@@ -134,6 +136,7 @@ def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         yield _Before(details=(OrderBy(by=by, items=items, span=p.span(i, j)),)), j
 
 
+_STRUCTURES = frozenset(lexicon.STRUCTURE)
 _RANKS = {
     "left": "left", "right": "right", "front": "front", "back": "back", "middle": "middle", "last": "last",
     "near": "front", "far": "back", **{word: str(n) for word, n in lexicon.ORDINAL.items()},

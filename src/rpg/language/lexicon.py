@@ -123,7 +123,7 @@ POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "
     "stays stay staying remains remain remaining seen shown visible "
     "come comes coming serve serves ends end goes go located positioned placed put found situated ending resides "
-    "reside belong belongs hidden act acts finish finishes finished"
+    "reside belong belongs appear appears hidden act acts finish finishes finished"
 )
 
 

@@ -232,7 +232,7 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in at(p, i):
         yield (found,), k
     for found, k in manner(p, i):
-        if isinstance(found, Manner) and found.kind in ("turn", "facing"):
+        if isinstance(found, Manner) and found.kind in ("turn", "facing", "by", "by?"):
             yield (found,), k
     for phrase, side in (
         ("below", "bottom"),

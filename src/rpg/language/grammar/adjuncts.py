@@ -17,6 +17,7 @@ from rpg.language.grammar.parts import wholes
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
 from rpg.language.grammar.sizes import size_phrase
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -60,8 +61,28 @@ _USING = (
 )  # fmt: skip
 
 
+_SPELLING = Patterns(
+    "that|which read|reads|spell|spells|say|says",
+    "to spell|read|say|write",
+    "spelling|reading|saying",
+    "so|so_that|such_that they|it|you|i|one|we|the_viewer|the_camera|the_letters|the_cubes|the_blocks|everyone|anyone "
+    "can? read|reads|spell|spells|say|says the_word?",
+    "into the_word|the_name?",
+    "for? to make|form|get|build the word|name",
+    "which|that form|forms|make|makes the word",
+)
+"""What a word follows that blocks are to spell."""
 LATER = 50.0
 """Times from here on come after all that is not said to be later."""
+
+
+_ON_BODIES = Patterns(",? with? all|all_the|the|every|each? letters|letter|symbols|digits|digit on|in", ",? all on|in")
+"""What the colour of the cubes follows that show the letters."""
+
+
+def _coloured(members: Noun) -> bool:
+    """ "yellow blocks": of one colour, and no more is said of them."""
+    return members.det == "bare" and members.amount is None and len(members.traits.colors) == 1
 
 
 @rule
@@ -173,9 +194,15 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if not any(isinstance(part, Structure) for part in parts_of(members)):
                 yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
+    if j := max(_ON_BODIES.matches(p, i), default=0):
+        for members, k in noun_phrase(p, j):
+            plain = isinstance(members, Noun) and members.head == "block" and members.det == "bare" and members.plural
+            if plain and isinstance(members, Noun) and len(members.traits.colors) == 1 and members.amount is None:
+                yield Using(members=members, span=p.span(i, k)), k
     if j := p.any_of(i, ("in", "by", "written in", "written with", "spelled with", "spelled in")):
         for members, k in noun_phrase(p, j):
-            if isinstance(members, Noun) and members.head == "block" and members.plural and members.traits.kind:
+            said = isinstance(members, Noun) and (members.traits.kind or _coloured(members))
+            if isinstance(members, Noun) and members.head == "block" and members.plural and said:
                 yield Using(members=members, span=p.span(i, k), cost=1), k
 
 
@@ -190,18 +217,13 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
                      "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring",
                      "while making sure", "while ensuring"))  # fmt: skip
     if j:
-        for clauses, k in chain(p, j):
+        for clauses, k in chain(p, p.opt(j, ",")):
             yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
     if j := p.one(i, "until"):
         for clauses, k in chain(p, j):
             yield That(kind="until", clauses=clauses, span=p.span(i, k)), k
     comma = p.opt(i, ",")
-    if j := p.any_of(comma, ("that read", "that reads", "that spell", "that spells", "to spell", "to read",
-        "which spell", "which spells", "that say", "that says", "to say", "spelling", "so it reads",
-        "so they read", "so they spell", "so they say", "so that it reads", "so that it spells",
-        "so you read", "so that you read", "so that you can read", "so you can read", "so that i can read",
-        "so i can read", "so one can read", "so that one can read", "so we can read", "to write", "reading",
-        "saying", "which read", "which reads")):  # fmt: skip
+    for j in _SPELLING.matches(p, comma):
         text = literal(p, j)
         if text is not None and len(text) > 1:
             word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))

@@ -41,7 +41,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         yield from _rising(p, i, j)
     if j := p.any_of(i, _LEFTWARD):
         yield Manner(kind="rising", value="left", span=p.span(i, j)), j
-    for n, j in _degrees(p, i):
+    for n, j in _degrees(p, p.opt(i, "turned", "rotated", "twisted", "spun")):
         yield from _spun(p, i, j, n)
     yield from _strangers(p, i, comma)
     for many, k in amounts.amount(p, p.any_of(comma, _SO_THAT)) if p.any_of(comma, _SO_THAT) else ():

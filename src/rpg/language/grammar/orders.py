@@ -22,6 +22,9 @@ from rpg.language.meaning import Meaning, Noun, OrderBy, Toward, Traits
 _LEADS = frozenset(
     {
         "reading",
+        "read",
+        "readable",
+        "legible",
         "sorted",
         "ordered",
         "arranged",

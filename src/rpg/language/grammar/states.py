@@ -359,7 +359,8 @@ def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Mean
     text = literal(p, j)
     if text is not None and len(text) > 1:
         word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
-        for found, end in adjuncts(p, j + 1):
+        apart = [x for x in adjuncts(p, j + 2) if x[0]] if p.one(j + 1, ",") else []
+        for found, end in [*adjuncts(p, j + 1), *apart]:
             yield Clause(verb="spell", theme=word, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
     for (labels, more), k in label_list(p, j, True):
         named = Noun(

@@ -261,8 +261,9 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 gathers = before.verb == "sort" and all(isinstance(a, Loc | In) for a in found)
                 again = gathers or isinstance(theme, Structure)
                 cost = 2 if before.verb in ("build", "spell", "sort") and not again else 0
-                timed = isinstance(found[0], Manner) and found[0].kind == "time"
+                timed = isinstance(found[0], Manner) and found[0].kind in ("time", "by", "by?")
                 beside = before.verb in ("stack", "arrange") and (timed or isinstance(found[0], At))
+                beside = beside or (timed and before.verb == "place")
                 cost += 2 if _bare_count(theme) or beside else 0
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     for theme, j in noun_phrase(p, i) if before.verb == "be" and before.adjuncts else ():

@@ -17,6 +17,7 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place, related
 from rpg.passes.schema.resolve.spare import definite, pass_over
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.spun import spun
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -260,7 +261,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 "ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks"
             )
         inner = sort_adjuncts(item.adjuncts)
-        if any(m.kind in ("turn", "facing") for m in inner.manners):
+        if any(m.kind in ("turn", "facing", "by", "by?") for m in inner.manners):
             goals += _turned(theme, ref, inner, scene, item.span)
         for part in inner.parts:
             raise refuse("misplaced", "the structure has no such part", part.span, "name its blocks one by one")
@@ -315,6 +316,12 @@ def _turned(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goal
         raise refuse("ambiguous", "it is not clear which block is turned", span, "name the block")
     facing = next((m for m in inner.manners if m.kind == "facing"), None)
     flat = next((m for m in inner.manners if m.kind == "turn"), None)
+    if (by := next((m for m in inner.manners if m.kind in ("by", "by?")), None)) is not None:
+        inner.manners = [m for m in inner.manners if m is not by]
+        turned = [spun(name, by, True, scene, span) for name in theme.names]
+        if facing is not None or flat is not None or None in turned:
+            raise refuse("misplaced", "it is not clear from where on this is turned", span, "say it in a sentence")
+        return [x for x in turned if x is not None]
     inner.manners = [m for m in inner.manners if m not in (facing, flat)]
     if facing is not None and theme.part == "top":
         return pointing(theme, facing, flat, scene, span)

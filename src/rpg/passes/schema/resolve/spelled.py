@@ -2,30 +2,53 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.ir.order import Order
-from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Clause, Into, Meaning, Noun, Pronoun, Structure, Toward, Traits
 from rpg.passes.schema.resolve.listing import continued
 from rpg.passes.schema.resolve.placing import Goals, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.shaped import shaped
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.spoken import known_ones
 from rpg.passes.schema.resolve.structures import make, row_node
 from rpg.passes.schema.resolve.things import give
-from rpg.passes.schema.resolve.world import Ref, Scene, Scope
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
 def spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "spell CAT with ...", "the cubes read A, B, C"."""
     theme = None
+    if spec.usings and isinstance(line := spec.usings[0].members, Structure) and line.kind in _LINES:
+        theme = _of_line(line, spec, scene, scope)
     if spec.usings and _mentioned(spec.usings[0].members):
         theme = refer(spec.usings.pop(0).members, scene, scope)
     if clause.verb == "read" and isinstance(clause.theme, Noun):
         return _read_row(clause, clause.theme, theme, spec, scene, scope)
     if theme is not None and isinstance(clause.theme, Structure):
         built, goals = make(clause.theme, spec, theme, scene, scope)
+        if not set(built[0].members) & set(theme.names):
+            raise refuse("order-misfit", "these blocks do not show these letters", clause.span, "use letter blocks")
         ref = Ref(names=built[0].members, built=tuple(built))
         return [*goals, *places(ref, spec, scene, scope, clause.span)]
     return shaped(clause, spec, scene, scope)
+
+
+_LINES = ("stack", "row", "line", "column")
+
+
+def _of_line(line: Structure, spec: Spec, scene: Scene, scope: Scope) -> Ref | None:
+    """ "the tower spells DOG": the tower that was spoken of, or the letters that it is to be made of, if any."""
+    known = known_ones(line, scene) if line.det in ("the", "its") else []
+    using = spec.usings.pop(0)
+    if known or line.members is not None or line.sizes:
+        if line.kind == "stack":
+            spec.toward.append(Toward(axis="z", span=using.span))
+        return refer(line, scene, scope)
+    spec.intos.insert(0, Into(structure=replace(line, det="a"), span=using.span))
+    letters = [m.ref for m in scene.mentions if m.role == "theme" and m.ref.names][-1:]
+    return next((ref for ref in letters if all(scene.things[n].elastic for n in ref.names)), None)
 
 
 def _mentioned(meaning: Meaning) -> bool:

@@ -71,6 +71,7 @@ def _ends_agree(details: list[Meaning], text: str) -> None:
 
 def _along(spec: Spec) -> bool:
     """Whether the word stands upright, taken from "into a tower", "vertically", "from top to bottom"."""
+    spec.manners = [m for m in spec.manners if not (m.kind == "turn" and m.value == 0.0)]
     upright = any(t.axis == "z" for t in spec.toward)
     for into in list(spec.intos):
         kind = getattr(into.structure, "kind", "")

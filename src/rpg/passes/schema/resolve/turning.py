@@ -14,6 +14,7 @@ from rpg.passes.schema.resolve.operands import crown, spread
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.spun import spun
 from rpg.passes.schema.resolve.things import Premise
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -281,7 +282,9 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             value = float(degrees.value or 0)
             if not 0 < abs(value) <= 360:
                 raise refuse("misplaced", "a turn is by 1 to 360 degrees", degrees.span)
-            goals.append(r.Turned(block=name, degrees=value, either_way=degrees.kind == "by?", span=clause.span))
+            read = spun(name, degrees, clause.mode == "goal", scene, clause.span)
+            came = r.Turned(block=name, degrees=value, either_way=degrees.kind == "by?", span=clause.span)
+            goals.append(read or came)
             used.append(degrees)
         if facing is not None or flat is not None:
             goals.append(turn_of(name, facing, flat, scene, clause.span))

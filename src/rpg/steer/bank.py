@@ -264,20 +264,18 @@ class Bank:
         draw, sizes, alike = self.rng.random, self.sizes, self.alike
         names = [name for _, name in sorted([(draw(), name) for name in sizes])]
         position: dict[str, Vec3] = {}
-        for x, y in self._near(len(names)) if number % 2 == 0 else self._anywhere(number):
-            height = min(len(names), HEIGHTS[int(draw() * len(HEIGHTS))])
-            stack = names[-height:]
-            if alike:
-                for k, z in zip(stack, self._levels, strict=False):
-                    position[k] = (x, y, z)
-            else:
+        left = len(names)
+        for x, y in self._near(left) if number % 2 == 0 else self._anywhere(number):
+            height = min(left, HEIGHTS[int(draw() * len(HEIGHTS))])
+            stack = names[left - height : left]
+            if not alike:
                 stack.sort(key=lambda k: -sizes[k])
-                for k, z in zip(stack, _levels([sizes[k] for k in stack]), strict=True):
-                    position[k] = (x, y, z)
-            del names[-height:]
-            if not names:
+            for k, z in zip(stack, self._levels if alike else _levels([sizes[k] for k in stack]), strict=False):
+                position[k] = (x, y, z)
+            left -= height
+            if not left:
                 break
-        for index, k in enumerate(names):
+        for index, k in enumerate(names[:left]):
             position[k] = self._aside(index, k)
         begun = self.begun["new"]
         return Sample(Layout(position, self._upright, True), begun[int(draw() * len(begun))], RANDOM)

@@ -33,7 +33,7 @@ from rpg.blocks.predicates.lattice import cells_of
 from rpg.blocks.predicates.lattice import filled as on_lattice
 from rpg.blocks.predicates.order import fixed_edges
 from rpg.blocks.predicates.pattern import fillings, follows
-from rpg.blocks.predicates.plainly import ROOM, layered, layers, spreads
+from rpg.blocks.predicates.plainly import ROOM, about_middle, layered, layers, spreads
 from rpg.blocks.predicates.reading import legible, unreadable
 from rpg.blocks.predicates.stack import alone
 from rpg.blocks.predicates.vertical import GROUND
@@ -113,7 +113,7 @@ class CellsPredicate(Predicate[Cells]):
 
     def perhaps(self, node: Cells, many: Centres) -> Mask:
         names, edges = node.blocks, many.edges(node.blocks)
-        along, across = (np.sqrt(squares) for squares in spreads(many, names))
+        along, across = (np.sqrt(squares) for squares in spreads(*about_middle(many, names))[:2])
         fitting = many.none()
         # Moving points by `error` in all moves neither of the two by more. Each tells between which pitches the fit is.
         error = (node.fit_edges * edges.max() + ROOM) * math.sqrt(len(names))

@@ -6,6 +6,7 @@ The lowest and the highest point of a block of edge e are at least e / 2 from it
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -13,12 +14,16 @@ import numpy as np
 from rpg.blocks.centres import Centres, Mask, Numbers
 from rpg.blocks.constants import SUPPORT_GAP
 from rpg.blocks.state import BlockState
+from rpg.ir.node import Axis
 from rpg.ir.relations import On
+from rpg.ir.structures import Row
 
 STRETCH = 1.35
 """The extent of a cube along the vertical, over its edge, is less as long as it is tilted by 15 degrees at most."""
 DIAGONAL = 1.7321
 """The extent of a cube along the vertical, over its edge, at most, whichever way it is turned."""
+CORNER = 0.1
+"""A step along a row is longer than the step aside by more than this, in edges: three blocks in an L are no row."""
 ROOM = 1e-4
 """Room (m) for the rounding of tolerances."""
 
@@ -42,24 +47,38 @@ def even(many: Centres, names: Sequence[str]) -> Mask:
     return level
 
 
-def spreads(many: Centres, names: Sequence[str]) -> tuple[Numbers, Numbers]:
-    """The sums of the squared distances of these blocks from their middle, along the line that fits them best and
-    across it."""
-    x, y, _ = many.of(names)
-    x, y = x - x.mean(axis=1, keepdims=True), y - y.mean(axis=1, keepdims=True)
+def spreads(x: Numbers, y: Numbers) -> tuple[Numbers, Numbers, Numbers]:
+    """Of points about their middle, a row a state: the sums of the squared distances along the line that fits them best
+    and across it, and the angle of that line to the x axis."""
     xx, yy, xy = (x * x).sum(axis=1), (y * y).sum(axis=1), (x * y).sum(axis=1)
     middle, half = (xx + yy) / 2, np.hypot((xx - yy) / 2, xy)
-    return middle + half, np.maximum(middle - half, 0.0)
+    return middle + half, np.maximum(middle - half, 0.0), 0.5 * np.arctan2(2.0 * xy, xx - yy)
 
 
-def straight(many: Centres, names: Sequence[str], line_edges: float) -> Mask:
-    """The states in which these blocks may stand at one height and in one line, each within so many edges of it."""
-    limit = line_edges * many.edges(names).max() + ROOM
-    _, aside = spreads(many, names)
-    # one of the squared distances from the line is no less than their mean
-    found = even(many, names)
-    found &= aside <= len(names) * limit * limit
-    return found
+def about_middle(many: Centres, names: Sequence[str]) -> tuple[Numbers, Numbers]:
+    """x and y of these blocks from the middle of them all."""
+    x, y, _ = many.of(names)
+    return x - x.mean(axis=1, keepdims=True), y - y.mean(axis=1, keepdims=True)
+
+
+def straight(many: Centres, row: Row, names: Sequence[str], axis: Axis | None) -> Mask:
+    """The states in which these blocks may stand at one height and in one line, with the tolerances of `row`, along an
+    axis if there is one."""
+    edge = many.edges(names).max()
+    x, y = about_middle(many, names)
+    long, short, angle = spreads(x, y)
+    ux, uy = np.cos(angle)[:, None], np.sin(angle)[:, None]
+    along, off = x * ux + y * uy, y * ux - x * uy
+    rank = along.argsort(axis=1)
+    steps, asides = (np.diff(np.take_along_axis(values, rank, axis=1), axis=1) for values in (along, off))
+    line = many.all()
+    line &= abs(off).max(axis=1) <= row.line_edges * edge + ROOM
+    line &= (steps - abs(asides) >= CORNER * edge - ROOM).all(axis=1)
+    if axis is not None and len(names) > 1:
+        across, forward = (ux, uy) if axis == "y" else (uy, ux)
+        line &= (np.arctan2(abs(across), abs(forward)) <= math.radians(row.angle + 0.01)).all(axis=1)
+    # no line is the best one by much where the blocks lie as far across it as along it
+    return even(many, names) & (line | (long - short <= 1e-6 * long))
 
 
 def piled(many: Centres, names: Sequence[str], link: On) -> Mask:

@@ -28,7 +28,7 @@ from rpg.blocks.predicates.common import (
     swap,
 )
 from rpg.blocks.predicates.order import ordered, sequences, swaps
-from rpg.blocks.predicates.plainly import straight, uneven
+from rpg.blocks.predicates.plainly import CORNER, straight, uneven
 from rpg.blocks.predicates.reading import apart, legible, unreadable
 from rpg.blocks.predicates.stack import alone
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
@@ -42,8 +42,6 @@ SIDES: dict[str, Axis] = {"left": "y", "right": "y", "front": "x", "back": "x"}
 """The axis that a first side asks for."""
 READ_ORDERS = ("label", "number")
 """Orders of symbols: another symbol that adjoins the row would be read with it."""
-CORNER = 0.1
-"""A step along a row is longer than the step aside by more than this, in edges: three blocks in an L are no row."""
 SLANT = 0.45
 """Turn (radians) of the rows that lie along no axis."""
 
@@ -166,7 +164,7 @@ class RowPredicate(Predicate[Row]):
         return not uneven(state, node.blocks) and self.evaluate(node, state).value
 
     def perhaps(self, node: Row, many: Centres) -> Mask:
-        return straight(many, node.blocks, node.line_edges)
+        return straight(many, node, node.blocks, axis_of(node))
 
     def build(self, node: Row, world: World, rng: Random) -> Iterator[list[Cluster]]:
         for sequence in sequences(node.order, node.blocks, Traits(world), rng):

@@ -65,7 +65,7 @@ def _set_out(node: Spells | Equation, many: Centres) -> Mask:
     """The states in which all the cubes of a text may stand in one row, or in one stack."""
     if node.along == "stack":
         return piled(many, node.blocks, DIRECTLY)
-    return straight(many, node.blocks, READING.line_edges)
+    return straight(many, READING, node.blocks, READING.axis)
 
 
 def text_misses(

@@ -7,7 +7,7 @@ goal. `cost` ranks readings: natural ones are free.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from functools import cache
 from operator import attrgetter
@@ -25,10 +25,11 @@ class Amount(NamedTuple):
 
 
 class _Remembered:
-    """Room for what is worked out once of a record that never changes: its hash and its whole cost."""
+    """Room for what is worked out once of a record that never changes: its hash, its whole cost, and what is inside."""
 
-    __slots__ = ("_hash", "_whole_cost")
+    __slots__ = ("_hash", "_inside", "_whole_cost")
     _hash: int
+    _inside: tuple[Meaning, ...]
     _whole_cost: int
 
 
@@ -346,14 +347,17 @@ def cost_of(meaning: Any) -> int:
     return 0
 
 
-def parts_of(meaning: Any) -> Any:
+def parts_of(meaning: Any) -> Sequence[Any]:
     """Every record inside `meaning`, itself first, in order of reading."""
     if isinstance(meaning, Meaning):
-        yield meaning
-        kind: Any = type(meaning)
-        for name in _inner(kind):
-            if (held := getattr(meaning, name)) is not None:
-                yield from parts_of(held)
-    elif isinstance(meaning, tuple) and not is_dataclass(meaning):
-        for item in meaning:
-            yield from parts_of(item)
+        try:
+            inside = meaning._inside
+        except AttributeError:
+            kind: Any = type(meaning)
+            held = [getattr(meaning, name) for name in _inner(kind)]
+            inside = tuple([part for one in held if one for part in parts_of(one)])
+            object.__setattr__(meaning, "_inside", inside)
+        return (meaning, *inside)
+    if isinstance(meaning, tuple) and not is_dataclass(meaning):
+        return [part for item in meaning for part in parts_of(item)]
+    return ()

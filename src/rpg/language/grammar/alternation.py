@@ -49,12 +49,17 @@ _IT_READS = Patterns(f"it|the_row|the_line|the_tower|this should|must|has_to? re
 _TWICE = frozenset(
     {"no", "neighbors", "neighboring", "adjacent", "the", "their", "its", "they", "it", "this", "colors"}
 )
+_TELLING = frozenset(
+    "alternate alternates alternating alternately alternation switching turn turns every no neighbors neighboring "
+    "adjacent touching next different same mirrored symmetric symmetrical symmetrically".split()
+)
+"""Words without one of which nothing is said of this here."""
 
 
 @rule
 def alternation_alone(p: Parser, i: int) -> Results[OrderBy]:
     """ "The colours alternate.", "No two neighbours have the same colour.": of the line that was built."""
-    if p.stands(i, _TWICE):
+    if p.rarely(_TELLING) and p.stands(i, _TWICE):
         for patterns, by in ((_ALONE, "alternating"), (_APART, "alternating"), (_IT_READS, "mirrored")):
             yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
 
@@ -66,7 +71,6 @@ _BETWEEN = (
 )  # fmt: skip
 """What two colours follow."""
 _AFTER = ("alternating", "in alternation", "alternately", "alternate", "taking turns", "take turns")
-_ENDS = frozenset(phrase.split()[-1] for phrase in _AFTER)
 _WHERE = ("in which", "where", "with", "so that", "such that", "so", ",")
 _ONE = ("every other one", "every second one", "every other block", "every second block", "every other cube",
         "every second cube", "every other", "every second")  # fmt: skip
@@ -76,6 +80,8 @@ _REST = ("the rest", "the others", "the other ones", "the remaining ones", "the 
 @rule
 def alternation(p: Parser, i: int) -> Results[Meaning]:
     """Colours that alternate, with the two of them where they are named."""
+    if not p.rarely(_TELLING):
+        return
     for j in _TURNS.matches(p, i):
         two = p.opt(j, "between", ":")
         if two == j or p.words[j] == ":":
@@ -86,7 +92,7 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
     for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):
-        for items, k in listed(p, j) if p.rarely(_ENDS) else ():
+        for items, k in listed(p, j):
             if end := p.any_of(k, _AFTER):
                 yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
         if k := p.any_of(j, _ONE):

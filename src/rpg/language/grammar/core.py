@@ -142,7 +142,11 @@ class Parser:
 
     def any_of(self, i: int, phrases: tuple[str, ...]) -> int:
         """The position after the longest of `phrases` that stands here, or 0."""
-        branch = tree_of(phrases).get(self.words[i]) if i < self.end else None
+        if i >= self.end:
+            return 0
+        kept = _TREES.get(id(phrases))  # as in tree_of, without a call: nothing is asked as often
+        tree = kept[1] if kept is not None and kept[0] is phrases else tree_of(phrases)
+        branch = tree.get(self.words[i])
         if branch is None:
             return 0
         found = self._met(i, branch)

@@ -151,8 +151,12 @@ def _slip(word: str, meant: str) -> bool:
 
 
 def _likeliest(word: str, close: list[str]) -> list[str]:
-    """Of several near words those with the very letters of `word`, then those that begin like it."""
-    for same in (lambda k: sorted(set(k)) == sorted(set(word)), lambda k: k[0] == word[0]):
+    """Of several near words those with the very letters of `word`, then those that begin like it, then things."""
+    for same in (
+        lambda k: sorted(set(k)) == sorted(set(word)),
+        lambda k: k[0] == word[0],
+        lambda k: any(k in table for table in _THINGS),
+    ):
         kept = [k for k in close if same(k)]
         if kept:
             close = kept

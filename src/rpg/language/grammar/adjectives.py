@@ -167,7 +167,9 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
     if size:
         yield Marks({"size": size}), i + 1
     for metres, j in length(p, i):
-        j = p.opt(j, "wide", "large", "big", "sized", "long")
+        j = p.any_of(j, ("in size", "in width", "on each side", "a side")) or p.opt(
+            j, "wide", "large", "big", "sized", "long"
+        )
         yield Marks({"edge": metres}), j
     ordinal = p.lex(i, lexicon.ORDINAL)
     if ordinal:
@@ -260,7 +262,21 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         yield from _symbols_after(p, i)
     for phrase, j in p.standing(i, _SCHEMES):
         yield Marks({"scheme": _SCHEMES[phrase]}), j
-    if j := p.any_of(i, (", all of them", ", all in", ", all", ", each", ", both", ", every one of them")):
+    if j := p.any_of(
+        i,
+        (
+            ", all of them",
+            ", all in",
+            ", all",
+            ", all are",
+            ", which are all",
+            "which are all",
+            "that are all",
+            ", each",
+            ", both",
+            ", every one of them",
+        ),
+    ):
         for (listed, _either), k in colors(p, j):
             if len(listed) == 1:
                 yield Marks({"colors": listed}), k
@@ -282,7 +298,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
                 yield Marks({"edge": metres}), end
     if j := p.any_of(i, ("in", "in color", "colored", "coloured", "painted", "of color", "with color")):
         for (listed, either), k in colors(p, j):
-            if not (p.words[i] in ("colored", "painted") and _goes_on(p, k)):
+            if not (p.words[i] in ("colored", "painted", "of") and _goes_on(p, k)):
                 yield Marks({"colors": listed, "either": either}), k
 
 

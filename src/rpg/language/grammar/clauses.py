@@ -20,6 +20,7 @@ from rpg.language.grammar.offsets import centering
 from rpg.language.grammar.piled import piled
 from rpg.language.grammar.spare import spare
 from rpg.language.grammar.states import state
+from rpg.language.grammar.stock import stock
 from rpg.language.grammar.terse import about, said_of, terse
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
 from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, STATE_WISHES, TAGS
@@ -86,6 +87,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _for_each(p, i)
     yield from _what(p, i, when)
     yield from inventory(p, i)
+    yield from stock(p, i)
     yield from spare(p, i)
     yield from all_alike(p, i)
     yield from terse(p, i, when)

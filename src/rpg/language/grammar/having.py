@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
+from rpg.language import lexicon
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase
@@ -57,11 +58,17 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                         yield stated, end
                         yield from _another(p, i, end, owner, stated, mode)
         if k := p.any_of(j, _CARRIES):
-            for theme, start in noun_phrase(p, k):
+            for theme, start in noun_phrase(p, k) if not _symbols(p, k) else ():
                 for found, end in adjuncts(p, start):
                     if not found or _owned(found, owner) is not None:
                         place = Loc(rel="on", landmark=owner, span=p.span(i, j))
                         yield _stated(p, i, end, theme, (place,), mode), end
+
+
+def _symbols(p: Parser, i: int) -> bool:
+    """ "five cubes carry the letters A to E": what they show, not what lies on them."""
+    word = p.words[p.opt(i, "the")]
+    return any(word in table for table in (lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)) and word.endswith("s")
 
 
 def _another(p: Parser, i: int, at: int, owner: Meaning, first: Clause, mode: str) -> Results[Meaning]:

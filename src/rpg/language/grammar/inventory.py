@@ -10,11 +10,9 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import color
-from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.sizes import IN_TOTAL
-from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits
 
 _LEADS = (
@@ -43,19 +41,12 @@ _OF_LISTED = (
     "of each :",
     "each :",
     "of each of these colors :",
-)
+    "of each color :", "of each color ,", "of every color :", "of every color ,", "per color :", "of each color in",
+    "of each of the following :", "of the colors", "of each of these :", "of each of the colors :",
+)  # fmt: skip
 _OPENERS = frozenset({",", ":", ";", "("})
 _ARE = ("are", "is", "number", "are exactly", "should be", "must be", "will be", "count")
 _BETWEEN = ("and also", "and", "plus", "&", "+", "as well as", "and then")
-
-
-_HEADED = Patterns(
-    "the|our|my|your|these|all? letters|digits|numbers|blocks|cubes|symbols|pieces|bricks|colors|set|inventory|"
-    "material|available|given|equipment|stock|supply "
-    "in_play|given|available|provided|to_use|used|here|on_the_table|at_hand|you_have|we_have|i_have|you_get|you_need|"
-    "to_be_used|to_work_with|involved|present|in_use|for_this|for_it|in_the_scene|needed? are|is? :|,|-?",
-)
-"""What stands before a list of what there is."""
 
 
 @rule
@@ -64,58 +55,24 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     lead = p.any_of(i, _LEADS)
     if lead:
         taken = p.words[i] in ("take", "use", "using")
-        for theme, told, j in _contents(p, p.opt(lead, "exactly", "just", "only", ":"), taken):
-            yield _given(p, i, j, theme, told, 0 if taken and (told or _several(theme)) else 1), j
-    for start in _HEADED.matches(p, i):
-        if p.words[start - 1] in (":", ",", "-", "are", "is"):
-            for theme, told, j in _contents(p, start):
-                yield _given(p, i, j, theme, told, 1), j
-            for named, j in noun_phrase(p, start) if p.words[start - 1] == ":" else ():
-                if _mere_colors(named):
-                    yield replace(_given(p, i, j, named, (), 2), lemma=""), j
+        for theme, told, j in contents(p, p.opt(lead, "exactly", "just", "only", ":"), taken):
+            yield given(p, i, j, theme, told, 0 if taken and (told or _several(theme)) else 1), j
     of = p.one(i, "of")
     for theme, j in simple(p, of) if of else ():
         if isinstance(theme, Noun) and _counted(theme, True) and theme.det == "the" and p.words[j : j + 1] == [","]:
-            yield _given(p, i, j, theme, (), 2), j
+            yield given(p, i, j, theme, (), 2), j
     for items, j in _run(p, of) if of and i == 0 else ():
         if len(items) > 1 and p.words[j : j + 1] == [","]:
-            yield _given(p, i, j, _whole(p, of, j, items), (), 2), j
+            yield given(p, i, j, _whole(p, of, j, items), (), 2), j
     added = p.one(i, "add")
     for theme, j in simple(p, added) if added else ():
         if isinstance(theme, Noun) and theme.traits.extra:
-            yield _given(p, i, j, theme, (), 0), j
+            yield given(p, i, j, theme, (), 0), j
     if i == 0 or p.follows(i, _OPENERS):
-        for theme, told, j in _contents(p, i):
-            yield _given(p, i, j, theme, told, 2), j
+        for theme, told, j in contents(p, i):
+            yield given(p, i, j, theme, told, 2), j
     yield from _numbered(p, i)
     yield from _at_hand(p, i)
-    yield from _sized(p, i, lead)
-
-
-_SIZE_OF = (
-    "block size", "cube size", "the block size", "the cube size", "edge length", "the edge length", "size",
-    "the size", "blocks", "cubes", "all blocks", "all cubes", "all of them", "the size of the blocks",
-    "the size of the cubes", "the edge length of the blocks", "the edge length of the cubes",
-)  # fmt: skip
-
-
-def _sized(p: Parser, i: int, lead: int) -> Results[Clause]:
-    """ "use 5 cm cubes", "block size: 5 cm": how large all the blocks are."""
-    if lead or i == 0 or p.follows(i, _OPENERS):
-        for theme, j in simple(p, lead or i):
-            marks = theme.traits if isinstance(theme, Noun) else Traits()
-            sized = marks == Traits(edge=marks.edge, size=marks.size) and (marks.edge or (marks.size and lead))
-            plain = isinstance(theme, Noun) and theme.head == "block" and theme.plural and theme.det == "bare"
-            if isinstance(theme, Noun) and plain and sized and theme.amount is None:
-                yield _size(p, i, j, theme.traits, 0 if lead else 2), j
-    of = p.any_of(i, _SIZE_OF)
-    for edge, j in length(p, p.opt(of, ":", "=", "is", "are", ",")) if of else ():
-        yield _size(p, i, j, Traits(edge=edge), 1), p.opt(j, "each")
-
-
-def _size(p: Parser, i: int, j: int, traits: Traits, cost: int) -> Clause:
-    blocks = Noun(head="block", det="all", plural=True, traits=traits, span=p.span(i, j))
-    return replace(_given(p, i, j, blocks, (), cost), lemma="size")
 
 
 _AT_HAND = (
@@ -135,10 +92,10 @@ def _at_hand(p: Parser, i: int) -> Results[Clause]:
     """ "eight gray blocks are given": blocks with their numbers, and that there are such."""
     for items, j in _run(p, i):
         if k := p.any_of(j, _AT_HAND):
-            yield replace(_given(p, i, k, _whole(p, i, j, items), (), 0), lemma=""), k
+            yield replace(given(p, i, k, _whole(p, i, j, items), (), 0), lemma=""), k
 
 
-def _given(p: Parser, i: int, j: int, theme: Meaning | None, told: tuple[Size, ...], cost: int) -> Clause:
+def given(p: Parser, i: int, j: int, theme: Meaning | None, told: tuple[Size, ...], cost: int) -> Clause:
     return Clause(
         verb="exist", lemma="tally", theme=theme, adjuncts=told, mode="given", span=p.span(i, j), cost=cost
     )  # fmt: skip
@@ -151,7 +108,7 @@ def _several(theme: Meaning | None) -> bool:
     return many or isinstance(theme, Coord)
 
 
-def _contents(p: Parser, i: int, definite: bool = False) -> list[tuple[Meaning | None, tuple[Size, ...], int]]:
+def contents(p: Parser, i: int, definite: bool = False) -> list[tuple[Meaning | None, tuple[Size, ...], int]]:
     """Things with their numbers, or a number that holds of each kind."""
     found: list[tuple[Meaning | None, tuple[Size, ...], int]] = []
     for many, j in amounts.amount(p, i):
@@ -174,7 +131,7 @@ def _run(p: Parser, i: int, definite: bool = False) -> Results[tuple[Noun, ...]]
     """Counted things, one after the other. `definite`: "the four red ones" too."""
     for first, j in _item(p, i, definite):
         yield first, j
-        after = p.opt(j, ",", ":", ";")
+        after = p.opt(j, ",", ":", ";", "/")
         after = p.any_of(after, _BETWEEN) or after
         goes_on = after > j or (j < p.end and p.tokens[j].kind == "number")
         for rest, k in _run(p, after, definite) if goes_on else ():
@@ -195,24 +152,16 @@ def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
             if end := p.any_of(p.opt(k, "block", "blocks", "cube", "cubes"), ("each", "of each", "apiece")):
                 yield tuple(_of_color(c, many, p.span(i, end)) for c in items), end
     for many, j in amounts.count(p, i):
-        for named, k in color(p, p.opt(j, "is", "are")) if p.words[j : j + 1] in (["is"], ["are"]) else ():
-            yield (_of_color(named, many, p.span(i, k)),), k
+        for named, k in color(p, p.reach(j + 1)) if p.words[j] in ("is", "are", "x", "times", "of") else ():
+            yield (_of_color(named, many, p.span(i, k)),), p.opt(k, "blocks", "cubes", "block", "cube")
     for named, j in color(p, i):
-        for many, k in amounts.count(p, p.opt(j, ":", "-", "=", "x")):
+        for many, k in amounts.count(p, p.opt(p.opt(j, ":", "-", "="), "x")):
             k = p.opt(k, "blocks", "cubes", "block", "cube")
             yield (_of_color(named, many, p.span(i, k)),), k
     for many, j in amounts.count(p, i):
         k = p.any_of(p.opt(j, "block", "blocks", "cube", "cubes"), _OF_LISTED)
         for items, end in _colors(p, k) if k else ():
             yield tuple(_of_color(c, many, p.span(i, end)) for c in items), end
-
-
-def _mere_colors(theme: Meaning) -> bool:
-    """ "red, yellow and black": a block of each."""
-    if isinstance(theme, Coord):
-        return theme.op == "and" and all(map(_mere_colors, theme.items))
-    plain = isinstance(theme, Noun) and theme.head == "any" and theme.det == "bare" and theme.amount is None
-    return plain and isinstance(theme, Noun) and theme.traits == Traits(colors=theme.traits.colors)
 
 
 def _of_color(named: str, many: int, span: tuple[int, int]) -> Noun:
@@ -255,9 +204,9 @@ def _numbered(p: Parser, i: int) -> Results[Clause]:
                 if p.words[end] not in lexicon.BLOCK and p.words[end] not in lexicon.UNIT:
                     end = p.any_of(end, ("in number", "of them", *IN_TOTAL)) or end
                     counted = replace(theme, det="bare", amount=many, span=p.span(i, end))
-                    yield _given(p, i, end, counted, (), 1), end
+                    yield given(p, i, end, counted, (), 1), end
         told = isinstance(theme, Pronoun) and theme.word in ("they", "these", "those")
         if told or (isinstance(theme, Noun) and theme.plural and theme.traits == Traits() and theme.head == "block"):
             for items, end in _run(p, k):
                 if len(items) > 1:
-                    yield _given(p, i, end, _whole(p, k, end, items), (), 1), end
+                    yield given(p, i, end, _whole(p, k, end, items), (), 1), end

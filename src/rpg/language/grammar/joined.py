@@ -50,10 +50,39 @@ def _but_so_many(p: Parser, i: int, whole: Meaning, j: int) -> Results[Noun]:
             yield Noun(head=whole.head, det="all but", amount=some, plural=True, part_of=them, span=span), end
 
 
+_OF_WHICH = ("of which", "of them", "of these", "of whom")
+
+
+def _of_which(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
+    """ "six blocks, of which four are brown and two are white", "..., four of them brown and two white"."""
+    items: list[Meaning] = []
+    at = start = p.any_of(j, _OF_WHICH) or j
+    led = start > j
+    while True:
+        told = next(iter(amounts.count(p, at)), None)
+        if told is None:
+            return
+        many, k = told
+        of = p.any_of(k, _OF_WHICH)
+        if not (led or of):
+            return
+        led = True
+        named = next(iter(color(p, p.opt(of or k, "are", "is"))), None)
+        if named is None:
+            return
+        look, at = named
+        marks = Traits(colors=(look,))
+        items.append(Noun(head="any", amount=Amount(many, many), plural=many > 1, traits=marks, span=p.span(k, at)))
+        if len(items) > 1 and tally(tuple(items)) == count:
+            yield Coord(op="and", items=tuple(items), span=p.span(i, at)), at
+        at = p.opt(p.opt(at, ",", ";", "/"), "and", "&")
+
+
 def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
     """ "four blocks, red, blue, red, blue": a list of just as many."""
     from rpg.language.grammar.nouns import simple
 
+    yield from _of_which(p, i, j, count)
     start = p.opt(j, "namely")
     for first, k in simple(p, start):
         for found, end in more(p, i, (first,), k, None):
@@ -110,7 +139,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
     """Lists that go on from `items`; with commas only ("red, blue, green") they cost a little."""
     from rpg.language.grammar.nouns import simple
 
-    comma = p.opt(at, ",", ";")
+    comma = p.opt(at, ",", ";", "/")
     joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
     word = p.words[comma] if joined else ""
     yield from _except(p, i, items, comma)

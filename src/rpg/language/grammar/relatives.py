@@ -12,7 +12,7 @@ from rpg.language.grammar.labels import label_list
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Loc, Meaning, Traits
 
-_THAT = frozenset({"that", "which", "who"})
+_THAT = frozenset({"that", "which", "who", "what"})
 _SHOW = frozenset(
     {"show", "shows", "showing", "display", "displays", "bear", "bears", "carry", "carries", "have", "has", "read"}
 )

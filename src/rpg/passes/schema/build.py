@@ -39,6 +39,7 @@ from rpg.passes.schema.resolve import finish
 from rpg.passes.schema.resolve.beginning import UNMEANT, begun
 from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
+from rpg.passes.schema.resolve.counted import counted_later
 from rpg.passes.schema.resolve.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.inventory import each_agrees
@@ -195,6 +196,7 @@ def _resolved(
     scene = Scene(lenient=lenient)
     for note in notes:
         scene.assume(note)
+    links, chains = counted_later(links, chains)
     links, chains = sized(links, tuple(without_spare(chain) for chain in chains), scene)
     scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
     check_words(chains, scene)
@@ -285,7 +287,7 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
         | {n for heap in scene.heaps for n in heap}
     )
     for thing in scene.things.values():
-        listed = thing.declared and (thing.name not in scene.tallied or some)
+        listed = thing.declared and (thing.name not in scene.tallied or some or thing.name in scene.stocked)
         if thing.name in told or thing.extra or listed or thing.name in scene.spare:
             continue
         span = next((m.ref.span for m in scene.mentions if thing.name in m.ref.names), chains[0].span)

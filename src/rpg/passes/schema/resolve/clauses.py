@@ -314,7 +314,7 @@ def _only(theme: Meaning | None) -> Meaning | None:
 
 def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "there are three red blocks": objects; with a place in a goal: a condition."""
-    if clause.lemma == "tally":
+    if clause.lemma in ("tally", "stock"):
         return tally(clause, spec, scene, scope)
     if clause.mode == "given":
         if (kinds := blocks_and_patches(clause)) is not None:

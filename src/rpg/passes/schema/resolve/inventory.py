@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import give
 from rpg.passes.schema.resolve.world import Scene, Scope, refuse
 
 
@@ -25,6 +26,8 @@ def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal
         return []
     if whole != clause.theme and isinstance(clause.theme, Coord):
         _counts(clause.theme.items[0], scene)
+    if told_of(whole, scene):
+        return []
     found = refer(whole, scene, replace(scope, given=True, start=True))
     scene.mentions[-1].role = "given"
     for item in whole.items if isinstance(whole, Coord) else (whole,):
@@ -32,6 +35,8 @@ def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal
     for name in found.names:
         scene.things[name].declared = True
         scene.tallied.add(name)
+        if clause.lemma == "stock":
+            scene.stocked.add(name)
     return []
 
 
@@ -39,6 +44,29 @@ def _counts(item: Meaning, scene: Scene) -> None:
     """There are as many as are listed, no more."""
     if isinstance(item, Noun) and item.amount is not None and not item.traits.extra and not item.traits.labels:
         scene.closed.append((replace(item.traits, scheme=None), item.amount.low, item.span))
+
+
+def told_of(whole: Meaning, scene: Scene) -> bool:
+    """ "There are six blocks. Two are red and four are blue": these are the six, if it comes to as many."""
+    items = [x for x in (whole.items if isinstance(whole, Coord) else (whole,)) if isinstance(x, Noun)]
+    open_ = [t for t in scene.blocks() if t.declared and t.elastic is None and not t.extra and t.name not in scene.used]
+    open_ = [t for t in open_ if t.color is None and t.label is None and t.kind is None and not t.claims]
+    counts = [x.amount.low if x.amount else 1 for x in items if _plainly_colored(x)]
+    lots = len(whole.items) if isinstance(whole, Coord) else 1
+    if not open_ or len(counts) != lots:
+        return False
+    if sum(counts) != len(open_):
+        raise refuse("ambiguous", "these could be some of the blocks named before, or further ones", whole.span,
+                     "say of all of them what they look like, or 'another ...'")  # fmt: skip
+    looks = [x.traits for x, many in zip(items, counts, strict=True) for _ in range(many)]
+    for thing, traits in zip(open_, looks, strict=True):
+        give(thing, traits)
+        thing.claims = 0
+    return True
+
+
+def _plainly_colored(item: Noun) -> bool:
+    return len(item.traits.colors) == 1 and not item.traits.labels and not item.traits.extra and item.part_of is None
 
 
 def told_apart(theme: Meaning | None) -> Meaning | None:

@@ -139,6 +139,7 @@ class Scene:
     `besides`: what "another" and "the other" stand for, each with its words.
     `kept`: what the verb "keep" asks for, each with what it says of the start.
     `ignored`: blocks that are said to be distractors, each with the words that say so.
+    `stocked`: blocks of which it is said that there are such, so that not all need be used.
     `sized`: the size that is said of all blocks, with its words.
     """
 
@@ -169,6 +170,7 @@ class Scene:
     whole: tuple[str, ...] = ()
     closed: list[tuple[Traits, int, Span]] = field(default_factory=list)
     tallied: set[str] = field(default_factory=set)
+    stocked: set[str] = field(default_factory=set)
     each: tuple[int, Span] | None = None
     spare: set[str] = field(default_factory=set)
     vague: set[str] = field(default_factory=set)

@@ -1,0 +1,180 @@
+"""What there is, told at length: "you will find ...", "letters in play: ...", "5 cm cubes", "two cubes show A, B"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar import amounts
+from rpg.language.grammar.adjectives import color
+from rpg.language.grammar.amounts import length
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.inventory import contents, given
+from rpg.language.grammar.labels import label_list
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.wishes import Patterns
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits
+
+_HEADED = Patterns(
+    "the|our|my|your|these|all? letters|digits|numbers|blocks|cubes|symbols|pieces|bricks|colors|set|inventory|objects|"
+    "assets|pool|items|material|materials|available|given|equipment|stock|supply|kit|parts|resources|things only? "
+    "in_play|given|available|provided|to_use|used|here|on_the_table|at_hand|you_have|we_have|i_have|you_get|you_need|"
+    "to_be_used|to_work_with|involved|present|in_use|for_this|for_it|in_the_scene|needed? are|is? :|,|-?",
+)
+"""What stands before a list of what there is."""
+_THERE = Patterns(
+    "i|we|you|they only|just|also|always? have|get|see|find|got|have_got|will_find|will_see|will_get|will_have|"
+    "can_use|can_see|are_given|may_use|are_using|shall_use|should_use|must_use|will_use|are_going_to_use "
+    "today|here|now|available|before_you|in_front_of_you|at_hand|on_the_table? only|just|exactly?",
+    "on_the_table|in_the_scene|in_the_box|in_the_picture|before_you|in_front_of_you|here|lying_on_the_table "
+    "there|you|we|i? are|is|lie|lies|have|will_find|find|see|will_see|can_be_found|can_find|stand only|just|exactly?",
+    "the|this|your|our task|set|kit|box|puzzle|game|inventory|scene|table|workspace|exercise|heap|pile "
+    "contains|has|holds|includes|consists_of|comes_with|offers|uses|needs only|exactly|just|also?",
+    "it gives|it_has|there_exist|there_exists only|just?",
+)
+"""What says that there is what follows."""
+_TODAY = ("today", "altogether", "in total", "in all", "here", "now", "on the table", "in the scene", "available")
+_SHOW = frozenset({"carry", "carries", "bear", "bears", "show", "shows", "display", "displays", "have", "has"})
+_KINDS = {"letters": "letter", "letter": "letter", "numbers": "digit", "number": "digit", "digits": "digit",
+          "digit": "digit", "symbols": "symbol", "symbol": "symbol"}  # fmt: skip
+
+
+@rule
+def stock(p: Parser, i: int) -> Results[Clause]:
+    """What there is, and how large all of it is."""
+    lead = 0
+    for start in _HEADED.matches(p, i):
+        if p.words[start - 1] in (":", ",", "-", "are", "is"):
+            lead = start
+            yield from _listed(p, i, start)
+    for start in _THERE.matches(p, i):
+        lead = start
+        for theme, told, j in contents(p, start, True):
+            end = p.any_of(j, _TODAY) or j
+            yield replace(given(p, i, end, theme, told, 1), lemma="stock"), end
+        for listed, j in noun_phrase(p, start):
+            if (
+                isinstance(listed, Coord)
+                and listed.op == "and"
+                and not listed.cost
+                and all(map(_counted, listed.items))
+            ):
+                yield replace(given(p, i, j, listed, (), 1), lemma="stock"), j
+    if i == 0:
+        for listed, j in noun_phrase(p, i):
+            if j == p.end and _several(listed) and (mere_looks(listed) or all(map(_counted, _items(listed)))):
+                yield replace(given(p, i, j, listed, (), 3), lemma="stock"), j
+    yield from _sized(p, i, lead or p.any_of(i, _USED))
+    yield from _shown(p, i)
+    yield from _parted(p, i)
+
+
+_USED = ("use", "using", "take", "with", "we use", "you use", "there are", "we have", "you have", "i have", "from",
+         "only use", "use only", "we work with")  # fmt: skip
+
+
+def _counted(item: Meaning) -> bool:
+    return isinstance(item, Noun) and item.amount is not None and bool(item.traits.colors)
+
+
+def _items(theme: Meaning) -> tuple[Meaning, ...]:
+    return theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
+
+
+def _several(theme: Meaning) -> bool:
+    return isinstance(theme, Coord) or (isinstance(theme, Noun) and len(theme.traits.colors) > 1)
+
+
+def _listed(p: Parser, i: int, start: int) -> Results[Clause]:
+    for theme, told, j in contents(p, start):
+        yield given(p, i, j, theme, told, 1), j
+    for named, j in noun_phrase(p, start) if p.words[start - 1] == ":" else ():
+        if mere_looks(named):
+            yield replace(given(p, i, j, named, (), 2), lemma=""), j
+
+
+def mere_looks(theme: Meaning) -> bool:
+    """ "red, yellow and black", "red block, blue block": a block of each."""
+    if isinstance(theme, Coord):
+        return theme.op == "and" and all(map(mere_looks, theme.items))
+    plain = isinstance(theme, Noun) and theme.head in ("any", "block") and theme.det == "bare" and theme.amount is None
+    if not plain or not isinstance(theme, Noun) or theme.conditions or theme.part_of is not None:
+        return False
+    looks = theme.traits.colors or theme.traits.labels
+    return bool(looks) and theme.traits == Traits(colors=theme.traits.colors, labels=theme.traits.labels)
+
+
+def _shown(p: Parser, i: int) -> Results[Clause]:
+    """ "five cubes carry the letters A to E": which blocks these are."""
+    for theme, j in noun_phrase(p, i):
+        k = p.one(j, _SHOW)
+        if not k or not isinstance(theme, Noun) or theme.head != "block" or theme.traits != Traits() or theme.part_of:
+            continue
+        k = p.opt(k, "the")
+        kind = _KINDS.get(p.words[k]) if k < p.end else None
+        for (labels, more), end in label_list(p, k + 1 if kind else k, True) if kind or k > j + 1 else ():
+            many = theme.amount
+            if not more and (many is None or many == Amount(len(labels), len(labels), many.strict)):
+                marks = Traits(labels=labels, kind=kind if kind != "symbol" else None)
+                them = Noun(head="block", plural=len(labels) > 1, traits=marks, span=p.span(i, end))
+                yield replace(given(p, i, end, them, (), 0), lemma="stock"), end
+
+
+_OF_BLOCKS = ("of the blocks", "of the cubes", "of our blocks", "of these blocks", "of my blocks", "of them",
+              "of these", "of the bricks", "blocks", "cubes")  # fmt: skip
+_REST = ("the other", "the others", "the remaining", "the rest", "the other ones", "and", "another")
+
+
+def _parted(p: Parser, i: int) -> Results[Clause]:
+    """ "two of the blocks are red, the other three are white": how many there are of each look."""
+    items: list[Noun] = []
+    at = i
+    while True:
+        found = _part(p, at, bool(items))
+        if found is None:
+            break
+        item, at = found
+        items.append(item)
+        if len(items) > 1:
+            whole = Coord(op="and", items=tuple(items), span=p.span(i, at))
+            yield replace(given(p, i, at, whole, (), 1), lemma="stock"), at
+        at = p.any_of(p.opt(at, ",", ";"), ("and", "while", "whereas")) or p.opt(at, ",", ";")
+
+
+def _part(p: Parser, i: int, later: bool) -> tuple[Noun, int] | None:
+    j = (p.any_of(i, _REST) or i) if later else i
+    for many, k in amounts.count(p, j):
+        of = p.any_of(k, _OF_BLOCKS)
+        if not of and not later:
+            return None
+        are = p.any_of(of or k, ("are", "is")) or (of or k if later else 0)
+        for named, end in color(p, are) if are else ():
+            amount, span = Amount(many, many), p.span(i, end)
+            marks = Traits(colors=(named,))
+            return Noun(head="block", amount=amount, plural=many > 1, traits=marks, span=span), end
+    return None
+
+
+_SIZE_OF = (
+    "block size", "cube size", "the block size", "the cube size", "edge length", "the edge length", "size",
+    "the size", "blocks", "cubes", "all blocks", "all cubes", "all of them", "the size of the blocks",
+    "the size of the cubes", "the edge length of the blocks", "the edge length of the cubes",
+)  # fmt: skip
+
+
+def _sized(p: Parser, i: int, lead: int) -> Results[Clause]:
+    """ "use 5 cm cubes", "block size: 5 cm": how large all the blocks are."""
+    if lead or i == 0 or p.follows(i, (",", ":", ";", "(")):
+        for theme, j in simple(p, lead or i):
+            marks = theme.traits if isinstance(theme, Noun) else Traits()
+            sized = marks == Traits(edge=marks.edge, size=marks.size) and (marks.edge or (marks.size and lead))
+            plain = isinstance(theme, Noun) and theme.head == "block" and theme.plural and theme.det == "bare"
+            if isinstance(theme, Noun) and plain and sized and theme.amount is None:
+                yield _size(p, i, j, theme.traits, 0 if lead else 2), j
+    of = p.any_of(i, _SIZE_OF)
+    for edge, j in length(p, p.opt(of, ":", "=", "is", "are", ",")) if of else ():
+        yield _size(p, i, j, Traits(edge=edge), 1), p.opt(j, "each")
+
+
+def _size(p: Parser, i: int, j: int, traits: Traits, cost: int) -> Clause:
+    blocks = Noun(head="block", det="all", plural=True, traits=traits, span=p.span(i, j))
+    return replace(given(p, i, j, blocks, (), cost), lemma="size")

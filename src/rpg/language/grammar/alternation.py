@@ -49,10 +49,12 @@ _IT_READS = Patterns(f"it|the_row|the_line|the_tower|this should|must|has_to? re
 _TWICE = frozenset(
     {"no", "neighbors", "neighboring", "adjacent", "the", "their", "its", "they", "it", "this", "colors"}
 )
-_TELLING = frozenset(
-    "alternate alternates alternating alternately alternation switching turn turns every no neighbors neighboring "
-    "adjacent touching next different same mirrored symmetric symmetrical symmetrically".split()
-)
+_RARE = (
+    "alternate", "alternates", "alternating", "alternately", "alternation", "switching", "turn", "turns", "every", "no",
+    "neighbors", "neighboring", "adjacent", "touching", "next", "different", "same", "mirrored", "symmetric",
+    "symmetrical", "symmetrically",
+)  # fmt: skip
+_TELLING = frozenset(_RARE)
 """Words without one of which nothing is said of this here."""
 
 

@@ -64,7 +64,7 @@ STRUCTURES = {
     "triangle": "triangle",
     "circle": "circle ring loop",
     "plus": "plus cross",
-    "pile": "pile heap bunch cluster group bundle clump",
+    "pile": "pile heap jumble bunch cluster group bundle clump",
     "word": "word name",
     "equation": "equation sum formula multiplication addition subtraction division calculation",
     "set": "set collection bunch_of",

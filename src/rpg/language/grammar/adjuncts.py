@@ -72,6 +72,8 @@ _SPELLING = Patterns(
     "which|that form|forms|make|makes the word",
 )
 """What a word follows that blocks are to spell."""
+_ONE = ("a", "an", "one", "another")
+"""After "to" these begin something to be made, not a place to go to."""
 LATER = 50.0
 """Times from here on come after all that is not said to be later."""
 
@@ -156,7 +158,7 @@ def _next_clause(first: Meaning, second: Meaning) -> bool:
 
 @choice
 def _into(p: Parser, i: int) -> Results[Meaning]:
-    for target, k in simple(p, i + 1) if p.words[i : i + 1] == ["to"] and p.words[i + 1] in ("a", "an", "one") else ():
+    for target, k in simple(p, i + 1) if p.words[i : i + 1] == ["to"] and p.words[i + 1] in _ONE else ():
         if isinstance(target, Structure):
             yield Into(structure=target, span=p.span(i, k)), k
     if j := p.any_of(
@@ -190,6 +192,9 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
 def _using(p: Parser, i: int) -> Results[Meaning]:
     for lead, j in p.standing(i, _USING):
         for members, k in noun_phrase(p, j):
+            heap = isinstance(members, Structure) and members.kind == "pile" and members.members is not None
+            if heap and isinstance(members, Structure) and lead in ("from", "out of") and not members.plural:
+                yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
             if isinstance(members, Coord) and members.op == "only":
                 continue
             if not any(isinstance(part, Structure) for part in parts_of(members)):

@@ -5,7 +5,15 @@ from __future__ import annotations
 from rpg.language.grammar.core import by_first
 from rpg.language.tokens import Token
 
+_MESSY = (
+    "messy", "mixed", "random", "untidy", "disordered", "disorderly", "jumbled", "unsorted", "chaotic", "mixed up",
+    "loose", "wild", "confused", "scrambled", "unordered",
+)  # fmt: skip
+_TOGETHER = ("mixed up", "jumbled up", "mixed", "jumbled", "thrown together", "lumped together", "mixed together",
+             "thrown", "heaped up", "heaped", "piled up", "piled", "dumped")  # fmt: skip
 _PHRASES = {
+    **{f"{how} {heap}": heap for how in _MESSY for heap in ("heap", "pile", "jumble", "bunch")},
+    **{f"{how} {at}": at for how in _TOGETHER for at in ("in one heap", "in a heap", "in one pile", "in a pile")},
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
     "fill a": "build a filled", "fill the": "build the filled", "fill one": "build one filled",

@@ -140,3 +140,15 @@ def shares_head(before: Meaning, item: Meaning) -> bool:
         return False
     bare = item.det == "bare" and item.plural and item.amount is None and item.head != "any" and item.traits.colors
     return bool(bare and before.head == "any" and before.traits.colors)
+
+
+_SINGULAR = frozenset({"is", "lies", "stands", "sits", "rests", "starts", "begins", "has", "was", "remains"})
+
+
+def one_heap(theme: Meaning, verb: str) -> bool:
+    """ "a heap of three red and three blue blocks lies ...": after one verb for one thing it is a heap of both."""
+    if verb not in _SINGULAR or not isinstance(theme, Coord) or not isinstance(first := theme.items[0], Structure):
+        return False
+    last = theme.items[-1]
+    several = isinstance(last, Noun) and last.plural and last.det == "bare"
+    return several and not first.plural and first.members is not None

@@ -12,6 +12,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.manners import direction, manner
 from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.retold import one_heap
 from rpg.language.grammar.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.meaning import (
     At,
@@ -56,7 +57,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
         j = p.opt(j, "all", "each", "both", "then")
         j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
         k, words = _auxiliaries(p, j)
-        if not _floats(theme, {*p.words[j - 1 : k]}):
+        if not _floats(theme, {*p.words[j - 1 : k]}) or one_heap(theme, p.words[j]):
             continue
         negated = bool(words & _NOT) or bool(barred)
         if inverted:

@@ -91,6 +91,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         alone = (Manner(kind="time", value=1.0, span=p.span(j, j + 1)),)
         j = p.reach(j + 1)
     for theme, k in noun_phrase(p, only or j):
+        if isinstance(theme, Structure) and lemma in ("take", "pull") and p.words[k] in ("down", "apart"):
+            continue
         k = p.opt(k, "places", "positions") if sense == "swap" else k
         if sense == "swap" and (end := p.one(k, "back")):
             back = Manner(kind="stay", span=p.span(k, end))
@@ -265,6 +267,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 beside = before.verb in ("stack", "arrange") and (timed or isinstance(found[0], At))
                 beside = beside or (timed and before.verb == "place")
                 cost += 2 if _bare_count(theme) or beside else 0
+                cost += 1 if isinstance(before.adjuncts[-1], That) else 0
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     for theme, j in noun_phrase(p, i) if before.verb == "be" and before.adjuncts else ():
         k = p.any_of(p.opt(j, "all"), _SO_ARE)

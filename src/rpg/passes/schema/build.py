@@ -41,6 +41,7 @@ from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.counted import counted_later
 from rpg.passes.schema.resolve.fitting import check_besides, check_words
+from rpg.passes.schema.resolve.heaps import from_heaps, told_later
 from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.inventory import each_agrees
 from rpg.passes.schema.resolve.kept import brought_about
@@ -160,14 +161,14 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    links, chains = hoisted(links, chains)
+    links, chains = hoisted(links, from_heaps(chains))
     facts, bold = begun(chains, text), begun(chains, text, bold=True)
     try:
-        return _resolved(links, facts, text, notes, name, seed, author, lenient)
+        return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)
     except Refusal as refusal:
         if bold != facts and refusal.diagnostics[0].code in UNMEANT:
             with suppress(Refusal):
-                return _resolved(links, bold, text, notes, name, seed, author, lenient)
+                return _resolved(*told_later(links, bold), text, notes, name, seed, author, lenient)
         if isinstance(refusal, Repairable):
             raise refusal.blaming("order-misfit", _ordering(chains)) from None
         raise
@@ -361,6 +362,8 @@ def _begins_with_all(clause: Clause) -> bool:
     if clause.mode != "start" or not isinstance(theme, Noun) or theme.head != "block" or not theme.plural:
         return False
     plain = (theme.traits, theme.part_of) == (Traits(), None)
+    named = (part.traits for part in parts_of(clause.adjuncts) if isinstance(part, Noun))
+    plain = plain and not any(traits.colors or traits.labels for traits in named)
     return plain and (theme.det == "all" or (theme.det == "the" and theme.amount is None))
 
 

@@ -38,7 +38,7 @@ from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, place
 from rpg.passes.schema.resolve.positions import alternatives
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import related
-from rpg.passes.schema.resolve.reordered import moved_within, topped
+from rpg.passes.schema.resolve.reordered import within
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.stacking import separately
 from rpg.passes.schema.resolve.structures import either, make, stack_built
@@ -109,10 +109,7 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
         return _one_by_one(theme, temporal, spec, scene, scope, span)
     if theme.op == "then" and (verb == "stack" or _lined(verb, spec, theme)) and not any(o.items for o in spec.orders):
         spec.orders = [*(o for o in spec.orders if o.by != "given"), OrderBy(by="given", span=theme.span)]
-    again = None if len(spec.ats) != 1 or scope.start else moved_within(theme, spec.ats[0], scene, span)
-    if again is None and len(spec.ats) == 1 and verb in ("place", "be") and not scope.start and not spec.intos:
-        again = topped(theme, spec.ats[0], scene, span)
-    if again is not None:
+    if (again := None if scope.start else within(theme, verb, spec, scene, span)) is not None:
         spec.ats = []
         return [*again, *places(theme, spec, scene, scope, span)]
     ref = theme
@@ -135,6 +132,8 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if spec.patterns and any(p.unit == "stack" for p in spec.patterns):
         raise refuse("misplaced", "towers are spoken of, but nothing is stacked", spec.patterns[0].span, "say 'stack'")
     goals = [*goals, *places(ref, spec, scene, scope, span)]
+    if spec.ats and scope.start:
+        raise refuse("misplaced", "this is a place in a structure of the start", spec.ats[0].span, "say it beside that")
     goals += loose_ats(ref, spec, scene, span) if spec.ats else []
     if not goals and not structured and not spec.thats and not (verb == "be" and spec.absolutes):
         raise refuse(

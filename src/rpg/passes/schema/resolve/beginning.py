@@ -51,7 +51,9 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     found = []
     for n, chain in enumerate(chains):
         if n in heaped or (told[n] and any(m > n for m in (*commands, *undone))):
-            clauses = tuple(replace(c, mode="start") for c in chain.clauses if isinstance(c, Clause))
+            clauses = tuple(
+                c if _tally(c) else replace(c, mode="start") for c in chain.clauses if isinstance(c, Clause)
+            )
             chain = replace(chain, clauses=clauses)
         found.append(chain)
     return tuple(found)
@@ -114,7 +116,13 @@ def _heaped(chain: Chain) -> bool:
 
 
 def _facts(chain: Chain, bold: bool = True) -> bool:
-    return all(isinstance(c, Clause) and _fact(c, bold) for c in chain.clauses)
+    told = [c for c in chain.clauses if not _tally(c)]
+    return bool(told) and all(isinstance(c, Clause) and _fact(c, bold) for c in told)
+
+
+def _tally(clause: Meaning) -> bool:
+    """A list of what there is, which goes with facts as with commands."""
+    return isinstance(clause, Clause) and clause.lemma == "tally"
 
 
 def _fact(clause: Clause, bold: bool) -> bool:

@@ -35,6 +35,7 @@ from rpg.passes.schema.resolve.leftovers import nothing_left
 from rpg.passes.schema.resolve.logic import conj, negation
 from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, parts_alone, places
+from rpg.passes.schema.resolve.rebuilt import once_more
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.reordered import reverse
@@ -158,8 +159,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
     if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
         return pairs
-    if (turned := _the_other_way(clause, spec, scene, scope)) is not None:
-        return turned
+    if (again := once_more(clause, spec, scene, scope)) is not None:
+        return again
     if clause.verb == "stack":
         scene.last_landmark_patch = False
     if clause.negated and is_shape(clause.theme) and clause.theme is not None and spec.places:
@@ -240,23 +241,6 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     _sandwich(clause, spec)
     in_sequence(clause, theme, spec, scene)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
-
-
-def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
-    """ "rebuild it in reverse", "put the row in reverse order": a structure that is there, the other way round."""
-    orders = spec.orders and all(o.by == "reverse" for o in spec.orders)
-    backwards = any(m.kind == "backwards" for m in spec.manners)
-    known = isinstance(clause.theme, Pronoun) or (isinstance(clause.theme, Structure) and clause.theme.det == "the")
-    if (
-        not (orders or backwards)
-        or not known
-        or spec.intos
-        or clause.verb not in ("build", "stack", "arrange", "place")
-    ):
-        return None
-    spec.orders, spec.manners = [], [m for m in spec.manners if m.kind != "backwards"]
-    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    return [*reverse(theme, scene, clause.span), *places(theme, spec, scene, scope, clause.span)]
 
 
 def _partly(clause: Clause, scene: Scene, scope: Scope) -> Goals:

@@ -10,6 +10,7 @@ from rpg.ir.order import Order
 from rpg.language.meaning import At
 from rpg.passes.schema.resolve.logic import Atoms
 from rpg.passes.schema.resolve.operands import UPRIGHT, crown
+from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
 
 FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front"}
@@ -23,6 +24,16 @@ def reverse(theme: Ref, scene: Scene, span: Span) -> Atoms:
     if looks == looks[::-1] and None not in {c or x for c, x, _ in looks}:
         raise refuse("no-goal", "this looks the same the other way round", span, "use blocks that differ")
     return [_again(built, built.members[::-1], scene, span)]
+
+
+def within(theme: Ref, verb: str, spec: Spec, scene: Scene, span: Span) -> Atoms | None:
+    """A block put at an end of the structure that it is part of, or on top of the one spoken of last."""
+    if len(spec.ats) != 1:
+        return None
+    again = moved_within(theme, spec.ats[0], scene, span) if verb != "be" else None
+    if again is None and verb in ("place", "be") and not spec.intos:
+        again = topped(theme, spec.ats[0], scene, span)
+    return again
 
 
 def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -10,13 +11,15 @@ from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import goal as g
 from rpg.ir.node import members
-from rpg.ir.relations import Facing, Stayed
+from rpg.ir.relations import Behind, Facing, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf, Stayed
 from rpg.ir.walk import names, rename
 
 CLAUSES: dict[str, Callable[[Any, Speaker], str]] = {**relations.TABLE, **structures.TABLE}
 """A clause for each kind of atom."""
 ANY = "any"
 """Stands for the block that alternatives differ in."""
+OF_EACH = OnPatch | OnTable | InRegion | LeftOf | RightOf | InFrontOf | Behind
+"""What is said of several blocks is said of each, be it denied or not."""
 ORDINALS = ("First", "Then", "After that", "Next")
 
 
@@ -127,7 +130,13 @@ def _negated(goal: g.Goal, say: Speaker) -> str:
     say.negated = not say.negated
     text = spoken(goal, say)
     say.negated = not say.negated
+    if isinstance(goal, OF_EACH) and isinstance(goal.a, tuple) and len(goal.a) > 1:
+        # "Red and blue must not be there" would deny it of each of them.
+        text = _NOT.sub(r"\1 both" if len(goal.a) == 2 else r"\1 all", text, count=1)
     return text
+
+
+_NOT = re.compile(r"\b(not|never)\b")
 
 
 def _counted(goal: g.Count, say: Speaker) -> str:

@@ -9,6 +9,7 @@ from rpg.language.grammar.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.alike import all_alike
 from rpg.language.grammar.chatter import CHATTER
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.denials import denied_of_all
 from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG
 from rpg.language.grammar.gaps import gap
@@ -265,7 +266,7 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
     for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
         if negated or found.negated or j > i:
             found = nothing_at_all(replace(found, negated=negated, span=p.span(i, k)))
-        yield ever(found, never), k
+        yield ever(denied_of_all(p, i, found), never), k
 
 
 @rule

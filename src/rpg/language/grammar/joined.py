@@ -152,6 +152,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         now = "then"
     if op is not None and now != op and op != "comma":
         return
+    if word == "nor" and isinstance(items[0], Noun) and items[0].det == "no":
+        return
     nxt = joined or comma
     for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
         if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):

@@ -99,4 +99,4 @@ def _definite(theme: Meaning) -> bool:
     """ "without the S": of blocks that are there."""
     if isinstance(theme, Coord):
         return all(map(_definite, theme.items))
-    return isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det in ("the", "other", "all", "both"))
+    return isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det in ("the", "other"))

@@ -9,6 +9,7 @@ from rpg.language.grammar.adjectives import adjectives, of_quality
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.becoming import becoming
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.denials import denied_of_all
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.manners import direction, manner
 from rpg.language.grammar.nouns import noun_phrase
@@ -68,6 +69,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for _, s in p.standing(k, _STARTS):
             readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
         for found, end in readings:
+            found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
             lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
             if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & (_MODALS | _BOUND):
                 found = replace(found, lemma="fact")

@@ -30,9 +30,10 @@ from rpg.passes.schema.resolve.alone import told_alone
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.centred import centred
+from rpg.passes.schema.resolve.denials import denied
 from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
 from rpg.passes.schema.resolve.leftovers import nothing_left
-from rpg.passes.schema.resolve.logic import conj, negation
+from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, parts_alone, places
 from rpg.passes.schema.resolve.rebuilt import once_more
@@ -88,9 +89,10 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     if spec.manner("only") is not None:
         moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
         scene.only += [n for names in moved for n in names]
+    together = spec.manner("not all") is not None
     nothing_left(spec, clause)
     if clause.negated:
-        goals = negation(goals, clause.span)
+        goals = denied(goals, clause, scene, together)
     if always and not start:
         goals = held_throughout(goals, scene, clause.span)
     return [*built, *goals, *later]

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
+from itertools import product
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
+from rpg.ir import relations as r
 
 Atoms = list[g.Goal]
 
@@ -24,14 +26,33 @@ def disj(goals: list[g.Goal], span: Span | None = None) -> g.Goal:
     return goals[0] if len(goals) == 1 else g.Any(goals=tuple(goals), span=span)
 
 
-def negate(goal: g.Goal, negated: bool, span: Span) -> g.Goal:
-    return negation([goal], span)[0] if negated else goal
+Wholes = Collection[frozenset[str]]
+"""Structures, which are somewhere or not as a whole."""
+_OF_EACH = r.OnPatch | r.OnTable | r.InRegion | r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.Stayed | r.Moved
+"""Relations that hold of several blocks where they hold of each."""
 
 
-def negation(goals: Atoms, span: Span) -> Atoms:
-    """None of `goals`: each is denied, those inside a conjunction or an alternative too."""
-    flat = [x for goal in goals for x in _flat(goal)]
+def negate(goal: g.Goal, negated: bool, span: Span, wholes: Wholes = ()) -> g.Goal:
+    return conj(negation([goal], span, wholes), span) if negated else goal
+
+
+def negation(goals: Atoms, span: Span, wholes: Wholes = ()) -> Atoms:
+    """None of `goals`: each is denied of each block, those inside a conjunction or an alternative too."""
+    flat = [y for goal in goals for x in _flat(goal) for y in _of_each(x, wholes)]
     return [x.goal if isinstance(x, g.Not) else g.Not(goal=x, span=span) for x in flat]
+
+
+def _of_each(goal: g.Goal, wholes: Wholes) -> list[g.Goal]:
+    """ "Red and blue are not on the mat": neither of them is."""
+    if not isinstance(goal, _OF_EACH):
+        return [goal]
+    sides = {key: _apart(value, wholes) for key in ("a", "b") if (value := getattr(goal, key, None)) is not None}
+    return [goal.model_copy(update=dict(zip(sides, each, strict=True))) for each in product(*sides.values())]
+
+
+def _apart(operand: object, wholes: Wholes) -> list[object]:
+    several = isinstance(operand, tuple) and len(operand) > 1 and frozenset(operand) not in wholes
+    return [(name,) for name in operand] if several and isinstance(operand, tuple) else [operand]
 
 
 def _flat(goal: g.Goal) -> Iterator[g.Goal]:

@@ -27,7 +27,7 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if len(sized) > 1 and sized[0][0] != sized[1][0]:
             return Ref(names=(sized[0][1],))
         raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
-    there = [] if noun.head == "patch" else _candidates(noun, rank, scene)
+    there = () if noun.head == "patch" else _candidates(noun, rank, scene)
     if len(set(there)) > 1:
         raise refuse("ambiguous", "this could be a block of several structures", noun.span, "name its colour or label")
     if there:

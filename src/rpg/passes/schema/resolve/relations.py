@@ -40,7 +40,7 @@ from rpg.passes.schema.resolve.patches import (
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.stacking import Towers, vertical
 from rpg.passes.schema.resolve.things import compared, create, matching
-from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse, wholes
 
 HALFWAY_GAP = 10.0
 """How far apart two blocks with one halfway between them may be, in edges: as far as the workspace allows."""
@@ -60,14 +60,14 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
         case In(region="each_corner" | "each_corner?"):
             return corners(theme, meaning, scene, span)
         case In():
-            return [negate(_region(theme, meaning.region, span), meaning.negated, span)]
+            return [negate(_region(theme, meaning.region, span), meaning.negated, span, wholes(scene))]
         case Coord():
             if meaning.op == "or":
                 return [disj([_alternative(theme, x, scene, scope, span) for x in meaning.items], span)]
             return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
         case Loc():
             goals = _loc(theme, meaning, scene, scope, span)
-            return negation(goals, span) if meaning.negated else goals
+            return negation(goals, span, wholes(scene)) if meaning.negated else goals
         case _:
             raise refuse("misplaced", "this does not say where something is", meaning.span)
 

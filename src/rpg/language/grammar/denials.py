@@ -1,0 +1,29 @@
+"""How much "not" denies: each of several things, or all of them together."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser
+from rpg.language.meaning import Clause, Manner
+
+_NOT = frozenset({"not", "never"})
+_ALL = (["both"], ["all"])
+REACH = 3
+"""So many words on "not" is looked for: "are not", "must not", "do not"."""
+
+
+def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
+    """ "are not both ...", "must not all be ...", "do not put both ...": it may be so of some of them."""
+    denial = next((k for k in range(j, min(j + REACH, p.end)) if p.words[k] in _NOT), None)
+    if denial is None or not found.negated:
+        return found
+    skipped = p.words[denial + 1 : denial + 2] in (["be"], *([word] for word in _verbs(found)))
+    at = denial + 1 + skipped
+    if p.words[at : at + 1] not in _ALL:
+        return found
+    return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
+
+
+def _verbs(clause: Clause) -> tuple[str, ...]:
+    return tuple(clause.lemma.split()[:1])

@@ -87,7 +87,7 @@ VERBS = {
     "slot",
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap restack",
-    "build": "build make create construct form assemble erect produce compose draw rebuild",
+    "build": "build make create construct form assemble erect produce compose draw rebuild shape",
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "
     "set rearrange",
     "sort": "sort group gather cluster separate collect split divide partition categorize classify bunch merge "

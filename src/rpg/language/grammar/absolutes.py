@@ -240,6 +240,7 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         ("beneath", "bottom"),
         ("above", "top"),
         ("under", "bottom"),
+        *((("behind", "back"),) if p.stands(i, ("behind",)) and p.words[i + 1] in ("", ",", ";", "and", ".") else ()),
     ):
         if k := p.one(i, phrase):
             yield (At(side=side, span=p.span(i, k)),), k

@@ -16,7 +16,7 @@ from rpg.language.grammar.orders import order
 from rpg.language.grammar.parts import wholes
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
-from rpg.language.grammar.sizes import size_phrase
+from rpg.language.grammar.sizes import rising_steps, size_phrase
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import (
     Absolute,
@@ -104,6 +104,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from _that(p, i)
     yield from manner(p, i)
     yield from size_phrase(p, i)
+    yield from rising_steps(p, i)
     yield from each_led(p, i)
     yield from offset(p, i)
 
@@ -199,6 +200,10 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if not any(isinstance(part, Structure) for part in parts_of(members)):
                 yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
+    if comma := p.one(i, ","):
+        for members, k in noun_phrase(p, p.opt(comma, "all")):
+            if k >= p.end and isinstance(members, Noun) and members.head == "block" and _coloured(members):
+                yield Using(members=members, span=p.span(i, k), cost=2), k
     if j := max(_ON_BODIES.matches(p, i), default=0):
         for members, k in noun_phrase(p, j):
             plain = isinstance(members, Noun) and members.head == "block" and members.det == "bare" and members.plural

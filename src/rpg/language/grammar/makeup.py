@@ -12,7 +12,7 @@ from rpg.language.grammar.along import listed_along
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.lists import listed
-from rpg.language.grammar.sizes import IN_TOTAL, ends_in_lines, lines_of, size_phrase
+from rpg.language.grammar.sizes import IN_TOTAL, ends_in_lines, heights_of_steps, lines_of, size_phrase
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -37,6 +37,10 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
     for (tall, named), k in heights(p, j, many) if base.plural and base.kind == "stack" else ():
         traits = replace(base.traits, colors=base.traits.colors or named)
         yield replace(base, sizes=(*base.sizes, tall), traits=traits, span=p.span(i, k)), k
+    if base.kind == "staircase" and not base.sizes:
+        for steps, k in heights_of_steps(p, j):
+            base = replace(base, sizes=(steps,), span=p.span(i, k))
+            yield from _sized(p, i, k, base)
     for sized, k in _sized(p, i, j, base):
         yield sized, k
         yield from _one_each(p, i, k, sized)
@@ -170,6 +174,11 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
             "that is hollow",
             ", just the outline",
             ", outline only",
+            ", only the outline",
+            ", only its outline",
+            ", nothing inside",
+            ", with nothing inside",
+            ", empty in the middle",
         ),
     ):
         yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
@@ -183,7 +192,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     plain = base.members is None and not base.traits.colors
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
     if plain and (comma > j or base.kind == "checkerboard"):
-        for (named, either), k in colors(p, p.any_of(comma, ("all in", "all", "in")) or comma):
+        for (named, either), k in colors(p, p.any_of(comma, _ALL_IN) or comma):
+            k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 else k
             if not either and (len(named) == 1 or base.kind == "checkerboard") and (k >= p.end or p.words[k] == ","):
                 painted = replace(base.traits, colors=named)
                 yield replace(base, traits=painted, span=p.span(i, k), cost=base.cost + 1), k
@@ -195,6 +205,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         yield from _sized(p, i, k, changed)
 
 
+_ALL_IN = ("all in", "all", "in", "all blocks", "all cubes", "all of them", "all of it", "every block",
+           "all the blocks", "all blocks in", "all are", "everything")  # fmt: skip
 _LINES = ("row", "line", "column", "stack", "circle", "pile", "word")
 """Structures of which "two each" says nothing by itself: it is said of the kinds of blocks."""
 _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",

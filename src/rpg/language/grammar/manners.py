@@ -121,7 +121,8 @@ _COUNTER = ("counterclockwise", "counter clockwise", "anticlockwise", "anti cloc
 
 def _pointed(p: Parser, i: int, comma: int) -> Results[Meaning]:
     """ "with its foot to the right", "tip pointing left"."""
-    j = p.any_of(comma, ("with its", "with the", "its", "with", "the"))
+    j = p.any_of(comma, ("with its", "with the", "its", "with", "the", "whose", "with a"))
+    j = j or (comma if comma > i else 0)
     if opened := p.any_of(comma, ("open to", "open towards", "open toward", "opening to", "opening towards", "open at",
                                   "that opens to", "which opens to", "opens to", "opened to")):  # fmt: skip
         for side, e in direction(p, p.opt(opened, "the")):

@@ -6,7 +6,8 @@ from rpg.language import lexicon
 from rpg.language.meaning import Manner, OrderBy, Spacing
 
 MODIFIERS = {
-    "straight": {}, "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
+    "straight": {}, "parallel": {"upright": False},
+    "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
     "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
     "simple": {}, "whole": {}, "entire": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {},
     "upright": {"upright": True},

@@ -21,6 +21,9 @@ from rpg.language.meaning import Meaning, Noun, OrderBy, Toward, Traits
 
 _LEADS = frozenset(
     {
+        "both",
+        "each",
+        "all",
         "reading",
         "read",
         "readable",

@@ -8,8 +8,9 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Traits
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
 
 _SIDES = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
@@ -139,8 +140,18 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
     for place, j in part(p, i, unit):
         for theme, k in _looks(p, p.any_of(j, _IS) or j):
             yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
+        for word, k in _word(p, j) if isinstance(place, Places) else ():
+            yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k
     yield from _coloured(p, i)
     yield from _put(p, i, unit)
+
+
+def _word(p: Parser, j: int) -> Results[Structure]:
+    """ "(the far row) spells CAT"."""
+    k = p.any_of(j, _SPELLS)
+    text = literal(p, k) if k else None
+    if text is not None and len(text) > 1:
+        yield Structure(kind="word", det="the", letter=text, span=p.span(j, k + 1)), k + 1
 
 
 def _looks(p: Parser, j: int) -> Results[Noun]:
@@ -198,8 +209,17 @@ def unit_of(found: Absolute) -> str:
 
 
 _HAVING = ("with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of")
-_ONES = ("one of them", "one", "the other one", "the other", "other", "another one", "another", "a second one",
-         "a third one")  # fmt: skip
+_ONES = (
+    "one of them", "one", "the other one", "the other", "other", "another one", "another", "a second one",
+    "a third one",
+    *(f"{which} {noun}" for which in ("one", "the other", "another", "a second", "the second", "a third")
+      for noun in ("row", "column", "line", "tower", "stack")),
+)  # fmt: skip
+_SPELLS = (
+    "spells", "spelling", "reads", "reading", "says", "saying", "shows", "showing", "should spell", "must spell",
+    "should read", "must read", "should say", "must say", "spells the word", "reads the word", "with the word",
+    "spelling the word",
+)  # fmt: skip
 
 
 @rule
@@ -221,6 +241,7 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     """What one of several structures is made of: a colour, a number of blocks, or one block on another."""
     from rpg.language.grammar.onto import one_on_another
 
+    yield from _word(p, j)
     piled = list(one_on_another(p, p.opt(j, "with")))
     for order, end in piled:
         items = order.items if order.first == "top" else order.items[::-1]
@@ -251,4 +272,14 @@ def _wholes(p: Parser, i: int, at: int, had: tuple[Absolute, ...]) -> Results[Co
                 yield Coord(op="absolutes", items=whole, span=p.span(i, k)), k
             again = p.any_of(k, (", and", ",", "and", ";", "but")) or k
             if len(whole) < 9:
+                yield from _wholes(p, i, again, whole)
+    for theme, j in noun_phrase(p, at) if not ones and not named else ():
+        lead = p.any_of(j, ("in", "in the form of", "for", "make", "form")) if _plain(theme) else 0
+        for _, k in p.standing(lead, _ONES) if lead else ():
+            one = Places(side="one", unit="whole", span=p.span(lead, k))
+            whole = (*had, Absolute(theme=theme, adjuncts=(one,), span=p.span(at, k)))
+            if len(whole) > 1:
+                yield Coord(op="absolutes", items=whole, span=p.span(i, k)), k
+            again = p.any_of(k, (", and", ",", "and", ";", "but"))
+            if len(whole) < 9 and again:
                 yield from _wholes(p, i, again, whole)

@@ -196,6 +196,7 @@ _UNSAID = {
     "in between": "between", "between them": "between", "in between them": "between",
     "between the two": "between", "in the space between them": "between",
     "one in front of the other": "one_behind", "one behind the other": "one_behind",
+    "one row behind the other": "one_behind", "one row in front of the other": "one_behind",
     "one behind another": "one_behind",
 }  # fmt: skip
 

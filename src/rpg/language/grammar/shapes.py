@@ -30,6 +30,8 @@ def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
         yield ("cube", False), p.reach(i + 1)
     if j := p.any_of(i, ("chess board", "checker board", "checkers board", "chess pattern", "checker pattern")):
         yield ("checkerboard", False), p.opt(j, "pattern")
+    if j := p.any_of(i, ("flight of stairs", "flight of steps", "set of stairs", "set of steps")):
+        yield ("staircase", False), j
     for lead in ("color gradient", "gradient", "rainbow"):
         if j := p.seq(i, lead):
             yield ("gradient", False), j

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.grammar import amounts
-from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.meaning import Size
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.meaning import Amount, Size
 
 _BY = frozenset({"by", "x", "times"})
 _BLOCKS = ("block", "blocks", "cube", "cubes", "level", "levels", "layer", "layers")
@@ -43,7 +45,7 @@ def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
 @rule
 def size_phrase(p: Parser, i: int) -> Results[Size]:
     """One statement of size after the noun."""
-    j = p.opt(i, ",", "and", "but")
+    j = p.opt(i, ",", "and", "but", ":")
     j = (
         p.any_of(
             j,
@@ -98,7 +100,9 @@ _COUNTED = (
     (("blocks per column", "blocks in each column", "cubes per column", "per column", "blocks in every column",
       "cubes in each column"), "rows", 0),
     (("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side",
-      "per side", "cubes on each side"), "side", 0),
+      "per side", "cubes on each side", "to a side", "to each side", "on a side", "along each side", "on each side",
+      "on every side", "of them along each side", "of them on each side", "of them to a side", "cubes to a side",
+      "cubes along each side"), "side", 0),
     (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",
       "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
       "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
@@ -135,8 +139,8 @@ def _based(p: Parser, i: int, k: int) -> Results[Size]:
     e = p.any_of(e, ("of", "is", "that is", "which is", "being", "should be")) if e else 0
     if not e:
         return
-    for dims, m in dimensions(p, e):
-        yield Size(what="base", dims=dims, span=p.span(i, m)), p.opt(m, *_BLOCKS)
+    for dims, m in dimensions(p, p.opt(e, "a")):
+        yield Size(what="base", dims=dims, span=p.span(i, m)), p.opt(m, *_BLOCKS, "square")
     for found, m in amounts.amount(p, e):
         m = p.opt(p.opt(m, "horizontal"), *_BLOCKS)
         yield Size(what="base", amount=found, span=p.span(i, m)), p.opt(m, "wide")
@@ -163,3 +167,33 @@ def lines_of(p: Parser, i: int, kind: str) -> Results[Size]:
     dims = (lines, each) if what == "rows" and kind != "wall" else (each, lines)
     end = p.any_of(j + 4, tuple(f"{noun}{tail}" for noun in ("blocks", "cubes") for tail in (" each", "")))
     yield Size(what="dims", dims=dims, span=p.span(i, end or j + 4)), end or j + 4
+
+
+_OF_HEIGHTS = (
+    "of heights", "with heights", "with heights of", "with the heights", "of height", "with steps of height",
+    "with steps of heights", "with columns of height", "with columns of heights", ": heights", ", heights",
+    "with columns",
+    ", with steps of height", ", with steps of heights", ", with columns of heights", ", with columns of height",
+    ", with columns", "with steps", ":", "with the columns", "having heights", ", columns", ", steps of height",
+)  # fmt: skip
+
+
+@choice
+def heights_of_steps(p: Parser, j: int) -> Results[Size]:
+    """ "stairs of heights 1, 2 and 3", "stairs: one block, then two blocks, then three": as many steps."""
+    at = p.any_of(j, _OF_HEIGHTS)
+    listed: list[int] = []
+    while at and (n := p.number(at)) is not None:
+        listed.append(n)
+        end = p.any_of(at + 1, ("blocks high", "blocks", "block", "cubes", "cube", "high", "block high")) or at + 1
+        if len(listed) > 1 and listed == list(range(1, len(listed) + 1)):
+            amount = Amount(len(listed), len(listed))
+            yield Size(what="steps", amount=amount, span=p.span(j, end)), p.any_of(end, ("high", "blocks high")) or end
+        at = p.any_of(p.opt(end, ","), ("and then", "then", "and", "and finally")) or p.opt(end, ",")
+
+
+def rising_steps(p: Parser, i: int) -> Results[Size]:
+    """The same behind what else is said of stairs."""
+    for found, j in heights_of_steps(p, i):
+        if not {"stairs", "staircase", "stairway", "steps"}.isdisjoint(p.words[:i]):
+            yield replace(found, cost=1), j

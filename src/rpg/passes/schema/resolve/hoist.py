@@ -19,7 +19,10 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(clause, Clause):
                 kept.append((link, clause))
                 continue
-            host = _host(found, _of_wholes(clause)) if clause.verb == "part" and link != "then" else None
+            told = clause.verb == "part" and link != "then"
+            host = _host(found, _of_wholes(clause)) if told else None
+            if told and host is None and _of_lines(clause):
+                host = _host(found, True)
             if host is None:
                 kept.append((link, clause))
                 continue
@@ -39,6 +42,12 @@ def _of_wholes(clause: Clause) -> bool:
     if all(isinstance(x, OrderBy) and x.by == "each" for x in parts):
         return True
     return all(isinstance(x, Absolute) and getattr(x.adjuncts[0], "unit", "") == "whole" for x in parts)
+
+
+def _of_lines(clause: Clause) -> bool:
+    """ "The far row is red": of one of several rows, where no grid was built."""
+    parts = [x for a in clause.adjuncts for x in (a.items if isinstance(a, Coord) else (a,))]
+    return all(isinstance(x, Absolute) and getattr(x.adjuncts[0], "unit", "") in ("row", "column") for x in parts)
 
 
 def _host(found: list[list[tuple[str, Meaning]]], several: bool) -> tuple[int, int, Clause] | None:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import replace
 from itertools import pairwise
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir import structures as s
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -63,12 +64,23 @@ def _sided(spec: Spec) -> OrderBy | None:
 _AXES = {"left": "y", "right": "y", "front": "x", "back": "x"}
 
 
+Look = Noun | Coord | Structure | None
+"""What is said of one of several structures."""
+
+
 def _whole(item: Absolute) -> Places | None:
     """Which of the structures an absolute speaks of, if it speaks of one as a whole."""
     place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
     if isinstance(place, At) and place.side in ("left", "right", "front", "back") and place.index is None:
         return Places(side=place.side, unit="whole", span=place.span)
     return place if isinstance(place, Places) and place.unit in ("whole", "row", "column") else None
+
+
+def _middle(item: Absolute) -> Places | None:
+    """ "red at the back, white in the middle, blue in front": one of three lines, where the others are told so too."""
+    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    middle = isinstance(place, At) and place.side == "middle"
+    return Places(side="middle", unit="whole", span=item.span) if middle else None
 
 
 def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene: Scene, scope: Scope) -> Made:
@@ -88,7 +100,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     if not any(isinstance(look, Noun) and look.amount is not None for look in looks):
         shape = _fresh(shape, scene)
-    lots = _lots(theme, count, shape, scene)
+    lots = _named_lots(theme, looks, scene) or _lots(theme, count, shape, scene)
     built: list[Built] = []
     goals: list[g.Goal] = []
     for index in range(count):
@@ -96,11 +108,19 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         own = _copied(spec)
         own.places = []
         look = looks[index]
-        single = _piled(shape, look, own, scene) if isinstance(look, Coord) else _single(shape, look, color)
-        more, atoms = maker(single, own, lots[index], scene, scope)
-        own.orders = [] if isinstance(look, Coord) else own.orders
+        look = _spelling(shape, look) if isinstance(look, Structure) else look
+        if isinstance(look, Noun) and _listed(look):
+            single = _told_in_order(shape, look, lots[index], own)
+            more, atoms = maker(single, own, lots[index], scene, scope)
+            if isinstance(looks[index], Structure):
+                atoms = [x.model_copy(update={"readable": True}) if isinstance(x, s.Row) else x for x in atoms]
+            own.orders = [o for o in own.orders if o.by != "named"]
+        else:
+            single = _piled(shape, look, own, scene) if isinstance(look, Coord) else _single(shape, look, color)
+            more, atoms = maker(single, own, lots[index], scene, scope)
+            own.orders = [] if isinstance(look, Coord) else own.orders
         built += more
-        goals += atoms
+        goals += [_close_by(x, scene) for x in atoms]
         if color and not sized:
             scene.vague.update(n for b in more for n in b.members)
     members = [n for b in built for n in b.members]
@@ -120,6 +140,56 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
         goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
     return built, goals
+
+
+def _close_by(atom: g.Goal, scene: Scene) -> g.Goal:
+    """One of several rows in order of its symbols: named one by one, for the other rows may adjoin it."""
+    if not isinstance(atom, s.Row) or atom.order.by not in ("label", "number"):
+        return atom
+    labels = [scene.things[n].label or "" for n in atom.blocks]
+    if not all(labels) or len(set(labels)) < len(labels):
+        return atom
+    names = sorted(atom.blocks, key=lambda n: scene.things[n].label or "", reverse=atom.order.descending)
+    order = atom.order.model_copy(update={"by": "given", "ranks": tuple((n,) for n in names), "descending": False})
+    return atom.model_copy(update={"order": order})
+
+
+def _spelling(shape: Structure, look: Structure) -> Noun:
+    """ "two rows of three: the far row spells CAT": its letters, read in this order; other rows may lie close by."""
+    size = shape.extent("size", "long", "columns") or amount_of(shape.members)
+    if shape.kind not in ("row", "line") or (size is not None and size != len(look.letter or "")):
+        raise refuse("count-mismatch", f"{look.letter} has {len(look.letter or '')} letters", look.span,
+                     f"say so of a {shape.kind} of as many blocks", letters=len(look.letter or ""))  # fmt: skip
+    letters = Traits(labels=tuple(look.letter or ""), kind="letter")
+    return Noun(head="block", plural=True, traits=letters, span=look.span)
+
+
+def _listed(look: Noun) -> bool:
+    """ "letters A to D", "red, green, blue": the blocks of one of several lines, one by one."""
+    return look.amount is None and max(len(look.traits.labels), len(look.traits.colors)) > 1
+
+
+def _told_in_order(shape: Structure, look: Noun, lot: Ref | None, own: Spec) -> Structure:
+    """One of several lines whose blocks are listed: in this order, unless another one is said."""
+    marks = look.traits
+    looks = [replace(marks, labels=(x,)) for x in marks.labels] or [replace(marks, colors=(c,)) for c in marks.colors]
+    if not own.orders and shape.kind in ("row", "line", "column"):
+        items = tuple(Noun(head="any", traits=one, span=look.span) for one in looks)
+        own.orders = [OrderBy(by="named", items=items, span=look.span)]
+    return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=None if lot is not None else look)
+
+
+def _named_lots(theme: Ref | None, looks: Sequence[Look], scene: Scene) -> list[Ref | None]:
+    """Which of the blocks that were named each line has, where it is told by their labels."""
+    if theme is None or not all(isinstance(look, Noun) and look.traits.labels for look in looks):
+        return []
+    lots: list[Ref | None] = [
+        Ref(names=tuple(n for n in theme.names if scene.things[n].label in look.traits.labels), span=theme.span)
+        for look in looks
+        if isinstance(look, Noun)
+    ]
+    shared = [n for lot in lots if lot is not None for n in lot.names]
+    return lots if sorted(shared) == sorted(theme.names) else []
 
 
 def _piled(shape: Structure, look: Coord, own: Spec, scene: Scene) -> Structure:
@@ -216,9 +286,7 @@ def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Stru
     return replace(shape, plural=False, amount=Amount(1, 1), det="a", traits=traits)
 
 
-def _color(
-    shape: Structure, spec: Spec, theme: Ref | None, looks: list[Noun | Coord | None], scene: Scene
-) -> tuple[str, ...]:
+def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], scene: Scene) -> tuple[str, ...]:
     """A colour of its own for each, where nothing is said of the blocks' looks."""
     members = shape.members
     said = members.traits if isinstance(members, Noun) else Traits()
@@ -237,21 +305,28 @@ def _there(scene: Scene) -> bool:
     return bool(declared(Traits(), scene))
 
 
-def _looks(spec: Spec, count: int) -> tuple[list[Noun | Coord | None], str | None]:
+def _looks(spec: Spec, count: int) -> tuple[list[Look], str | None]:
     """What is said of each, and the axis along which they are then told apart."""
-    found: list[Noun | Coord | None] = [None] * count
+    found: list[Look] = [None] * count
     axis: str | None = None
     if (order := _sided(spec)) is not None:
         return _in_order(order, spec, count)
     said = [(a, w) for a in spec.absolutes if (w := _whole(a)) is not None]
+    if len(spec.absolutes) == count > len(said) > 0:
+        said = [(a, w) for a in spec.absolutes if (w := _whole(a) or _middle(a)) is not None]
     spec.absolutes = [a for a in spec.absolutes if all(a is not b for b, _ in said)]
     for number, (item, place) in enumerate(said):
         theme = item.theme
         index = number if place.side == "one" else _index(place, count)
-        if not isinstance(theme, Noun | Coord) or index is None or index >= count or found[index] is not None:
+        if (
+            not isinstance(theme, Noun | Coord | Structure)
+            or index is None
+            or index >= count
+            or found[index] is not None
+        ):
             raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
         found[index] = theme
-        if place.side not in ("one", "first", "last"):
+        if place.side not in ("one", "first", "last", "middle"):
             along = "x" if place.side in ("front", "back") else "y"
             if axis not in (None, along):
                 raise refuse("misplaced", "they lie in one line", item.span, "say 'left' and 'right'")
@@ -263,7 +338,7 @@ def _looks(spec: Spec, count: int) -> tuple[list[Noun | Coord | None], str | Non
     return found, axis
 
 
-def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Noun | Coord | None], str | None]:
+def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Look], str | None]:
     """The looks of structures that stand in an order, from the left or from the front."""
     first = order.first or spec.first(*_AXES) or "left"
     items = [item for item in order.items if isinstance(item, Noun) and len(item.traits.colors) == 1]

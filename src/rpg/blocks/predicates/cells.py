@@ -204,7 +204,7 @@ class CellsPredicate(Predicate[Cells]):
             return
         filled = next(fillings(pattern, forms[0], node.blocks, traits, Random(0)), None)
         if filled is not None:
-            for upper, lower in resting(forms[0].cells):
+            for upper, lower in resting(forms[0]):
                 yield filled[upper], GROUND if lower is None else filled[lower]
 
     def near_misses(self, node: Cells, state: BlockState, rng: Random) -> Iterator[NearMiss]:
@@ -305,7 +305,7 @@ class CellsPredicate(Predicate[Cells]):
 
 def _bridged(ideal: Ideal, blocks: Sequence[str], state: BlockState) -> bool:
     """Does every block rest on all those that a pyramid has below it? A column with a block beside it is near one."""
-    pairs = resting(ideal.cells)
+    pairs = resting(ideal)
     return all(lower is None or rests_on(state, blocks[upper], blocks[lower]) for upper, lower in pairs)
 
 

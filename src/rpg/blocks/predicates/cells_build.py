@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from rpg.blocks.figures import Cell, Ideal, ring_width, upright
 from rpg.blocks.predicate import Cluster
@@ -33,6 +34,7 @@ def layouts(node: Cells, ideal: Ideal, filled: Sequence[str], world: World) -> I
                 break
 
 
+@lru_cache(maxsize=512)
 def _pitch(ideal: Ideal, edge: float, gap: float, tangent: bool) -> float:
     """The least pitch at which no two blocks of a level are nearer than `gap`."""
     count = len(ideal.cells)
@@ -77,12 +79,16 @@ def _cluster(
     return Cluster(poses)
 
 
-def resting(cells: Sequence[Cell]) -> Iterator[tuple[int, int | None]]:
-    """Which cell rests on which (None: the table), by index."""
+@lru_cache(maxsize=512)
+def resting(ideal: Ideal) -> tuple[tuple[int, int | None], ...]:
+    """Which cell of a figure rests on which (None: the table), by index."""
+    cells = ideal.cells
+    found: list[tuple[int, int | None]] = []
     for k, cell in enumerate(cells):
         if cell.level == 0:
-            yield k, None
+            found.append((k, None))
         for j, below in enumerate(cells):
             near = max(abs(cell.x - below.x), abs(cell.y - below.y)) < 0.75
             if below.level == cell.level - 1 and near:
-                yield k, j
+                found.append((k, j))
+    return tuple(found)

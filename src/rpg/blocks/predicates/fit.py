@@ -210,7 +210,8 @@ class _Task:
             clash = False
             for k in blocks:
                 p = points[k]
-                nearest = min(cells, key=lambda c: abs(p - targets[c]))
+                distances = [abs(p - targets[c]) for c in cells]
+                nearest = cells[distances.index(min(distances))]
                 clash = clash or chosen[nearest] >= 0
                 chosen[nearest] = k
             if clash:

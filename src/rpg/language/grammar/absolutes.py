@@ -95,12 +95,16 @@ def sided(p: Parser, i: int) -> Results[Meaning]:
 
 
 _SIDED = {**SIDES, "lower": "bottom", "upper": "top", "middle": "middle"}
+_THE_ONE = ("any", "the", None, Traits())
+"""A noun phrase that says nothing of a block."""
 
 
 def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
     """ "a red block at the bottom" or "bottom red"."""
     yield from part_statement(p, j, unit)
     for theme, k in noun_phrase(p, j):
+        if isinstance(theme, Noun) and (theme.head, theme.det, theme.amount, theme.traits) == _THE_ONE:
+            continue
         k = p.opt(k, "is", "are", "being", "goes", "should", "lying", "standing", "left")
         k = p.opt(k, "be")
         k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
@@ -201,10 +205,32 @@ def _has_comma(p: Parser, theme: Meaning | None) -> bool:
     return any(token.word == "," for token in p.tokens if span[0] <= token.span[0] < span[1])
 
 
+_ON_THEM = (
+    *(
+        f"{lies}{them}"
+        for lies in ("", "resting ", "lying ", "sitting ", "standing ")
+        for them in ("on both", "on both of them", "on them", "of them", "of both", "of those")
+    ),
+    "bridging them", "bridging both", "spanning both", "bridging the two", "on the two", "across both", "across them",
+)  # fmt: skip
+"""What is said of the one on top of several, and adds nothing to that."""
+
+
 @rule
 def one_more(p: Parser, i: int) -> Results[Absolute]:
     """ "(with a base of two blocks and) one block on top": a part after the size."""
     yield from ((x, k) for x, k in _one_absolute(p, i) if isinstance(x.adjuncts[0], At | Places))
+
+
+@rule
+def part_list(p: Parser, i: int) -> Results[Meaning]:
+    """ "yellow at the bottom and red on top": statements about sides and other parts alone."""
+    for first, j in one_more(p, i):
+        yield first, j
+        for whole, k in _absolute_more(p, i, j, (first,)):
+            items = whole.items if isinstance(whole, Coord) else ()
+            if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At | Places) for x in items):
+                yield whole, k
 
 
 def more_parts(p: Parser, i: int, at_: int, first: Absolute) -> Results[Meaning]:
@@ -231,6 +257,8 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             )
     for found, k in at(p, i):
         yield (found,), k
+        if isinstance(found, At) and found.side == "top" and (end := p.any_of(p.opt(k, ","), _ON_THEM)):
+            yield (found,), end
     for found, k in manner(p, i):
         if isinstance(found, Manner) and found.kind in ("turn", "facing", "by", "by?"):
             yield (found,), k

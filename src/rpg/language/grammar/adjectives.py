@@ -196,8 +196,8 @@ def _counted(p: Parser, i: int) -> bool:
 
 
 def _introduces_a_digit(word: str) -> bool:
-    """ "the 3 block", "a red 3 block": a number there is on the block, it does not count blocks."""
-    return word in ("the", "a", "an") or word in lexicon.COLOR
+    """ "the 3 block", "a digit 3 block": a number there is on the block, it does not count blocks."""
+    return word in ("the", "a", "an", "digit", "number", "numeral") or word in lexicon.COLOR
 
 
 _LABELLED = ("labelled", "labeled", "marked", "showing", "named", "called", "bearing", "reading", "saying", "carrying",

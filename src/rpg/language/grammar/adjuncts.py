@@ -9,14 +9,15 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.each import each_led
 from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.labels import literal
+from rpg.language.grammar.makeup import apposed_blocks
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.offsets import offset
 from rpg.language.grammar.orders import order
-from rpg.language.grammar.parts import wholes
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
 from rpg.language.grammar.sizes import rising_steps, size_phrase
+from rpg.language.grammar.wholes import wholes
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import (
     Absolute,
@@ -101,12 +102,25 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from each_line(p, i)
     if p.words[i] in (",", ":"):
         yield from ((replace(found, cost=found.cost + 1), k) for found, k in wholes(p, i))
+        for blocks, k in apposed_blocks(p, i):
+            yield Using(members=blocks, lead=",", span=p.span(i, k), cost=1), k
     yield from _that(p, i)
-    yield from manner(p, i)
+    yield from ((how, k) for how, k in manner(p, i) if not _bare_distractors(p, i, how))
     yield from size_phrase(p, i)
     yield from rising_steps(p, i)
     yield from each_led(p, i)
     yield from offset(p, i)
+
+
+_COPULAS = frozenset(
+    {"is", "are", "be", "being", "only", "just", "all", "both", "also", "were", "was", "merely", "not"}
+)
+
+
+def _bare_distractors(p: Parser, i: int, how: Meaning) -> bool:
+    """ "two yellow distractors": what these are, and no statement about "two yellow"; that takes "are"."""
+    extra = isinstance(how, Manner) and how.kind == "extra"
+    return extra and p.words[i] in ("distractors", "a", "just", "only", "irrelevant") and p.words[i - 1] not in _COPULAS
 
 
 @rule

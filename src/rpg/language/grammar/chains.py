@@ -12,7 +12,20 @@ from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
 from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
-from rpg.language.meaning import Chain, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, Structure, Using
+from rpg.language.meaning import (
+    Absolute,
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    Structure,
+    Using,
+)
 
 _LEADS = {
     "after": "then",
@@ -100,6 +113,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 continue
             if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
                 item = replace(item, cost=item.cost + 2)
+            item = _less_likely(previous, item)
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, link), k)
@@ -112,7 +126,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             nor = isinstance(previous.theme, Coord) and previous.theme.op == "nor"
             neither = link == "or" and (previous.negated or nor)
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
-                item = _same_letters(previous, item) if link == "or" else item
+                item = _same_letters(previous, item) if link == "or" else _less_likely(previous, item)
                 same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
                 if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
@@ -143,6 +157,23 @@ def _mere_colors(item: Meaning) -> bool:
     return isinstance(item, Clause) and item.verb == "be" and all(
         isinstance(x, Noun) and x.head == "any" and x.det == "bare" and x.amount is None for x in listed
     )  # fmt: skip
+
+
+_OTHERS = ("the others", "the rest", "others", "all others", "all the others", "all the rest", "the remaining ones")
+
+
+def _less_likely(before: Clause | None, item: Meaning) -> Meaning:
+    """A clause that is hardly meant: "it should be red, green and blue ..." lists colours, and what stands in a list
+    before "which do not matter" does not matter altogether; the others beside a part are a part as well."""
+    if before is None or not isinstance(item, Clause):
+        return item
+    colored = any(isinstance(a, Quality) and a.traits.colors for a in before.adjuncts)
+    others = isinstance(item.theme, Pronoun) and item.theme.word in _OTHERS and item.verb == "be"
+    told = (*before.adjuncts, *(before.theme.details if isinstance(before.theme, Structure) else ()))
+    if others and any(isinstance(x, Absolute) or (isinstance(x, Coord) and x.op == "absolutes") for x in told):
+        return replace(item, cost=item.cost + 1)
+    idle = bool(item.adjuncts) and all(isinstance(a, Manner) and a.kind == "extra" for a in item.adjuncts)
+    return replace(item, cost=item.cost + 2) if idle or (colored and _mere_colors(item)) else item
 
 
 def _shared(had: tuple[Meaning, ...], item: Meaning) -> tuple[Meaning, ...]:

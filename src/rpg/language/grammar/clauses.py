@@ -13,7 +13,7 @@ from rpg.language.grammar.denials import denied_of_all
 from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG
 from rpg.language.grammar.gaps import gap
-from rpg.language.grammar.having import having
+from rpg.language.grammar.having import having, structure_is
 from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
@@ -85,6 +85,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from having(p, i, when)
     if mode != "start":
         yield from part_clause(p, i)
+        yield from structure_is(p, i)
     yield from _for_each(p, i)
     yield from _what(p, i, when)
     yield from inventory(p, i)
@@ -144,7 +145,9 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         if isinstance(first, Loc | In | At):
             yield from _stands_there(p, i, j, first, mode)
         for found, end in _plain(p, j, mode):
-            if isinstance(found, Clause) and found.verb != "exist":
+            if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
+                yield replace(found, verb="build", theme=first.structure, span=p.span(i, end)), end
+            elif isinstance(found, Clause) and found.verb != "exist":
                 yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
         if isinstance(first, Toward):
             yield from _listed_along(p, i, j, first)

@@ -8,6 +8,7 @@ from rpg.language.grammar.each import each_clause
 from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.parts import part_statement
 from rpg.language.grammar.patterns import pattern
+from rpg.language.grammar.wholes import wholes_told
 from rpg.language.meaning import Absolute, Clause, Coord, Meaning
 
 
@@ -20,6 +21,8 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j
     for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) else ():
         yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
+    for several, j in wholes_told(p, i):
+        yield _said(p, i, j, several), j
     start = p.any_of(i, ("make", "let", "have", "keep")) or i
     told = dict.fromkeys(part_statement(p, start))
     for first, j in told:

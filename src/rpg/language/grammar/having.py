@@ -6,23 +6,36 @@ from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
+from rpg.language.grammar.absolutes import part_list
 from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.along import listed_along
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.onto import one_on_another
+from rpg.language.grammar.pronouns import pronoun
+from rpg.language.grammar.sides import toward
+from rpg.language.grammar.sizes import size_phrase
+from rpg.language.grammar.structures import structure
 from rpg.language.meaning import (
     Absolute,
     At,
     Chain,
     Clause,
+    Coord,
     Loc,
     Meaning,
     Noun,
+    OrderBy,
     PartOf,
     Places,
     Pronoun,
+    Size,
     Structure,
     TableTop,
     That,
+    Toward,
+    Traits,
 )
 
 _HAS = (
@@ -34,6 +47,8 @@ _CARRIES = (
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
+_IS = ("is", "should be", "must be", "shall be", "has to be", "is to be", "goes", "should go", "reads", "should read",
+       "will be", "needs to be", "consists of", "is made of", "is built of", "must go")  # fmt: skip
 
 
 @rule
@@ -42,6 +57,7 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
     for owner, j in noun_phrase(p, i):
         if isinstance(owner, Pronoun | TableTop):
             continue
+        yield from _made_up(p, i, j, owner, mode)
         if k := p.any_of(j, _HAS):
             for theme, start in noun_phrase(p, k):
                 if (lying := _on_patch(owner, theme, p.span(i, start))) is not None:
@@ -69,6 +85,53 @@ def _symbols(p: Parser, i: int) -> bool:
     """ "five cubes carry the letters A to E": what they show, not what lies on them."""
     word = p.words[p.opt(i, "the")]
     return any(word in table for table in (lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)) and word.endswith("s")
+
+
+def _made_up(p: Parser, i: int, j: int, owner: Meaning, mode: str) -> Results[Clause]:
+    """ "the tower has three blocks", "the stack has yellow at the bottom and red on top": of a structure."""
+    bare = isinstance(owner, Structure) and owner.det in ("the", "its") and not (owner.plural or owner.members)
+    k = p.any_of(j, _HAS) if bare else 0
+    if not k or not isinstance(owner, Structure) or owner.sizes or owner.dims:
+        return
+    for found, end in part_list(p, k):
+        yield Clause(verb="part", theme=owner, adjuncts=(found,), mode="goal", span=p.span(i, end), cost=1), end
+    for size, end in size_phrase(p, k - 1) if p.words[k - 1] in ("has", "have") else ():
+        made = replace(owner, sizes=(size,), span=p.span(i, end))
+        yield Clause(verb="build", theme=made, mode=mode, span=p.span(i, end), cost=1), end
+    for members, end in noun_phrase(p, k):
+        if isinstance(members, Noun) and members.amount is not None and members.det == "bare":
+            if members.traits == Traits() and members.amount.low == members.amount.high:
+                size = Size(what="size", amount=members.amount, span=members.span)
+                made = replace(owner, sizes=(size,), span=p.span(i, end))
+            else:
+                made = replace(owner, members=members, span=p.span(i, end))
+            for more, last in adjuncts(p, end):
+                if all(isinstance(x, Absolute | Coord) for x in more):
+                    said = Clause(verb="build", theme=made, adjuncts=more, mode=mode, span=p.span(i, last), cost=1)
+                    yield said, last
+
+
+@rule
+def structure_is(p: Parser, i: int) -> Results[Clause]:
+    """ "the row is red, green, blue from left to right", "it should be green on white"."""
+    for owner, j in [*pronoun(p, i), *structure(p, i)]:
+        if isinstance(owner, Pronoun) and owner.word not in ("it", "this"):
+            continue
+        bare = isinstance(owner, Structure) and owner.det in ("the", "its") and not (owner.plural or owner.members)
+        k = p.any_of(j, _IS) if bare or isinstance(owner, Pronoun) else 0
+        if not k or (isinstance(owner, Structure) and owner.sizes):
+            continue
+        theme = owner if isinstance(owner, Structure) else None
+        for order, end in [*one_on_another(p, k), *listed_along(p, k), *_listed_then(p, k)]:
+            yield Clause(verb="part", theme=theme, adjuncts=(order,), mode="goal", span=p.span(i, end)), end
+
+
+def _listed_then(p: Parser, k: int) -> Results[OrderBy]:
+    """ "red, green and blue from top to bottom"."""
+    for items, j in listed(p, k):
+        for way, end in toward(p, p.opt(j, ",")):
+            if isinstance(way, Toward) and way.first is not None:
+                yield OrderBy(by="named", items=items, first=way.first, span=p.span(k, end)), end
 
 
 def _another(p: Parser, i: int, at: int, owner: Meaning, first: Clause, mode: str) -> Results[Meaning]:

@@ -166,6 +166,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             continue
         if not joined and isinstance(item, Noun) and mere_size(item):
             continue
+        if isinstance(item, Noun) and item.traits.extra and not any(_is_extra(x) for x in items):
+            item = replace(item, cost=item.cost + 3)
         whole = sized_alike((*items, item))
         if joined and now == "and" and (named := named_together(whole)) is not None:
             yield replace(named, span=p.span(i, j)), j
@@ -184,6 +186,10 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             if not restates(items[-1], item):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
+
+
+def _is_extra(item: Meaning) -> bool:
+    return isinstance(item, Noun) and item.traits.extra
 
 
 def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord]:

@@ -126,7 +126,7 @@ def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
 
 def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "two towers ..., one red and one blue", "... the left one red and the right one blue"."""
-    from rpg.language.grammar.parts import wholes
+    from rpg.language.grammar.wholes import wholes
 
     for found, end in wholes(p, k) if base.plural else ():
         places = [x.adjuncts[0] for x in found.items if isinstance(x, Absolute)]
@@ -161,26 +161,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     yield base, j
     if len(base.sizes) > 3:
         return
-    if k := p.any_of(
-        j,
-        (
-            "with nothing in the middle",
-            "with nothing inside",
-            "with an empty center",
-            "with an empty middle",
-            "with a hole in the middle",
-            ", hollow",
-            ", empty inside",
-            "that is hollow",
-            ", just the outline",
-            ", outline only",
-            ", only the outline",
-            ", only its outline",
-            ", nothing inside",
-            ", with nothing inside",
-            ", empty in the middle",
-        ),
-    ):
+    if k := p.any_of(p.any_of(j, (",", ", and", ", but", "and", "but", ":")) or j, _HOLLOW):
         yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
     if k := p.any_of(
         j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
@@ -190,13 +171,16 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                          ", flat on the table", "flat on the table")):  # fmt: skip
         yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
     plain = base.members is None and not base.traits.colors
+    for blocks, k in apposed_blocks(p, j) if plain else ():
+        yield replace(base, members=blocks, span=p.span(i, k)), k
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
     if plain and (comma > j or base.kind == "checkerboard"):
         for (named, either), k in colors(p, p.any_of(comma, _ALL_IN) or comma):
             k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 else k
             if not either and (len(named) == 1 or base.kind == "checkerboard") and (k >= p.end or p.words[k] == ","):
                 painted = replace(base.traits, colors=named)
-                yield replace(base, traits=painted, span=p.span(i, k), cost=base.cost + 1), k
+                cost = base.cost + (0 if p.words[comma] == "all" else 1)
+                yield replace(base, traits=painted, span=p.span(i, k), cost=cost), k
     for size, k in [*lines_of(p, j, base.kind), *size_phrase(p, j)]:
         if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
             continue
@@ -207,6 +191,43 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 
 _ALL_IN = ("all in", "all", "in", "all blocks", "all cubes", "all of them", "all of it", "every block",
            "all the blocks", "all blocks in", "all are", "everything")  # fmt: skip
+
+
+_HOLLOW = (
+    *(
+        f"{lead}{nothing} {where}"
+        for lead in ("with ", "")
+        for nothing in ("nothing", "no block", "no blocks", "no cube", "no cubes")
+        for where in ("in the middle", "inside", "in the center", "inside it", "in its middle", "in its center",
+                      "in the inside", "within")
+    ),
+    "with an empty center", "with an empty middle", "with a hole in the middle", "hollow", "empty inside",
+    "that is hollow", "just the outline", "outline only", "only the outline", "the outline only", "hollow inside",
+    "empty in the middle", "empty in the center", "with a hole in the center", "with the inside empty",
+    "with the middle empty", "with its middle empty", "with the center empty", "with a hollow middle",
+    "with an empty inside", "not filled", "which is hollow", "leaving the middle empty", "the middle empty",
+    "the inside empty", "the center empty", "only its outline", "the middle is empty",
+    "the inside is empty", "the center is empty",
+)  # fmt: skip
+"""What makes a figure an outline."""
+
+
+@rule
+def apposed_blocks(p: Parser, j: int) -> Results[Noun]:
+    """ ", red blocks", ", all blocks green": what the blocks of a structure look like, closed by the next comma."""
+    if p.words[j : j + 1] != [","]:
+        return
+    start = p.opt(j + 1, "all")
+    if every := p.any_of(start, ("blocks", "cubes", "of the blocks", "the blocks", "of the cubes", "the cubes")):
+        for (named, either), k in colors(p, p.any_of(every, ("are", "being", "in")) or every) if start > j + 1 else ():
+            if not either and len(named) == 1 and (k >= p.end or p.words[k] == ","):
+                yield Noun(head="block", plural=True, traits=Traits(colors=named), span=p.span(start, k)), k
+    for (named, either), k in colors(p, start):
+        end = p.one(k, frozenset({"blocks", "cubes", "bricks"}))
+        if end and not either and len(named) == 1 and (end >= p.end or p.words[end] == ","):
+            yield Noun(head="block", plural=True, traits=Traits(colors=named), span=p.span(start, end)), end
+
+
 _LINES = ("row", "line", "column", "stack", "circle", "pile", "word")
 """Structures of which "two each" says nothing by itself: it is said of the kinds of blocks."""
 _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
@@ -216,6 +237,11 @@ _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", 
        "that is made of", "that consist of", "which consist of", "that are made of", "that contains",
        "which contains", "made with", "with only", "from",
        "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
+
+
+_BUILT = ("made of", "made out of", "made from", "made up of", "built from", "built of", "consisting of",
+          "composed of", "built with", "built out of", "made with", "formed by", "formed from")  # fmt: skip
+"""Those of them that a comma may stand in front of."""
 
 
 _EACH = ("each", "apiece", "in each one", "in each", "in each of them", "in every one", "per tower", "in each tower",
@@ -228,7 +254,7 @@ _OF_EACH = ("each made of", "each of", "each made from", "each built of", "each 
 def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     from rpg.language.grammar.nouns import noun_phrase
 
-    k = p.any_of(j, _OF) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
+    k = p.any_of(j, _OF) or p.any_of(p.opt(j, ","), _BUILT) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
     k = k or (p.any_of(p.opt(j, ","), _OF_EACH) if base.plural else 0)
     if base.sizes and base.sizes[-1].what == "dims" and not k:
         for members, end in noun_phrase(p, j):
@@ -256,6 +282,11 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 
 def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, end: int) -> bool:
     """Whether a phrase behind the noun can be what the structure is made of."""
+    lone = isinstance(members, Noun) and members.det in ("the", "a") and not members.plural and not members.amount
+    if lone and p.words[k - 1] == "with":
+        return False
+    if any(isinstance(x, Noun) and x.traits.extra for x in getattr(members, "items", (members,))):
+        return False
     if isinstance(members, Structure) or (isinstance(members, Pronoun) and p.words[k - 1] == "for"):
         return False
     if isinstance(members, Coord):

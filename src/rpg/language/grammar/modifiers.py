@@ -6,7 +6,7 @@ from rpg.language import lexicon
 from rpg.language.meaning import Manner, OrderBy, Spacing
 
 MODIFIERS = {
-    "straight": {}, "parallel": {"upright": False},
+    "straight": {}, "parallel": {"upright": False}, "layered": {}, "stepped": {}, "outline": {"filled": False},
     "horizontal": {"upright": False}, "vertical": {"upright": True}, "flat": {"upright": False},
     "filled": {"filled": True}, "solid": {"filled": True}, "hollow": {"filled": False}, "outlined": {"filled": False},
     "simple": {}, "whole": {}, "entire": {}, "single": {}, "complete": {}, "perfect": {}, "nice": {}, "new": {},

@@ -7,8 +7,30 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import simple
 from rpg.language.meaning import Amount, Meaning, Noun, OrderBy
 
-_OVER = ("on top of", "on", "over", "above", "atop", "upon", "sitting on", "stacked on", "resting on", "standing on")
-_UNDER = ("under", "below", "beneath", "underneath")
+_OVER = (
+    "on top of",
+    "on",
+    "over",
+    "above",
+    "atop",
+    "upon",
+    "sitting on",
+    "stacked on",
+    "resting on",
+    "standing on",
+    "sits on",
+    "is on",
+    "stands on",
+    "lies on",
+    "rests on",
+    "lying on",
+    "goes on",
+    "is on top of",
+    "sits on top of",
+    "goes on top of",
+    "is above",
+)
+_UNDER = ("under", "below", "beneath", "underneath", "is under", "is below", "is beneath", "sits under")
 
 
 @rule

@@ -5,12 +5,15 @@ A part is one or more of its places; a statement about it is an `Absolute` whose
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
+from rpg.language.grammar.sizes import dimensions
+from rpg.language.meaning import Absolute, Amount, At, Meaning, Noun, Places, Structure, Traits
 
 _SIDES = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
@@ -21,7 +24,7 @@ _SIDES = {
     "back": "back", "far": "back", "rear": "back", "farthest": "back", "rearmost": "back", "furthest": "back",
     "outer": "outer", "outermost": "outer", "outside": "outer", "end": "ends", "corner": "corners", "edge": "edge",
     "inner": "inner", "inside": "inner", "innermost": "inner", "other": "rest", "remaining": "rest",
-    "last": "last", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
+    "last": "last", "next": "next", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
 }  # fmt: skip
 _UNITS = {
     "row": "row", "rows": "row", "column": "column", "columns": "column", "layer": "layer", "layers": "layer",
@@ -44,17 +47,29 @@ _OWN = frozenset({"the", "its", "their", "all", "both", "each", "every", "either
 _LEADS = ("in", "at", "on", "for", "along", "as", "forming", "in all", "on all", "at all")
 _PAIRS = tuple(
     f"{one} and {the}{other}"
-    for pair in (("top", "bottom"), ("left", "right"), ("front", "back"), ("first", "last"), ("leftmost", "rightmost"))
+    for pair in (
+        ("top", "bottom"),
+        ("left", "right"),
+        ("front", "back"),
+        ("first", "last"),
+        ("leftmost", "rightmost"),
+        ("lowest", "highest"),
+        ("lowest", "top"),
+        ("bottom", "topmost"),
+        ("near", "far"),
+        ("nearest", "farthest"),
+    )
     for one, other in (pair, pair[::-1])
     for the in ("", "the ")
 )
 """Both ends of a line, named one by one."""
 _REST = ("everything else", "all else", "all the rest", "all the others", "all others", "every other block")
 _BETWEEN = ("in between", "between them", "elsewhere", "everywhere else", "in between them", "between the ends")
-_IS = (
+IS = (
     "is", "are", "being", "should be", "must be", "shall be", "has to be", "have to be", "will be", "in",
     "made of", "is made of", "are made of", "consists of", "consist of", "contains", "contain", "of", "is all",
     "are all", "should all be", "must all be", "all", "is a", "should only be", ":", "has", "has only", "to be",
+    "shall all be", "are both", "is to be", "are to be", "must both be", "should both be", "is made from",
 )  # fmt: skip
 
 
@@ -74,6 +89,7 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         j = k
     if (k := p.one(j, frozenset({"a", "an"}))) and p.words[k] in _NOUNS and p.words[k + 1] == "of":
         owned, j = True, k
+    yield from _noun_there(p, i, j, unit)
     if both := p.any_of(j, _PAIRS):
         found = _UNITS.get(p.words[both]) if both < p.end else None
         end = p.reach(both + 1) if found else p.opt(both, "end", "ends", "side", "sides")
@@ -97,6 +113,36 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
     if side and (owned or several is not None or not p.stands(after, ("corner", "end"))):
         end = p.any_of(p.reach(after + 1), ("of it", "of them", "pieces", "places")) or after + 1
         yield _place(p, i, end, side, "block", several, each), end
+
+
+_THERE = ("in the", "at the", "on the", "at", "in", "on", "at both", "at each", "on both", "on each")
+_ONE_OR_MORE = ("block", "blocks", "cube", "cubes", "one", "ones", "bricks", "brick")
+
+
+def _noun_there(p: Parser, i: int, j: int, unit: str) -> Results[Meaning]:
+    """ "the one in the middle", "the two at the ends", "the three blocks in between": told by where they are."""
+    several = p.number(j) if p.words[j] not in ("one", "ones") else None
+    k = j + 1 if several is not None else j
+    start = p.opt(k, *_ONE_OR_MORE)
+    if j == i or start == j:
+        return
+    if end := p.any_of(start, _BETWEEN):
+        yield Places(side="rest", unit="block", several=several, span=p.span(i, end)), end
+    lead = p.any_of(start, _THERE)
+    for place, end in part(p, lead, "") if lead and p.words[start] != "of" else ():
+        if isinstance(place, Places) and place.unit == "block" and place.several is None and place.side != "rest":
+            yield replace(place, several=several or place.several, span=p.span(i, end)), end
+        elif isinstance(place, At) and several in (None, 1):
+            yield replace(place, span=p.span(i, end)), end
+        elif isinstance(place, At) and several is not None and place.index is None:
+            yield Places(side=place.side, unit="block", several=several, span=p.span(i, end)), end
+    side = _SIDES.get(p.words[lead]) if lead and lead < p.end else None
+    if side in ("left", "right", "top", "bottom", "front", "back") and p.words[start] not in ("in", "of"):
+        end = p.opt(p.reach(lead + 1), "side", "end")
+        if several is None or several == 1:
+            yield At(side=side, span=p.span(i, end)), end
+        else:
+            yield Places(side=side, unit="block", several=several, span=p.span(i, end)), end
 
 
 def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool, unit: str) -> Results[Meaning]:
@@ -134,11 +180,21 @@ def _place(p: Parser, i: int, j: int, side: str, unit: str, several: int | None,
     return Places(side=side, unit=unit, index=index, several=several, each=each, span=p.span(i, j))
 
 
+_OF_IT = tuple(
+    f"{of} {the} {noun}"
+    for of in ("of", "in")
+    for the in ("the", "this", "that")
+    for noun in ("tower", "stack", "row", "line", "column", "grid", "square", "wall", "pyramid", "circle", "structure")
+)
+"""What a part belongs to, where only one structure is spoken of."""
+
+
 @rule
 def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
     """ "the first row is red", "white on both ends", "black corners", "red in between"."""
     for place, j in part(p, i, unit):
-        for theme, k in _looks(p, p.any_of(j, _IS) or j):
+        j = p.any_of(j, _OF_IT) or j
+        for theme, k in _looks(p, p.any_of(j, IS) or j):
             yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
         for word, k in _word(p, j) if isinstance(place, Places) else ():
             yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k
@@ -188,11 +244,13 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
     """ "a blue one in each corner", "white on both ends", "red in between", "red for the first row"."""
     for theme, k in noun_phrase(p, i):
         if not _plain(theme):
+            yield from _so_many(p, i, theme, k, unit)
             continue
         k = p.any_of(k, ("is", "are", "being", "goes", "go")) or k
         if end := p.any_of(k, _BETWEEN):
             rest = Places(side="rest", unit="block", span=p.span(k, end))
             yield Absolute(theme=theme, adjuncts=(rest,), span=p.span(i, end)), end
+        yield from _as_base(p, i, theme, k) if isinstance(theme, Noun) else ()
         if lead := p.any_of(k, _LEADS):
             for place, end in part(p, lead, unit):
                 block = p.words[end - 1] in _UNITS and _UNITS[p.words[end - 1]] == "block"
@@ -202,84 +260,39 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
                     yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
 
 
+def _as_base(p: Parser, i: int, theme: Noun, k: int) -> Results[Absolute]:
+    """ "four white blocks as a 2x2 base", "as the base"."""
+    lead = p.any_of(k, ("as a", "as the", "as its", "as", "form the", "forming the", "in a", "for the", "make up the"))
+    for dims, j in dimensions(p, lead) if lead else ():
+        if len(dims) == 2 and dims[0] == dims[1] and theme.amount == Amount(dims[0] ** 2, dims[0] ** 2):
+            lead = j
+    if end := p.any_of(lead, ("base", "foundation", "bottom", "bottom layer", "first layer", "base layer")):
+        base = Places(side="bottom", unit="layer", span=p.span(lead, end))
+        yield Absolute(theme=theme, adjuncts=(base,), span=p.span(i, end)), end
+
+
+_LAYERS = ("layer", "row", "column")
+
+
+def _so_many(p: Parser, i: int, theme: Meaning, k: int, unit: str) -> Results[Absolute]:
+    """ "two (blocks) in the second layer": a mere number, of a line of the structure."""
+    bare = isinstance(theme, Noun) and theme.traits == Traits() and theme.head != "patch" and theme.part_of is None
+    if not bare or not isinstance(theme, Noun) or theme.amount is None or theme.det != "bare" or theme.conditions:
+        return
+    lead = p.any_of(k, _LEADS)
+    for place, end in part(p, lead, unit) if lead else ():
+        if isinstance(place, Places) and place.unit in _LAYERS and place.side not in ("rest", "ends"):
+            yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
 def unit_of(found: Absolute) -> str:
     """The unit that a further statement in the list may leave unsaid."""
     place = found.adjuncts[0]
     return place.unit if isinstance(place, Places) else "block" if isinstance(place, At) else ""
 
 
-_HAVING = ("with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of")
-_ONES = (
-    "one of them", "one", "the other one", "the other", "other", "another one", "another", "a second one",
-    "a third one",
-    *(f"{which} {noun}" for which in ("one", "the other", "another", "a second", "the second", "a third")
-      for noun in ("row", "column", "line", "tower", "stack")),
-)  # fmt: skip
 _SPELLS = (
     "spells", "spelling", "reads", "reading", "says", "saying", "shows", "showing", "should spell", "must spell",
     "should read", "must read", "should say", "must say", "spells the word", "reads the word", "with the word",
     "spelling the word",
 )  # fmt: skip
-
-
-@rule
-def wholes(p: Parser, i: int) -> Results[Coord]:
-    """ ", one red and one blue": how each of several structures looks; "the left one red and the right one blue"."""
-    start = p.any_of(i, (",", ":", "with", "where", ", with", ", where", "of which", ", of which"))
-    if start:
-        yield from _wholes(p, i, start, ())
-
-
-def _whole(place: Meaning) -> Places | None:
-    """The one of several structures that a place names."""
-    if isinstance(place, At):
-        return Places(side=place.side, unit="whole", span=place.span)
-    return place if isinstance(place, Places) and place.unit == "whole" else None
-
-
-def _kind_of(p: Parser, j: int) -> Results[Meaning]:
-    """What one of several structures is made of: a colour, a number of blocks, or one block on another."""
-    from rpg.language.grammar.onto import one_on_another
-
-    yield from _word(p, j)
-    piled = list(one_on_another(p, p.opt(j, "with")))
-    for order, end in piled:
-        items = order.items if order.first == "top" else order.items[::-1]
-        yield Coord(op="piled", items=items, span=p.span(j, end)), end
-    if piled:
-        return
-    number = p.number(j)
-    high = p.any_of(p.opt(j + 1, "blocks", "cubes", "block"), ("high", "tall")) if number else 0
-    if number and high:
-        amount = Amount(number, number)
-        yield Noun(head="block", amount=amount, plural=number > 1, span=p.span(j, high)), high
-    for theme, k in simple(p, p.opt(j, "with")):
-        if not isinstance(theme, Noun) or theme.part_of is not None or theme.head == "patch" or theme.conditions:
-            continue
-        colors = theme.traits.colors
-        plain = theme.traits == Traits(colors=colors) and len(colors) < 2
-        if plain and ((colors and theme.amount is None) or (theme.amount is not None and theme.det == "bare")):
-            yield theme, k
-
-
-def _wholes(p: Parser, i: int, at: int, had: tuple[Absolute, ...]) -> Results[Coord]:
-    ones = [(Places(side="one", unit="whole", span=p.span(at, k)), k) for _, k in p.standing(at, _ONES)]
-    named = [(one, k) for x, k in part(p, at, "whole") if (one := _whole(x)) is not None]
-    for place, j in [*ones, *named]:
-        for theme, k in _kind_of(p, p.any_of(j, _HAVING) or p.any_of(j, _IS) or j):
-            whole = (*had, Absolute(theme=theme, adjuncts=(place,), span=p.span(at, k)))
-            if len(whole) > 1:
-                yield Coord(op="absolutes", items=whole, span=p.span(i, k)), k
-            again = p.any_of(k, (", and", ",", "and", ";", "but")) or k
-            if len(whole) < 9:
-                yield from _wholes(p, i, again, whole)
-    for theme, j in noun_phrase(p, at) if not ones and not named else ():
-        lead = p.any_of(j, ("in", "in the form of", "for", "make", "form")) if _plain(theme) else 0
-        for _, k in p.standing(lead, _ONES) if lead else ():
-            one = Places(side="one", unit="whole", span=p.span(lead, k))
-            whole = (*had, Absolute(theme=theme, adjuncts=(one,), span=p.span(at, k)))
-            if len(whole) > 1:
-                yield Coord(op="absolutes", items=whole, span=p.span(i, k)), k
-            again = p.any_of(k, (", and", ",", "and", ";", "but"))
-            if len(whole) < 9 and again:
-                yield from _wholes(p, i, again, whole)

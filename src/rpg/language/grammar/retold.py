@@ -85,7 +85,7 @@ def _some_of_it(item: Noun) -> bool:
 
 def bare_color(item: Noun) -> bool:
     """ "red" after a structure and a comma says something of the structure."""
-    return item.head == "any" and item.det == "bare" and item.amount is None and bool(item.traits.colors)
+    return item.head == "any" and item.det in ("bare", "all") and item.amount is None and bool(item.traits.colors)
 
 
 def mere_size(item: Noun) -> bool:

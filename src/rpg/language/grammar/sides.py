@@ -128,6 +128,8 @@ def at(p: Parser, i: int) -> Results[Meaning]:
 
 def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     word = p.words[j] if j < p.end else ""
+    if word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end":
+        j, word = p.reach(j + 1), p.words[j + 1]
     side = {**SIDES, **_MIDDLES}.get(word)
     if side and word not in ("ground", "near", "far"):
         k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")

@@ -23,6 +23,9 @@ _PARTS = {
 }  # fmt: skip
 _BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom row", "ground floor")
 
+_BELOW = ("below", "at the bottom", "at the base", "on the bottom", "as its base", "as a base", "as the base",
+          "as base", "at its base", "underneath", "in the bottom layer")  # fmt: skip
+
 
 @rule
 def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
@@ -31,7 +34,10 @@ def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
     if token is not None and token.kind == "dims" and isinstance(token.value, tuple):
         yield token.value, p.reach(i + 1)
     first = p.number(i)
-    if first is None or not p.one(i + 1, _BY):
+    if first is None:
+        return
+    yield from _lines_by_lines(p, i, first)
+    if not p.one(i + 1, _BY):
         return
     second = p.number(i + 2)
     if second is None:
@@ -40,6 +46,17 @@ def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
     if third is not None:
         yield (first, second, third), i + 5
     yield (first, second), i + 3
+
+
+_LINES = {"row": "columns", "rows": "columns", "column": "rows", "columns": "rows"}
+
+
+def _lines_by_lines(p: Parser, i: int, first: int) -> Results[tuple[int, ...]]:
+    """ "four rows by two columns": the rows come first in what is yielded."""
+    other = _LINES.get(p.words[i + 1]) if i + 3 < p.end else None
+    second = p.number(i + 3) if other and p.one(i + 2, _BY) else None
+    if second is not None and p.words[i + 4] in (other, (other or "")[:-1]):
+        yield ((first, second) if other == "columns" else (second, first)), p.reach(i + 5)
 
 
 @rule
@@ -75,6 +92,8 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
             ranging = unit == "in a row" and found.low != found.high
             yield Size(what=_UNITS[unit], amount=found, span=p.span(i, end), cost=2 if ranging else 0), end
     for dims, k in dimensions(p, j):
+        if below := p.any_of(p.opt(k, *_BLOCKS), _BELOW):
+            yield Size(what="base", dims=dims, span=p.span(i, below)), below
         yield (
             Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),
             p.any_of(k, ("in size", "blocks", "cubes")) or k,
@@ -102,7 +121,7 @@ _COUNTED = (
     (("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side",
       "per side", "cubes on each side", "to a side", "to each side", "on a side", "along each side", "on each side",
       "on every side", "of them along each side", "of them on each side", "of them to a side", "cubes to a side",
-      "cubes along each side"), "side", 0),
+      "cubes along each side", "along every side", "blocks a side", "blocks on every side"), "side", 0),
     (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",
       "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
       "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
@@ -124,6 +143,9 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
         for phrases, what, cost in _COUNTED:
             if end := p.any_of(e, phrases):
                 yield Size(what=what, amount=found, span=p.span(i, end), cost=cost), end
+    lines = p.number(k)
+    for dims, e in _lines_by_lines(p, k, lines) if lines is not None else ():
+        yield Size(what="dims", dims=dims, span=p.span(i, e)), e
     for dims, e in dimensions(p, k):
         if end := p.any_of(p.opt(e, "block", "blocks"), _BASES):
             yield Size(what="base", dims=dims, span=p.span(i, end)), end

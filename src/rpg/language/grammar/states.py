@@ -224,7 +224,11 @@ def _predicate_after_be(
         past = Manner(kind="gone", span=p.span(k, gone))
         longer = [*_subject_verb(p, i, gone, theme, mode, True), *_predicate(p, i, gone, theme, mode, True)]
         return [(replace(c, adjuncts=(*c.adjuncts, past)) if isinstance(c, Clause) else c, e) for c, e in longer]
-    if p.words[k - 1 : k] == ["up"] or any(True for _ in manner(p, k)) or p.words[k - 1 : k] in (["always"], ["never"]):
+    if (
+        p.words[k - 1 : k] == ["up"]
+        or any(m.kind != "extra" for m, _ in manner(p, k) if isinstance(m, Manner))
+        or p.words[k - 1 : k] in (["always"], ["never"])
+    ):
         return list(_predicate(p, i, k, theme, mode, negated))
     return []
 

@@ -45,6 +45,7 @@ class _Before:
     upright: bool | None = None
     filled: bool | None = None
     operator: str | None = None
+    parallel: bool = False
     details: tuple[Meaning, ...] = ()
 
 
@@ -80,7 +81,8 @@ def _join(a: _Before, b: _Before) -> _Before | None:
     return _Before(
         marks, a.sizes or b.sizes, a.dims or b.dims,
         a.upright if a.upright is not None else b.upright,
-        a.filled if a.filled is not None else b.filled, a.operator or b.operator, (*a.details, *b.details),
+        a.filled if a.filled is not None else b.filled, a.operator or b.operator,
+        a.parallel or b.parallel, (*a.details, *b.details),
     )  # fmt: skip
 
 
@@ -99,7 +101,13 @@ _BEFORE_UNITS = {
 def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     for phrase, j in p.standing(i, MODIFIERS):
         update = MODIFIERS[phrase]
-        yield _Before(upright=update.get("upright"), filled=update.get("filled"), operator=OPERATORS.get(phrase)), j
+        yield (
+            _Before(
+                upright=update.get("upright"), filled=update.get("filled"), operator=OPERATORS.get(phrase),
+                parallel=phrase == "parallel",
+            ),
+            j,
+        )  # fmt: skip
     for word, j in p.standing(i, DETAILS):
         yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
     yield from _colors_before(p, i)
@@ -152,6 +160,8 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             and not p.any_of(k, ("of", "out of", "made of", "made from", "from"))
             and not ((m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, EDGES)))
         ):
+            continue
+        if before.parallel and (not plural or kind not in ("row", "column")):
             continue
         rank = before.marks.get("rank")
         if rank and (plural or quantity.det not in ("the", "a") or before.sizes or before.dims):

@@ -4,9 +4,23 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Chain, Clause, Coord, Into, Meaning, OrderBy, Structure
+from rpg.language.meaning import (
+    Absolute,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Meaning,
+    Noun,
+    OrderBy,
+    Places,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+)
 
-_LINES = ("stack", "arrange")
+_VERBS = ("stack", "arrange")
 
 
 def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
@@ -15,16 +29,15 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
     for chain in chains:
         kept: list[tuple[str, Meaning]] = []
         found.append(kept)
-        for link, clause in zip(chain.links, chain.clauses, strict=True):
-            if not isinstance(clause, Clause):
-                kept.append((link, clause))
+        for link, said in zip(chain.links, chain.clauses, strict=True):
+            if not isinstance(said, Clause):
+                kept.append((link, said))
                 continue
-            told = clause.verb == "part" and link != "then"
-            host = _host(found, _of_wholes(clause)) if told else None
-            if told and host is None and _of_lines(clause):
-                host = _host(found, True)
+            clause = _of_one(said)
+            host = _host(found, clause) if clause.verb == "part" and link != "then" else None
             if host is None:
-                kept.append((link, clause))
+                alone = isinstance(clause.theme, Structure) and clause.verb == "part"
+                kept.append((link, replace(clause, verb="build") if alone else said))
                 continue
             line, place, builder = host
             built = replace(builder, adjuncts=(*builder.adjuncts, *clause.adjuncts))
@@ -36,39 +49,63 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
     )
 
 
-def _of_wholes(clause: Clause) -> bool:
-    """ "the left tower is red": of one of several structures."""
+def _of_one(clause: Clause) -> Clause:
+    """ "the far row is red", "the other is blue": perhaps of one of several structures that were built before."""
+    theme, quality = clause.theme, clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    plain = isinstance(quality, Quality) and quality.traits == Traits(colors=quality.traits.colors)
+    if clause.verb != "be" or clause.negated or not plain or not isinstance(quality, Quality):
+        return clause
+    if isinstance(theme, Pronoun) and theme.word in _ONES:
+        place = Places(side="one", unit="whole", span=theme.span)
+    elif isinstance(theme, Structure) and theme.traits == Traits(rank=theme.traits.rank) and theme.det == "the":
+        place = Places(side=theme.traits.rank or "", unit=f"whole {theme.kind}", span=theme.span)
+        if theme.members or theme.sizes or theme.dims or theme.traits.rank not in _SIDES:
+            return clause
+    else:
+        return clause
+    look = Noun(head="any", traits=quality.traits, span=quality.span)
+    return replace(clause, verb="part", theme=None,
+                   adjuncts=(Absolute(theme=look, adjuncts=(place,), span=clause.span),))  # fmt: skip
+
+
+_ONES = ("one", "the other", "the other one", "another", "one of them")
+_SIDES = ("left", "right", "front", "back", "middle")
+
+
+def _units(clause: Clause) -> set[str]:
+    """What the parts that a clause speaks of are: blocks, rows, wholes."""
     parts = [x for a in clause.adjuncts for x in (a.items if isinstance(a, Coord) else (a,))]
     if all(isinstance(x, OrderBy) and x.by == "each" for x in parts):
-        return True
-    return all(isinstance(x, Absolute) and getattr(x.adjuncts[0], "unit", "") == "whole" for x in parts)
+        return {"whole"}
+    return {getattr(x.adjuncts[0], "unit", "") if isinstance(x, Absolute) else "" for x in parts}
 
 
-def _of_lines(clause: Clause) -> bool:
-    """ "The far row is red": of one of several rows, where no grid was built."""
-    parts = [x for a in clause.adjuncts for x in (a.items if isinstance(a, Coord) else (a,))]
-    return all(isinstance(x, Absolute) and getattr(x.adjuncts[0], "unit", "") in ("row", "column") for x in parts)
-
-
-def _host(found: list[list[tuple[str, Meaning]]], several: bool) -> tuple[int, int, Clause] | None:
+def _host(found: list[list[tuple[str, Meaning]]], clause: Clause) -> tuple[int, int, Clause] | None:
     """Where the structure was built that is spoken of: the clause before, if it builds a single one (or several)."""
     for line in range(len(found) - 1, -1, -1):
         for place in range(len(found[line]) - 1, -1, -1):
-            clause = found[line][place][1]
-            if not isinstance(clause, Clause):
+            builder = found[line][place][1]
+            if not isinstance(builder, Clause):
                 return None
-            if clause.verb == "exist" and clause.mode == "given":
+            if builder.verb == "exist" and builder.mode == "given":
                 continue
-            return (line, place, clause) if _builds(clause, several) else None
+            return (line, place, builder) if _builds(builder, _units(clause)) else None
     return None
 
 
-def _builds(clause: Clause, several: bool) -> bool:
+def _builds(clause: Clause, units: set[str]) -> bool:
+    """Whether a clause builds the one structure, or the several ones, that parts of these kinds are parts of."""
     shapes = [a.structure for a in clause.adjuncts if isinstance(a, Into)]
     if isinstance(clause.theme, Structure):
         shapes.append(clause.theme)
     if clause.negated or clause.mode == "start" or len(shapes) > 1:
         return False
+    whole = any(unit.startswith("whole") for unit in units)
     if not shapes:
-        return clause.verb in _LINES and not several
-    return isinstance(shapes[0], Structure) and shapes[0].plural == several
+        return clause.verb in _VERBS and not whole
+    shape = shapes[0]
+    if not isinstance(shape, Structure):
+        return False
+    if shape.plural:
+        return units <= {"whole", shape.kind, f"whole {shape.kind}"}
+    return not whole

@@ -266,6 +266,9 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
         spec.absolutes.remove(item)
         if not _told(item.theme):
             counted(item.theme, groups, place)
+            kind = getattr(getattr(item.theme, "traits", None), "kind", None)
+            if kind and any(scene.things[n].kind not in (kind, "symbol") for n in names):
+                raise refuse("ambiguous", "it is not said what these blocks look like", item.span, "name the blocks")
             continue
         places = [k for group in groups for k in group]
         blocks = standing(item, place, groups, tuple(n for n in names if n not in held.values()), scene)

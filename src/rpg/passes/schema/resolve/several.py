@@ -73,7 +73,8 @@ def _whole(item: Absolute) -> Places | None:
     place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
     if isinstance(place, At) and place.side in ("left", "right", "front", "back") and place.index is None:
         return Places(side=place.side, unit="whole", span=place.span)
-    return place if isinstance(place, Places) and place.unit in ("whole", "row", "column") else None
+    named = isinstance(place, Places) and (place.unit in ("row", "column") or place.unit.startswith("whole"))
+    return place if named and isinstance(place, Places) else None
 
 
 def _middle(item: Absolute) -> Places | None:

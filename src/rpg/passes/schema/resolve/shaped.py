@@ -8,7 +8,7 @@ from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, OrderB
 from rpg.passes.schema.resolve.arranging import arrange_blocks
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
-from rpg.passes.schema.resolve.placing import Goals, absolutes, places
+from rpg.passes.schema.resolve.placing import Goals, absolutes, is_extra, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.spec import Spec
@@ -29,6 +29,10 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     parts: list[Ref] = []
     goals = []
     for shape in shapes:
+        if is_extra(shape) and len(shapes) > 1:
+            refer(shape, scene, Scope())
+            scene.mentions.pop()
+            continue
         part, atoms = _part(shape, clause, spec, scene, scope)
         parts.append(part)
         goals += atoms

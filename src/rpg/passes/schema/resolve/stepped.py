@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Absolute, At, Loc, Noun, Places, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.parts import widened
@@ -22,6 +24,7 @@ def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     if any(shape.extent(what) not in (None, layers) for what in ("layers", "high")):
         raise refuse("contradiction", f"such a pyramid has {layers} layers", shape.span, f"say {layers} layers")
     need = pyramid_size(base)
+    _numbered(spec, base)
     form = s.Pyramid(blocks=("",), base=base)
     shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
@@ -36,9 +39,9 @@ def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
     dims = shape.dims or (base.dims if base else ())
     if len(dims) >= 2:
         return dims[0], dims[1]
-    total = said_count(shape, theme, scene)
-    layers = _layers(spec, total is not None or shape.extent("base", "layers", "high") is not None)
-    size = shape.extent("base", "layers", "high")
+    total = said_count(shape, theme, scene) or _symbols(spec)
+    layers = _layers(spec, total is not None or shape.extent("base", "wide", "layers", "high") is not None)
+    size = shape.extent("base", "wide", "layers", "high")
     if layers:
         bottom = shape.extent("base")
         return _layered([*([bottom] if bottom is not None else []), *layers], total, shape, scene)
@@ -102,27 +105,71 @@ def _one(theme: Noun) -> bool:
     return theme.head == "any" and theme.det == "bare" and theme.amount is None and theme.traits == Traits()
 
 
-_LEVELS = ("top", "bottom", "middle", "next")
+_LEVELS = ("top", "bottom", "middle", "next", "first", "last")
+
+
+def _level(item: Absolute) -> At | Places | None:
+    """The layer of a pyramid that a phrase names, if it names one; "on them" is the next one."""
+    place = item.adjuncts[0]
+    if isinstance(place, Places):
+        return place if place.unit in ("layer", "row") and place.side in _LEVELS and place.several is None else None
+    if isinstance(place, At):
+        return place if place.side in _LEVELS and len(item.adjuncts) == 1 else None
+    mark = place.landmark if isinstance(place, Loc) and place.rel in ("on", "above") and not place.negated else None
+    them = isinstance(mark, Pronoun) and mark.word in ("them", "it", "both", "that", "these", "those", "both of them")
+    return At(side="next", span=place.span) if them else None
+
+
+def _number(item: Absolute) -> int | None:
+    """How many blocks a phrase puts into a layer."""
+    theme = item.theme
+    single = isinstance(theme, Pronoun) and theme.word == "one"
+    single = single or (isinstance(theme, Noun) and (_one(theme) or (theme.det in ("a", "the") and not theme.plural)))
+    return 1 if single else amount_of(theme)
 
 
 def _layers(spec: Spec, known: bool) -> list[int]:
     """ "four blocks at the bottom and one on top": how many blocks each layer has. `known`: the size is said apart."""
     found: list[int] = []
     for item in list(spec.absolutes):
-        at_ = item.adjuncts[0]
-        theme = item.theme
+        theme, place, count = item.theme, _level(item), _number(item)
         single = isinstance(theme, Pronoun) and theme.word == "one"
         single = single or (isinstance(theme, Noun) and _one(theme))
-        count = 1 if single else amount_of(theme)
         looks = (Traits(), Traits(kind="letter"))
         plain = single or (isinstance(theme, Noun) and theme.head != "patch" and theme.traits in looks)
-        if isinstance(at_, At) and at_.side in _LEVELS and count is not None and (plain or not known):
-            if found and {"bottom": max(found) > count, "top": min(found) < count}.get(at_.side, False):
+        if place is not None and count is not None and (plain or not known):
+            if found and {"bottom": max(found) > count, "top": min(found) < count}.get(place.side, False):
                 raise refuse("misplaced", "a pyramid grows smaller upwards", item.span, "say how many its base has")
             found.append(count)
             if plain:
                 spec.absolutes.remove(item)
-    return found
+    return [] if found == [1] and any(map(_level, spec.absolutes)) else found
+
+
+def _symbols(spec: Spec) -> int | None:
+    """ "(form a pyramid) of the letters A, B and C"."""
+    source = spec.usings[0].members if spec.usings else None
+    listed = isinstance(source, Noun) and source.amount is None and not source.traits.open_ended
+    return (len(source.traits.labels) or None) if isinstance(source, Noun) and listed else None
+
+
+def _numbered(spec: Spec, base: tuple[int, int]) -> None:
+    """ "three red at the bottom, two white above and one blue on top": each layer by its number of blocks.
+
+    Of several that are above the others only the last one is the top.
+    """
+    longer, depth = max(base), min(base)
+    sizes = [*range(longer, 0, -1)] if depth == 1 else [(longer - k) * (depth - k) for k in range(depth)]
+    told = [x for x in spec.absolutes if _level(x) is not None and _number(x) is not None]
+    tops = [x for x in told if (place := _level(x)) is not None and place.side == "top"]
+    between = [x for x in told if (place := _level(x)) is not None and place.side == "next"] + tops[:-1]
+    for item in between:
+        count = _number(item)
+        if count not in sizes[1:] or not isinstance(item.theme, Noun):
+            raise refuse("count-mismatch", f"no layer above the first one has {count} blocks", item.span,
+                         "let each layer be one block smaller, down to one")  # fmt: skip
+        layer = Places(side="first", unit="layer", index=sizes.index(count) + 1, span=item.span)
+        spec.absolutes[spec.absolutes.index(item)] = replace(item, adjuncts=(layer,))
 
 
 def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:

@@ -135,7 +135,7 @@ _SIZES = {
     "line": {"size", "long", "columns", "wide"}, "column": {"size", "long", "columns"},
     "grid": {"size", "rows", "columns", "layers", "high", "wide", "long", "deep", "side", "dims"},
     "wall": {"size", "wide", "long", "columns", "high", "layers", "rows", "dims"},
-    "pyramid": {"size", "base", "layers", "high", "dims"}, "staircase": {"size", "steps", "high", "layers"},
+    "pyramid": {"size", "base", "wide", "layers", "high", "dims"}, "staircase": {"size", "steps", "high", "layers"},
     "cube": {"dims", "side", "size"},
     "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep"},
     "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
@@ -172,7 +172,11 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         or (shape.amount and shape.amount.low > 1)
         or any(p.unit in ("stack", "pile") and p.different for p in spec.patterns)
     ):
+        if shape.dims:
+            raise refuse("misplaced", "several towers have no such size", shape.span, "say how high each of them is")
         return towers.several(shape, spec, theme, scene, scope)
+    if shape.dims:
+        return _thick(shape, spec, theme, scene, scope)
     spec.patterns = [p for p in spec.patterns if p.unit != "stack"]
     shape, theme = lengthened(shape, spec, theme, scene)
     need = exact_size(shape)
@@ -218,6 +222,14 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     return [stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, shape.span)], [
         either(nodes)
     ]
+
+
+def _thick(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a 2x2 tower three layers high", "a 2x2x3 tower": layers of several blocks each."""
+    if len(shape.dims) < 3 and not shape.extent("layers", "high"):
+        raise refuse("ambiguous", "it is not said how many layers this tower has", shape.span, "say '2x2x3'")
+    scene.assume("a tower whose layers have several blocks is a block of them, each right above another")
+    return grids.grid(replace(shape, kind="grid"), spec, theme, scene, scope)
 
 
 def _alike(theme: Ref, shape: Structure, scene: Scene) -> tuple[str, ...]:

@@ -48,12 +48,12 @@ class Firsts(NamedTuple):
 
 
 class Asked:
-    """The note of what a rule asks for at `base`. `kind`: that of the token there, "" at the end of the sentence."""
+    """The note of what a rule asks for at `base`. `kind`: that of the token there, END at the end of the sentence."""
 
-    def __init__(self, kind: str, base: int) -> None:
-        self.kind = kind
-        self.base = base
-        self.words: set[str] = set()
+    def __init__(self) -> None:
+        self.kind = END
+        self.base = 0
+        self.words: set[str | None] = set()
         self.behind: set[str] = set()
         self.anywhere: set[str] = set()
 
@@ -64,7 +64,12 @@ class Asked:
     def note(self, index: int, words: Iterable[str | None]) -> None:
         """The rule asks whether the word at an index is one of these."""
         self.here(index)
-        self.words.update([word for word in words if word])
+        self.words.update(words)
+
+    def firsts(self, found: tuple[Any, ...]) -> Firsts:
+        """What the rule asks for, with its readings before all other words."""
+        words = frozenset(word for word in self.words if word)
+        return Firsts(words, frozenset(self.behind), frozenset(self.anywhere), found)
 
 
 class _Part:

@@ -194,6 +194,10 @@ class Parser:
     rarely = anywhere
     """The same of rare words: a sentence without them is spared whatever asks for them."""
 
+    def told(self, i: int, firsts: Firsts) -> list[tuple[Any, int]] | None:
+        """The readings at a place where no word tells what a rule makes of it: it is to be run."""
+        return None
+
     def token(self, i: int) -> Token | None:
         return self.tokens[i] if i < self.end else None
 
@@ -280,6 +284,12 @@ class Inquiry(Parser):
         self.asked.anywhere.update(words)
         return False
 
+    def told(self, i: int, firsts: Firsts) -> list[tuple[Any, int]] | None:
+        self.asked.note(i, firsts.words)
+        self.asked.behind |= firsts.behind
+        self.asked.anywhere |= firsts.anywhere
+        return [(meaning, i) for meaning in firsts.found]
+
 
 class Beginning:
     """Spares a rule, or a choice of one, words with which it cannot begin. `firsts`: what it asks for, by arguments."""
@@ -288,19 +298,23 @@ class Beginning:
         self.body = body
         self.free = free_of_places(body)
         self.firsts: dict[tuple[Any, ...], Firsts | None] = {}
+        self.met: set[tuple[Any, ...]] = set()
         BEGINNINGS.append(self)
 
     def spared(self, p: Parser, i: int, args: tuple[Any, ...]) -> list[tuple[Any, int]] | None:
         """The readings at a place if no run is needed to know them, else None."""
         head = p.heads[i]
-        if head is None or not self.free:
+        if not self.free:
             return None
         try:
             known = self.firsts[args]
         except KeyError:
-            known = self.firsts[args] = self._asked(args)
+            self._first_met(args)
+            return None
         if known is None:
             return None
+        if head is None:
+            return p.told(i, known)
         words, behind, anywhere, found = known
         if head in words or (behind and i > 0 and p.words[i - 1] in behind) or not p.all.isdisjoint(anywhere):
             return None
@@ -310,24 +324,25 @@ class Beginning:
             return None
         return [(meaning, i) for meaning in found] if found else _NOTHING
 
+    def _first_met(self, args: tuple[Any, ...]) -> None:
+        """A rule is asked when it is met again: the rules that it tries have been met by then, and have told."""
+        if args in self.met:
+            self.firsts[args] = self._asked(args)
+        else:
+            self.met.add(args)
+
     def _asked(self, args: tuple[Any, ...]) -> Firsts | None:
         """What the rule asks of the word where it begins, at the start of a sentence and inside; None: too much."""
-        words: set[str] = set()
-        behind: set[str] = set()
-        anywhere: set[str] = set()
+        asked = Asked()
         found = []
-        for kind in ("word", "punct", END):
-            for base in (0, 1000):
-                asked = Asked(kind, base)
+        for asked.kind in ("word", "punct", END):
+            for asked.base in (0, 1000):
                 try:
-                    found.append(tuple(meaning for meaning, _ in _distinct(self.body(Inquiry(asked), base, *args))))
+                    readings = _distinct(self.body(Inquiry(asked), asked.base, *args))
                 except Hidden:
                     return None
-                words |= asked.words
-                behind |= asked.behind
-                anywhere |= asked.anywhere
-        same = len(set(found)) == 1
-        return Firsts(frozenset(words), frozenset(behind), frozenset(anywhere), found[0]) if same else None
+                found.append(tuple(meaning for meaning, _ in readings))
+        return asked.firsts(found[0]) if len(set(found)) == 1 else None
 
 
 _NOTHING: list[Any] = []

@@ -255,6 +255,14 @@ _MARKED = tuple(f"{how}on the table" for how in ("", "designated ", "marked ", "
 _EDGES = ("edges", "edge", "sides", "side", "edge length", "side length", "edge lengths", "side lengths")
 
 
+_ALL_OF_THEM = (
+    ", all of them", ", all in", ", all", ", all are", ", which are all", "which are all", "that are all", ", each",
+    ", both", ", every one of them",
+)  # fmt: skip
+_ONE_THING = frozenset(w for table in (lexicon.BLOCK, lexicon.PATCH) for w, plural in table.items() if not plural)
+"""Behind these "all" and "both" speak of something else: "three blocks on the mat, all yellow"."""
+
+
 @rule
 def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     """What follows a noun directly: "A", "labelled A", "with letters", "of the same colour", "of 5 cm", "in red"."""
@@ -262,21 +270,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         yield from _symbols_after(p, i)
     for phrase, j in p.standing(i, _SCHEMES):
         yield Marks({"scheme": _SCHEMES[phrase]}), j
-    if j := p.any_of(
-        i,
-        (
-            ", all of them",
-            ", all in",
-            ", all",
-            ", all are",
-            ", which are all",
-            "which are all",
-            "that are all",
-            ", each",
-            ", both",
-            ", every one of them",
-        ),
-    ):
+    for _, j in p.standing(i, _ALL_OF_THEM) if not p.follows(i, _ONE_THING) else ():
         for (listed, _either), k in colors(p, j):
             if len(listed) == 1:
                 yield Marks({"colors": listed}), k

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import OrderBy
@@ -23,6 +25,7 @@ _HOMES = Patterns(
     "group|pile|heap|bunch|cluster|side|set|place?",
     "here|there",
 )
+_HEAPS = frozenset({"group", "pile", "heap", "bunch", "cluster"})
 _OWN = Patterns(
     "each|every|same|the_same|one color|kind|letter|sort|type|colors together|be_together|goes|go|is|should_be|"
     "in? in|on|to its_own|one|a_separate|its_own_separate|a|a_single group|pile|heap|bunch|cluster|place of_its_own?",
@@ -32,16 +35,25 @@ _OWNED = {"color": "color", "colors": "color", "kind": "kind", "sort": "kind", "
 
 def parted(p: Parser, i: int) -> Results[OrderBy]:
     """ "vowels in one group and consonants in the other", "every colour in its own group"."""
-    j = p.opt(p.opt(i, ",", ":"), "with")
+    j = p.opt(i, ",", ":")
+    j = p.any_of(j, ("so that", "such that")) or p.opt(j, "with")
     for k in _OWN.matches(p, j):
         said = next((_OWNED[word] for word in p.words[j:k] if word in _OWNED), "color")
         yield OrderBy(by="parted", attribute=said, span=p.span(i, k)), k
     first, k = _one(p, j)
-    for home in _HOMES.matches(p, k) if first else ():
+    for home in _homes(p, k, first) if first else ():
         second, m = _one(p, p.opt(p.opt(home, ","), "and"))
         attribute = _OPPOSED.get(frozenset({first, second})) if second else None
-        for end in _HOMES.matches(p, m) if attribute else ():
+        for end in _homes(p, m, second) if attribute else ():
             yield OrderBy(by="parted", attribute=str(attribute), span=p.span(i, end)), end
+
+
+def _homes(p: Parser, i: int, kind: str) -> Iterator[int]:
+    """Positions after "in one group", "here", or after "with letters" behind the letters."""
+    yield from (k for k in _HOMES.matches(p, i) if not p.stands(k, _HEAPS))
+    again = p.any_of(i, ("with", "are with", "go with", "to", "with the", "with the other", "with other"))
+    if again and _one(p, again)[0] == kind:
+        yield _one(p, again)[1]
 
 
 def _one(p: Parser, i: int) -> tuple[str, int]:

@@ -4,14 +4,30 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.alternation import alternation_alone
+from rpg.language.grammar.amounts import count
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.orders import order
 from rpg.language.grammar.regions import named
-from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, OrderBy, PartOf, Pronoun, Structure
+from rpg.language.meaning import (
+    Amount,
+    Clause,
+    Coord,
+    In,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    PartOf,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+)
 
 _SPELT = ("spelled out", "spelt out", "written out", "spelled", "spelt", "written")
 _KINDRED = ("same colors", "the same colors", "same color", "the same color", "blocks of the same color",
@@ -29,6 +45,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _placed(p, i, mode)
     yield from _spelt(p, i)
     yield from kept_clear(p, i)
+    yield from _all_colored(p, i)
     yield from _ordered(p, i)
     for found, j in alternation_alone(p, i):
         yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j)), j
@@ -58,6 +75,28 @@ def _ordered(p: Parser, i: int) -> Results[Meaning]:
             for more, end in adjuncts(p, k):
                 said = Clause(verb="arrange", theme=theme, adjuncts=(found, *more), span=p.span(i, end), cost=1)
                 yield said, end
+
+
+_ALL = ("all of them", "all of these", "every one of them", "each of them", "both of them", "all", "both", "each")
+_ARE = ("are", "is", "being", "should be", "must be", "in")
+
+
+@choice
+def _all_colored(p: Parser, i: int) -> Results[Meaning]:
+    """ "..., all four of them green", ", both red": what the blocks spoken of look like, said behind it all."""
+    theme: Meaning | None = None
+    j = p.any_of(i, ("all", "all of the", "all the"))
+    for many, k in count(p, j) if j else ():
+        j = p.any_of(k, ("of them", "blocks", "cubes")) or k
+        theme = Noun(head="block", det="all", amount=Amount(many, many), plural=True, span=p.span(i, j))
+    if theme is None and (j := p.any_of(i, _ALL)):
+        theme = Pronoun(word="them", span=p.span(i, j))
+    if theme is None:
+        return
+    for (listed, either), k in colors(p, p.any_of(j, _ARE) or j):
+        if len(listed) == 1 and not either and (k >= p.end or p.words[k] in (",", ";")):
+            quality = Quality(traits=Traits(colors=listed), span=p.span(j, k))
+            yield Clause(verb="be", theme=theme, adjuncts=(quality,), mode="goal", span=p.span(i, k), cost=2), k
 
 
 @choice

@@ -10,7 +10,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.ir.walk import rename
 
-_UNORDERED = frozenset({"blocks", "assets"})
+_UNORDERED = frozenset({"blocks", "assets", "groups"})
 """Lists of which it does not matter in what order they are given."""
 Reader = Callable[[str], TaskSchema | None]
 
@@ -71,10 +71,12 @@ def _bare(schema: TaskSchema) -> str:
 
 def _unspanned(data: object, blocks: int) -> object:
     """Without spans, without what has no order, and without "exact" for a stack of every block there is: nothing else
-    could be in it."""
+    could be in it; without what tells groups apart of which it is said who is in them."""
     if isinstance(data, dict):
         whole = data.get("kind") == "stack" and len(data["blocks"]) == blocks
-        kept = {k: _unspanned(v, blocks) for k, v in data.items() if k != "span" and not (whole and k == "exact")}
+        named = data.get("kind") == "group_by" and not data["outliers"]
+        told = "exact" if whole else "by" if named else ""
+        kept = {k: _unspanned(v, blocks) for k, v in data.items() if k not in ("span", told)}
         return {k: sorted(v, key=repr) if k in _UNORDERED and isinstance(v, list) else v for k, v in kept.items()}
     if isinstance(data, list):
         return [_unspanned(v, blocks) for v in data]

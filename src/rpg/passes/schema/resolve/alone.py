@@ -54,8 +54,8 @@ def none_beyond(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, relate
     before = [m for m in scene.mentions if m.role == "theme" and m.clause < scene.clause and m.ref.names]
     if not before or before[-1].ref.quant is not None or before[-1].ref.patch or theme.beyond is None:
         raise refuse("no-referent", "it is not clear besides what", theme.span, "say which blocks may be there")
-    names = before[-1].ref.names
-    spoken = {n for m in scene.mentions if m.clause == before[-1].clause for n in m.ref.names}
+    spoken = {n: None for m in scene.mentions if m.clause == before[-1].clause for n in m.ref.names}
+    names = tuple(spoken)
     found: list[Exclusive] = []
     if isinstance(meaning, In) and not meaning.negated:
         found.append(Exclusive(names, _in(meaning), meaning.span, theme.beyond))
@@ -63,7 +63,7 @@ def none_beyond(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, relate
         raise refuse("misplaced", "this does not fit here", theme.span, "say which blocks may be there")
     else:
         mark = refer(meaning.landmark, scene, replace(scope, role="landmark", rel=f"not {meaning.rel}"))
-        if mark.quant is not None or not spoken.issuperset(mark.names) or not mark.names or mark.op == "nor":
+        if mark.quant is not None or not spoken.keys() >= set(mark.names) or not mark.names or mark.op == "nor":
             raise refuse("ambiguous", "it is not clear where nothing else is", meaning.span, "name the block or patch")
         patched = mark.patch and meaning.rel in ("on", "in", "above")
         for other in mark.names:

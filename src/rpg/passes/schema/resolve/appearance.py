@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Clause, Pronoun, Quality, Traits
@@ -23,10 +25,19 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
         raise refuse("misplaced", "the table has one look", clause.span)
     if theme.part is not None:
         raise refuse("no-referent", f"it is not clear which block the {theme.part} is", theme.span, "name the block")
+    if isinstance(clause.theme, Pronoun) and theme.plural and any(q.traits.colors for q in spec.qualities):
+        theme = _all_open(theme, scene)
     for quality in spec.qualities:
         _give(theme, quality, clause, scene)
     spec.qualities = []
     return []
+
+
+def _all_open(theme: Ref, scene: Scene) -> Ref:
+    """ "Three blocks on the left and two on the right. They are all white": all of which no look was said yet."""
+    things = [t for t in scene.blocks() if t.color is None and t.label is None and t.kind is None and not t.extra]
+    names = tuple(t.name for t in things)
+    return replace(theme, names=names) if set(theme.names) < set(names) else theme
 
 
 def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
@@ -72,8 +83,6 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
                 "name one colour",
                 labels=((theme.span, f"{thing.color} here"),),
             )
-        from dataclasses import replace
-
         give(thing, replace(traits, colors=(color,) if color else ()))
         if traits.scheme:
             thing.scheme = traits.scheme

@@ -112,6 +112,8 @@ def one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
             new.batch = like.batch
             more.append(new.name)
         made.append(tuple(more))
+    for mention in (m for m in scene.mentions if m.clause == scene.clause and m.ref.names == theme.names):
+        mention.ref = replace(mention.ref, names=tuple(n for lot in made for n in lot), plural=True)
     return made
 
 

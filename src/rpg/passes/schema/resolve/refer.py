@@ -227,6 +227,8 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 def _structure_like(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
     """ "the blue one" beside the red tower: of several structures of one kind, the one whose blocks all look so."""
     marks = noun.traits
+    if scope.role == "theme" and (lot := _group_of(noun, scene)) is not None:
+        return lot
     if scope.role != "landmark" or noun.head != "any" or noun.det != "the" or noun.plural or noun.amount is not None:
         return None
     if len(marks.colors) != 1 or marks != Traits(colors=marks.colors) or len(matching(marks, scene, False)) < 2:
@@ -236,6 +238,17 @@ def _structure_like(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
         return None
     now = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme" and m.ref.built]
     return Ref(names=like[0].members, built=(like[0],)) if now else None
+
+
+def _group_of(noun: Noun, scene: Scene) -> Ref | None:
+    """ "Sort the blocks into two groups. Gray goes on the left": the group of all the gray ones."""
+    marks, plain = noun.traits, noun.amount is None and noun.det in ("bare", "the") and noun.head == "any"
+    if not plain or marks != Traits(colors=marks.colors) or len(marks.colors) != 1:
+        return None
+    names = {t.name for t in matching(marks, scene, False)}
+    lot = next((b for b in scene.built if b.kind == "pile" and {*b.members} == names), None)
+    several = sum(b.kind == "pile" for b in scene.built) > 1
+    return Ref(names=lot.members, built=(lot,), plural=True) if lot is not None and several and len(names) > 1 else None
 
 
 def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:

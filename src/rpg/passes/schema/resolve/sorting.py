@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
+from itertools import pairwise
 
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Clause, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
+from rpg.language.meaning import At, Clause, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.groups import (
     DEFAULT_EACH,
@@ -23,7 +24,8 @@ from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.placing import Goals, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.shaped import shaped
-from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
 
 GATHERS = frozenset({"gather", "collect", "cluster", "group", "bunch", "merge", "combine", "unite"})
@@ -62,6 +64,8 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     _at_hand(theme_meaning, spec, scene)
     need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
+    if clause.lemma in GATHERS and any(o.by == "label" for o in spec.orders) and _twice(theme, scene):
+        raise refuse("misplaced", "blocks that show the same are grouped, not put in order", clause.span)
     if line or ordered:
         in_sequence(clause, theme, spec, scene)
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
@@ -89,6 +93,8 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         built, goals = share_out(theme, shape, spec, scene, clause.span)
     else:
         built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
+    _equal(built, spec)
+    goals += _sides_of(built, spec, scene)
     ref = replace(theme, built=tuple(built))
     return goals + places(ref, spec, scene, scope, clause.span)
 
@@ -121,6 +127,45 @@ def _at_hand(theme: Meaning, spec: Spec, scene: Scene) -> None:
             spec.usings.remove(using)
             for name in found.names:
                 scene.things[name].declared = True
+
+
+def _equal(built: list[Built], spec: Spec) -> None:
+    """ "two equal groups": of as many blocks each."""
+    equal = spec.manner("equal")
+    if equal is not None and len({len(b.members) for b in built}) > 1:
+        raise refuse("count-mismatch", "these groups are not equal", equal.span, "use as many blocks for each group")
+
+
+_ACROSS = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
+
+
+def _sides_of(built: list[Built], spec: Spec, scene: Scene) -> Goals:
+    """ "... into two groups, gray on the left and pink on the right": how the groups lie to each other."""
+    ranked: list[tuple[int, tuple[str, ...]]] = []
+    sided = [x for x in spec.absolutes if isinstance(x.adjuncts[0], At) and x.adjuncts[0].index is None]
+    for item in sided:
+        at_ = item.adjuncts[0]
+        marks = item.theme.traits if isinstance(item.theme, Noun) else None
+        alike = {t.name for t in matching(marks, scene, False)} if marks else set()
+        lot = next((b for b in built if alike == {*b.members}), None)
+        if lot is None or not isinstance(at_, At) or at_.side not in _ACROSS or len(item.adjuncts) > 1:
+            raise refuse("ambiguous", "it is not clear which group this is", item.span, "name the group by its colour")
+        ranked.append((_ACROSS[at_.side], lot.members))
+    sides = {x.adjuncts[0].side for x in sided if isinstance(x.adjuncts[0], At)}
+    if not ranked:
+        return []
+    deep = bool(sides & {"front", "back"})
+    if len(ranked) != len(built) or len({n for n, _ in ranked}) < len(ranked) or (deep and sides & {"left", "right"}):
+        raise refuse("ambiguous", "it is not said where each of the groups lies", sided[0].span, "say it of each group")
+    spec.absolutes = [x for x in spec.absolutes if x not in sided]
+    node: type[r.LeftOf | r.InFrontOf] = r.InFrontOf if deep else r.LeftOf
+    return [node(a=a, b=b, span=sided[0].span) for (_, a), (_, b) in pairwise(sorted(ranked))]
+
+
+def _twice(theme: Ref, scene: Scene) -> bool:
+    """Whether several of the blocks show the same."""
+    labels = [scene.things[n].label for n in theme.names]
+    return len(set(labels)) < len(labels)
 
 
 def in_sequence(clause: Clause, theme: Ref, spec: Spec, scene: Scene) -> None:
@@ -186,6 +231,10 @@ def _pile_target(spec: Spec) -> Structure | None:
                 raise refuse("misplaced", "it is not clear what is in each of them", into.span,
                              "say 'with exactly one stranger in each group'")  # fmt: skip
             spec.intos.remove(into)
+            inner = sort_adjuncts(into.structure.details)
+            for part in fields(Spec):
+                if isinstance(held := getattr(spec, part.name), list):
+                    held += getattr(inner, part.name)
             return into.structure
     return None
 

@@ -66,7 +66,7 @@ STRUCTURES = {
     "plus": "plus cross",
     "pile": "pile heap jumble bunch cluster group bundle clump",
     "word": "word name",
-    "equation": "equation sum formula multiplication addition subtraction division calculation",
+    "equation": "equation sum formula multiplication addition subtraction division calculation product",
     "set": "set collection bunch_of",
 }
 SHAPE_ADJECTIVES = {

@@ -52,5 +52,22 @@ def unequal(p: Parser, i: int) -> Results[str]:
             text, at, signs = text + str(token.value or token.word), p.reach(at + 1), signs + 1
         else:
             break
-    if signs and all(j != at for _, j in equation(p, i)):
+    if signs and at > max((j for _, j in equation(p, i)), default=0):
         yield text, at
+
+
+_RESULTS = (
+    "that equals", "that gives", "that makes", "that yields", "that adds up to", "with the result", "with a result of",
+    "with a product that gives", "with a sum that gives", "with a product of", "whose result is", "giving", "equal to",
+    "that comes to", "that is equal to", "resulting in", "which equals", "which gives", "for",
+)  # fmt: skip
+
+
+@rule
+def promised(p: Parser, i: int) -> Results[str]:
+    """ "(the sum) that equals seven: 3 + 4 = 7": an equation with the result that was said."""
+    j = p.any_of(i, _RESULTS)
+    result = p.number(j) if j else None
+    for text, k in equation(p, p.opt(j + 1, ":", ",")) if result is not None else ():
+        if str(result) in text.split("="):
+            yield text, k

@@ -23,7 +23,7 @@ MODIFIERS = {
 EDGES = {"edges": True, "edge": True, "sides": True, "side": True, "size": True}
 
 
-OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/"}
+OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/", "product": "*"}
 
 
 NOWHERE = (0, 0)

@@ -72,6 +72,10 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
         yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
     yield from _letters_of(p, i)
+    for phrase, j in p.standing(i, _SIGNS):
+        det = "the" if phrase.startswith("the") else "a"
+        marks = Traits(labels=(_SIGNS[phrase],), kind="symbol")
+        yield Noun(head="block", det=det, traits=marks, span=p.span(i, j), cost=phrase.endswith("plus sign") * 2), j
     if j := p.any_of(i, _EVERYTHING):
         for marks, k in adjectives(p, j):
             if marks.keys() & {"colors", "kind", "size"}:
@@ -84,6 +88,19 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
     yield from _noun(p, i, i, _SINGLE)
     if of := p.one(i, "of"):
         yield from _of_these(p, i, of)
+
+
+_SIGNS = {
+    f"{det} {name}": sign
+    for sign, names in {
+        "=": ("equals sign", "equal sign", "= sign", "equality sign"), "-": ("minus sign", "- sign", "minus"),
+        "+": ("plus sign", "+ sign"), "*": ("times sign", "multiplication sign", "* sign"),
+        "/": ("division sign", "/ sign"),
+    }.items()
+    for name in names
+    for det in ("the", "an" if name[0] in "e" else "a", *(("one",) if name.endswith("sign") else ()))
+}  # fmt: skip
+"""Blocks by the signs that they show; a plus sign may be a figure as well."""
 
 
 @choice

@@ -10,7 +10,7 @@ from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import EMPTY, Marks, adjective, merge
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.equations import equation, unequal
+from rpg.language.grammar.equations import equation, promised, unequal
 from rpg.language.grammar.labels import digits_of, literal
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.makeup import per_color, sized_members
@@ -27,6 +27,12 @@ from rpg.language.meaning import (
     Traits,
 )
 
+_SHOWN = (
+    "in cubes", "in blocks", "with cubes", "with blocks", "out of cubes", "out of blocks", "in digit blocks",
+    "in digit cubes", "as blocks", "as cubes",
+    *(f"as an equation{of}" for of in ("", " of blocks", " of cubes", " in blocks", " in cubes", " with blocks")),
+)  # fmt: skip
+"""What says no more of an equation than that blocks show it."""
 _TRUE = tuple(
     f"{that} {true}"
     for that in ("that is", "which is", "that", "which", "so that it is")
@@ -191,7 +197,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
     if (k := p.any_of(j, ("number", "year", "pin", "code"))) and (digits := digits_of(p, k)) is not None:
         yield Structure(kind="word", det="the", letter=digits, span=p.span(j, k + 1)), k + 1
     for text, k in equation(p, j):
-        end = p.any_of(k, ("in cubes", "in blocks", "with cubes", "with blocks", "out of cubes", "out of blocks")) or k
+        end = p.any_of(p.opt(k, ","), _SHOWN) or k
         yield Structure(kind="equation", det="the", letter=text, span=p.span(j, end)), end
 
 
@@ -208,7 +214,7 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     if base.kind == "equation" and (k := p.any_of(j, _TRUE)):
         yield replace(base, span=p.span(i, k)), k
     if base.kind == "equation":
-        for text, k in (*equation(p, p.opt(j, ":")), *unequal(p, p.opt(j, ":"))):
+        for text, k in (*equation(p, p.opt(j, ":")), *unequal(p, p.opt(j, ":")), *promised(p, j)):
             yield replace(base, letter=text, span=p.span(i, k)), k
     for pattern, k in per_color(p, j):
         base = replace(base, plural=True, details=(*base.details, pattern))

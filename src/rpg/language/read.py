@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
@@ -15,6 +16,8 @@ from rpg.language.meaning import Chain, cost_of
 from rpg.language.tokens import Token
 
 MAX_KEPT = 24
+MAX_STOPS = 5
+"""Colons or commas of a sentence that are tried as stops."""
 TANGLED = "too-complex"
 _ENDS = frozenset({".", "!", "?"})
 _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
@@ -71,6 +74,10 @@ class Sentence:
     readings: tuple[Chain, ...]
 
 
+Parts = list[tuple[list[Token], Sentence]]
+"""Sentences, each with its tokens."""
+
+
 def split(tokens: list[Token]) -> list[list[Token]]:
     """Sentences; semicolons end one too, and so do brackets, whose inside is a sentence of its own."""
     out: list[list[Token]] = [[]]
@@ -114,8 +121,8 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
     return sentences
 
 
-def _read(tokens: list[Token]) -> list[tuple[list[Token], Sentence]]:
-    """A sentence; where it makes no sense, and was said without a stop, the two that it is made of.
+def _read(tokens: list[Token]) -> Parts:
+    """A sentence; where it makes no sense as one, the two that it is made of.
 
     One that makes none is looked at again with nothing spared, for a diagnostic to say how far it was understood.
     """
@@ -127,27 +134,40 @@ def _read(tokens: list[Token]) -> list[tuple[list[Token], Sentence]]:
     return [(tokens, read_sentence(tokens, thorough=True))]
 
 
-def _parts(tokens: list[Token]) -> list[tuple[list[Token], Sentence]] | Refusal:
+def _parts(tokens: list[Token]) -> Parts | Refusal:
     """The sentence or the two that it is made of.
 
-    The second one is a command. Only one place to part them may make sense, for else it is not clear what was said.
+    They meet where a command begins without a stop, or at a colon or a comma that does a stop's work. Only one place
+    to part them may make sense, for else it is not clear what was said.
     """
+    whole = _whole(tokens)
+    if not isinstance(whole, Refusal) or whole.diagnostics[0].code == TANGLED:
+        return whole
+    inside = range(2, len(tokens) - 2)
+    commands = [n for n in inside if _commands(tokens, n)]
+    found = [parts for n in commands if (parts := _parted(tokens[:n], tokens[n:], _parts))]
+    for stop in (":", ","):
+        places = [n for n in inside if tokens[n].word == stop]
+        if not found and len(places) <= MAX_STOPS:
+            found = [parts for n in places if (parts := _parted(tokens[:n], tokens[n + 1 :], _whole))]
+    return found[0] if len(found) == 1 else whole
+
+
+def _parted(first: list[Token], second: list[Token], read: Callable[[list[Token]], Parts | Refusal]) -> Parts:
+    """Two parts of a sentence, the second one by `read`; nothing where one of them makes no sense."""
+    before = _whole(first)
+    if isinstance(before, Refusal):
+        return []
+    after = read(second)
+    return [] if isinstance(after, Refusal) else [*before, *after]
+
+
+def _whole(tokens: list[Token]) -> Parts | Refusal:
+    """The sentence as one."""
     try:
         return [(tokens, read_sentence(tokens))]
     except Refusal as refusal:
-        starts = [n for n in range(2, len(tokens) - 2) if _commands(tokens, n)]
-        found = [parts for n in starts if (parts := _parted(tokens, n))]
-        return found[0] if len(found) == 1 else refusal
-
-
-def _parted(tokens: list[Token], n: int) -> list[tuple[list[Token], Sentence]]:
-    """A sentence parted before its token `n`; nothing where a part makes no sense."""
-    try:
-        first = read_sentence(tokens[:n])
-    except Refusal:
-        return []
-    rest = _parts(tokens[n:])
-    return [] if isinstance(rest, Refusal) else [(tokens[:n], first), *rest]
+        return refusal
 
 
 def _commands(tokens: list[Token], n: int) -> bool:

@@ -110,8 +110,8 @@ CODES: tuple[Code, ...] = (
         "unused-block",
         "a block is named and then forgotten",
         "A block is spoken of, but no condition mentions it. It may have been meant as a distractor.",
-        "the red blocks spell CAT",
-        "the letter blocks spell CAT",
+        "a red, a blue and a green block: red on blue",
+        "red on blue, with a green block as a distractor",
     ),
     Code(
         "unsupported-structure",

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Pronoun, Quality, Traits
+from rpg.language.meaning import Clause, Noun, Pronoun, Quality, Traits
 from rpg.passes.schema.resolve.operands import crown
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -20,6 +20,9 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
         return _empty(clause, spec, scene, scope)
     if clause.negated:
         raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")
+    if isinstance(clause.theme, Noun) and clause.theme.conditions and clause.mode == "goal":
+        raise refuse("ambiguous", "is this so at the start, or at the end?", clause.theme.conditions[0].span,
+                     "say 'at the start' or 'must be'")  # fmt: skip
     theme = refer(clause.theme, scene, Scope(given=scope.given)) if clause.theme is not None else Ref()
     if theme.table:
         raise refuse("misplaced", "the table has one look", clause.span)

@@ -94,6 +94,8 @@ def _of_a_kind(theme: Ref) -> None:
 def _distances(theme: Ref, units: list[Operand], loc: Loc, span: Span) -> Atoms:
     """Distances of every two; of more than two blocks "5 cm apart" is the spacing of a row."""
     if len(units) == 2 or loc.low is None or loc.high is None:
+        if len(units) > 2 and loc.high is not None and any(b.kind in ("row", "line", "column") for b in theme.built):
+            raise refuse("ambiguous", "of neighbours, or of every two of the line?", loc.span, "say 'with gaps of ...'")
         options: dict[str, Any] = {"minimum": loc.low, "maximum": loc.high, "measure": loc.measure}
         return [r.Distance(a=a, b=b, span=span, **options) for a, b in combinations(units, 2)]
     key = "gap" if loc.measure == "faces" else "spacing"

@@ -74,6 +74,8 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
                 there=len(free),
                 asked=count,
             )
+        if noun.det == "a" and count == 1 and not scope.given and not patch:
+            _one_more(noun, found, scene)
         scene.new_batch()
         chosen = _marked([create(noun.traits, scene, patch) for _ in range(count)], noun, scene, patch)
         for thing in chosen:
@@ -81,6 +83,15 @@ def _indefinite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patc
     if not scope.given:
         scene.used.update(t.name for t in chosen)
     return tuple(t.name for t in chosen)
+
+
+def _one_more(noun: Noun, found: list[Thing], scene: Scene) -> None:
+    """Refuse "a red one" behind "two red blocks": one of the two, or a third one?"""
+    there = {t.name for t in found}
+    lots = [m.ref for m in scene.mentions if not m.ref.patch and len(m.ref.names) > 1]
+    if noun.traits.colors and any(len(there & set(ref.names)) > 1 for ref in lots):
+        raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", noun.span,
+                     "say 'one of them', or 'another'")  # fmt: skip
 
 
 def is_counted(noun: Noun) -> bool:

@@ -81,6 +81,10 @@ def _look(thing: Thing) -> tuple[object, ...]:
 def _uncoloured(scene: Scene) -> None:
     """ "Each on a patch: A on the red one, B on the blue one": patches of no colour beside ones that have one."""
     patches = [t for t in scene.things.values() if t.patch and not t.extra]
+    counted = [t for t in patches if t.color is None and t.elastic is not None]
+    if counted and scene.stocked:
+        raise refuse("ambiguous", "what is listed could be the patches or the blocks", _span(counted, scene),
+                     "say 'blocks' or 'patches' where they are listed")  # fmt: skip
     further = {name for _, ref, _ in scene.besides for name in ref.names}
     open_ = [t for t in patches if t.color is None and t.name not in further]
     if open_ and len(open_) < len(patches) and any(t.color is not None for t in patches):

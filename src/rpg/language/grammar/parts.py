@@ -39,7 +39,7 @@ _NOUNS = {
     "center": "middle", "middle": "middle", "top": "top", "peak": "top", "tip": "top", "apex": "top",
     "bottom": "bottom", "base": "bottom", "foundation": "bottom", "rest": "rest", "others": "rest",
     "remainder": "rest", "corner": "corners", "end": "ends", "inside": "inner", "interior": "inner",
-    "outside": "outer",
+    "outside": "outer", "hole": "middle", "arms": "rest",
 }  # fmt: skip
 """Parts that are named by a noun of their own."""
 _FROM = tuple(f"from {the}{side}" for side in ("left", "right", "top", "bottom") for the in ("the ", ""))
@@ -64,7 +64,23 @@ _PAIRS = tuple(
 )
 """Both ends of a line, named one by one."""
 _REST = ("everything else", "all else", "all the rest", "all the others", "all others", "every other block")
-_BETWEEN = ("in between", "between them", "elsewhere", "everywhere else", "in between them", "between the ends")
+_BETWEEN = (
+    "around it",
+    "all around it",
+    "around the outside",
+    "round it",
+    "around the middle",
+    "around the center",
+    "around that",
+    "everywhere but in the middle",
+    "everywhere but in the center",
+    "in between",
+    "between them",
+    "elsewhere",
+    "everywhere else",
+    "in between them",
+    "between the ends",
+)
 IS = (
     "is", "are", "being", "should be", "must be", "shall be", "has to be", "have to be", "will be", "in",
     "made of", "is made of", "are made of", "consists of", "consist of", "contains", "contain", "of", "is all",
@@ -228,12 +244,14 @@ def _plain(theme: Meaning) -> bool:
 @choice
 def _coloured(p: Parser, i: int) -> Results[Absolute]:
     """ "black corners", "a green middle column", "a yellow top"."""
-    j = p.opt(i, "a", "an", "the", "its", "all")
+    j = p.opt(i, "a", "an", "the", "its", "all", "four")
     for marks, k in adjectives(p, j):
         if set(marks) != {"colors"} or k >= p.end or p.words[k] in _OWN:
             continue
+        if p.words[j - 1] == "four" and j > i and not p.stands(k, ("arms", "corners")):
+            continue
         for place, end in part(p, k):
-            if isinstance(place, Places) and place.side == "rest":
+            if isinstance(place, Places) and place.side == "rest" and p.words[k] != "arms":
                 continue
             theme = Noun(head="any", traits=Traits(colors=marks["colors"]), span=p.span(j, k))
             yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end

@@ -107,7 +107,7 @@ _LEADS = (
 )  # fmt: skip
 _TAILS = ("end", "side", "most", "layer", "layers", "position", "level", "hand", "block", "spot", "place")
 _FLAT = (("row", "row"), ("line", "row"), ("column", "row"))
-_MIDDLES = {"middle": "middle", "center": "middle"}
+_MIDDLES = {"middle": "middle", "center": "middle", "hole": "middle"}
 
 
 @rule

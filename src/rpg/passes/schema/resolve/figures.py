@@ -10,8 +10,9 @@ from rpg.ir import structures as s
 from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.grids import grid
+from rpg.passes.schema.resolve.hubs import hub_of, with_hub
 from rpg.passes.schema.resolve.members import members_of
-from rpg.passes.schema.resolve.parts import widened
+from rpg.passes.schema.resolve.parts import place_of, widened
 from rpg.passes.schema.resolve.patterns import pattern_of
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -30,9 +31,12 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     """Outlines, filled figures and letter shapes on the table."""
     plain(shape)
     count = said_count(shape, theme, scene)
+    hub = hub_of(shape, spec, theme, scene) if not shape.filled else None
+    if hub is not None:
+        spec.absolutes.remove(hub)
     if shape.kind == "rectangle" and shape.dims and shape.filled is not False and not spec.patterns and not spec.orders:
         return _rectangle(shape, spec, theme, scene, scope)
-    if shape.kind in ("square", "rectangle") and shape.filled is not False:
+    if shape.kind in ("square", "rectangle") and shape.filled is not False and hub is None:
         square = (
             shape.kind == "square" and count is not None and count % 4 and math.isqrt(count) ** 2 == count and count > 1
         )
@@ -44,8 +48,12 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     said: dict[str, Any] = {"shape": shape.kind, "pointing": pointing}
     form = s.Figure(blocks=("",), filled=filled, sides=sides, **said)
     size = need or count or FEWEST[shape.kind]
+    if need is None and count is None and hub is None and any(place_of(a) is not None for a in spec.absolutes):
+        need = size
     shape = widened(shape, spec, theme, form, size, scene)
     names = members_of(shape, spec, theme, need, FEWEST[shape.kind], scene, scope)
+    if hub is not None:
+        return with_hub(names, hub, shape, spec, scene)
     least = 4 if shape.kind in ("square", "circle", "rectangle") else 3
     if len(names) < least:
         raise refuse(

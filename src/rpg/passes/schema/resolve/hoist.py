@@ -19,6 +19,7 @@ from rpg.language.meaning import (
     Structure,
     Traits,
 )
+from rpg.passes.schema.resolve.hubs import emptied, in_the_middle, outlines, told_inside
 
 _VERBS = ("stack", "arrange")
 
@@ -34,6 +35,12 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 kept.append((link, said))
                 continue
             clause = _of_one(said)
+            if _in_outline(found, said, link):
+                continue
+            if (inside := in_the_middle(said)) is not None and _new(inside[1]):
+                built = replace(said, verb="build", lemma="", theme=inside[1], adjuncts=(inside[0],))
+                kept.append((link, built))
+                continue
             host = _host(found, clause) if clause.verb == "part" and link != "then" else None
             if host is None:
                 alone = isinstance(clause.theme, Structure) and clause.verb == "part"
@@ -47,6 +54,30 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
         replace(chains[n], clauses=tuple(c for _, c in found[n]), links=tuple(link for link, _ in found[n]))
         for n in left
     )
+
+
+def _new(whole: Meaning) -> bool:
+    """ "a circle of eight purple blocks": built by the clause that says what is in its middle."""
+    return isinstance(whole, Structure) and whole.det == "a" and bool(whole.members or whole.sizes)
+
+
+def _in_outline(found: list[list[tuple[str, Meaning]]], clause: Clause, link: str) -> bool:
+    """ "in its centre there is a white one", "nothing is inside it": said of the outline that was built before."""
+    last = next((lot[-1] for lot in reversed(found) if lot), None)
+    builder = last[1] if last is not None else None
+    if link == "then" or not isinstance(builder, Clause) or not outlines(builder):
+        return False
+    if builder.negated or builder.mode == "start":
+        return False
+    line = max(n for n, lot in enumerate(found) if lot)
+    inside = in_the_middle(clause)
+    if inside is not None and not (isinstance(inside[1], Structure) and (_new(inside[1]) or inside[1].members)):
+        found[line][-1] = (found[line][-1][0], replace(builder, adjuncts=(*builder.adjuncts, inside[0])))
+        return True
+    if told_inside(clause):
+        found[line][-1] = (found[line][-1][0], emptied(builder))
+        return True
+    return False
 
 
 def _of_one(clause: Clause) -> Clause:

@@ -26,6 +26,19 @@ _ASKING = frozenset({"is", "are", "was", "were", "does", "did", "which", "where"
 _BRACKETS = frozenset({"(", ")", "[", "]"})
 _TELLING = frozenset({"the", "which", "that", "not", "it", "this", "whose", "where", "i", "or"})
 _THEN = (
+    "only then",
+    "and only then",
+    "only after that",
+    "only afterwards",
+    "once that is done",
+    "when that is done",
+    "once this is done",
+    "when this is done",
+    "once done",
+    "after doing so",
+    "having done that",
+    "as the last step",
+    "at last",
     "and then",
     "then",
     "after that",
@@ -175,6 +188,7 @@ def _commands(tokens: list[Token], n: int) -> bool:
     forms = lexicon.VERB.get(tokens[n].word, ())
     plain = tokens[n].kind == "word" and any(tense == "base" for _, _, tense in forms)
     denied = tokens[n].word == "do" and tokens[n + 1].word == "not"
+    denied = denied or (tokens[n].word == "goal" and tokens[n + 1].word == "is")
     return (plain or denied) and tokens[n - 1].word not in _LEADING and tokens[n - 1].kind in ("word", "literal")
 
 

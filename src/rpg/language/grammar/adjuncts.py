@@ -230,6 +230,24 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 yield Using(members=members, span=p.span(i, k), cost=1), k
 
 
+_STARTS = ("starts", "start", "begins", "begin", "is at the start", "are at the start", "lies at the start",
+           "is at the beginning", "starts out", "is now", "lies now", "is standing now")  # fmt: skip
+
+
+def _beginning_there(p: Parser, i: int) -> Results[That]:
+    """ "clear the patch, where the black block starts", "the patch on which it starts"."""
+    j = p.any_of(p.opt(i, ","), ("where", "on which"))
+    for theme, k in noun_phrase(p, j) if j else ():
+        for end in {p.any_of(k, _STARTS)} - {0}:
+            spot = Pronoun(word="there", span=p.span(i, j))
+            on = Loc(rel="on", landmark=spot, span=spot.span)
+            begun = Clause(verb="be", theme=theme, adjuncts=(on,), mode="start", span=p.span(j, end))
+            yield (
+                That(kind="so", clauses=Chain(clauses=(begun,), links=("and",), span=begun.span), span=begun.span),
+                end,
+            )
+
+
 @choice
 def _that(p: Parser, i: int) -> Results[Meaning]:
     from rpg.language.grammar.chains import chain
@@ -243,6 +261,7 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     if j:
         for clauses, k in chain(p, p.opt(j, ",")):
             yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
+    yield from _beginning_there(p, i)
     if j := p.one(i, "until"):
         for clauses, k in chain(p, j):
             yield That(kind="until", clauses=clauses, span=p.span(i, k)), k

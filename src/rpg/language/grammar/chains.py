@@ -34,6 +34,9 @@ _LEADS = {
     "when": "then",
     "before": "before",
     "while": "and",
+    "only when": "then",
+    "only once": "then",
+    "only after": "then",
 }
 """What stands before a clause, and how the one behind it follows: then, before it, or at the same time."""
 

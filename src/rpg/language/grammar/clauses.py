@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.absent import never_there, nothing_at_all
 from rpg.language.grammar.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.alike import all_alike
 from rpg.language.grammar.chatter import CHATTER
@@ -225,15 +226,6 @@ _CLOSING = frozenset({",", ":"})
 """What sets chatter off from an instruction in the same sentence."""
 
 
-def nothing_at_all(found: Clause) -> Clause:
-    """ "do not put anything on it": nothing is put there."""
-    theme = found.theme
-    if not found.negated or not isinstance(theme, Pronoun) or theme.word not in ("anything", "anything else"):
-        return found
-    nothing = Pronoun(word="nothing else" if theme.word.endswith("else") else "nothing", span=theme.span)
-    return replace(found, theme=nothing, negated=False, verb="be", lemma="")
-
-
 _AGENTS = (
     "you", "we", "the robot", "the child", "the student", "the user", "somebody", "someone", "the arm", "the agent",
     "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
@@ -274,7 +266,8 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
 
 @rule
 def _exists(p: Parser, i: int) -> Results[Meaning]:
-    """ "there are three red blocks", "there should be a tower ..."."""
+    """ "there are three red blocks", "there should be a tower ...", "there must never be anything on ..."."""
+    yield from never_there(p, i)
     j = p.any_of(
         i,
         (

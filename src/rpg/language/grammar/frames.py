@@ -75,6 +75,8 @@ STATE_FRAMES = Phrases(
     "the result is", "i expect", "i want to have", "the final arrangement should be", "the desired state is",
     "the target is", "the final configuration is", "have", "get", "finally", "it should be that",
     "i want there to be", "the goal state is",
+    "it should end with", "it ends with", "it must end with", "it has to end with", "the table shows",
+    "the table should show", "the goal state has", "the end state is",
     "the final picture should show", "the final scene should show", "the final picture shows", "it is required that",
     "it should look like", "can i have", "can i get", "could i have", "could i get", "may i have",
     "i would love to see", "can i see", "could i see",
@@ -102,6 +104,9 @@ START_FRAMES = Phrases(
     "initially ,", "at the start ,",
     "at the beginning ,", "assume initially", "the starting state is", "the starting state has",
     "in the starting state", "the starting configuration is", "the initial configuration is", "beginning from",
+    "it starts with", "everything starts with", "things start with", "it all starts with", "we begin with",
+    "it begins with", "everything begins with", "initial :", "initial state is", "the starting point is", "at present",
+    "at the moment", "given :", "currently :",
     "from a start with", "from a state where", "starting from a state where",
 )  # fmt: skip
 FIRST = Phrases(

@@ -8,6 +8,7 @@ from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.prepositions import relation
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Loc, Meaning, Pronoun
 
 _AMONG = ("between them", "between each other", "in between them", "in between", "between the two",
@@ -208,6 +209,14 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     yield from _spaced(p, i)
 
 
+_FROM_HERE = Patterns(
+    "away? from where it is|stands|lies|sits|was|starts|started|begins|began now|currently|standing|lying?",
+    "away? from where it currently|now|originally|initially is|stands|lies|sits|was",
+    "away? from its|their|the current|present|original|initial|start|starting|old|first? place|position|location|spot",
+)
+"""From where a block is found."""
+
+
 @choice
 def _spaced(p: Parser, i: int) -> Results[Meaning]:
     """ "leaving a 2 cm gap between them", "with gaps of 2 cm"."""
@@ -238,7 +247,14 @@ def _each_other(p: Parser, i: int, end: int, low: float | None, high: float | No
 @choice
 def _moved(p: Parser, i: int) -> Results[Meaning]:
     """ "by at least 10 cm": how far something moves."""
+    if away := max(_FROM_HERE.matches(p, i), default=0):
+        yield Loc(rel="moved", low=0.05, mods=("here",), span=p.span(i, away)), away
+        for (low, high), j in bounds(p, p.opt(away, ",")):
+            if high is None:
+                yield Loc(rel="moved", low=low, high=high, span=p.span(i, j)), j
     far = p.one(i, "by") or i
     for (low, high), j in bounds(p, far):
+        if (here := max(_FROM_HERE.matches(p, j), default=0)) and high is None:
+            yield Loc(rel="moved", low=low, high=high, span=p.span(i, here)), here
         if high is None or far > i:
             yield Loc(rel="moved", low=low, high=high, span=p.span(i, j), cost=1), j

@@ -35,6 +35,10 @@ _SPOTS = ("to a spot", "to a place", "to a position", "in a spot", "in a place",
           "in the spot", "to the position", "in the position")  # fmt: skip
 
 
+_AFTER_THERE = frozenset({",", ";", "too", "as", "instead", "at", "and", "then", ")", "now", "first", "initially"})
+"""What may follow "there" where it is a place: the patch spoken of."""
+
+
 @rule
 def _loc(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _SPOTS):
@@ -61,6 +65,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 + (2 if name == "in" or p.words[i] == "by" else 0)
             )
             yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost), k
+    if (j := p.one(i, "there")) and (j >= p.end or p.words[j] in _AFTER_THERE):
+        yield Loc(rel="on", landmark=Pronoun(word="there", span=p.span(i, j)), span=p.span(i, j)), j
     yield from _either_relation(p, i)
     yield from _either_place(p, i)
     yield from _between(p, i)

@@ -6,9 +6,11 @@ from dataclasses import replace
 
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Into, Meaning, Pronoun, Structure
+from rpg.language.meaning import Clause, Into, Meaning, OrderBy, Pronoun, Structure
 
+_NEW_ORDER = ("the order to", "its order to", "their order to", "the order into", "the order of the blocks to")
 _ORDER_OF = ("the order of the blocks in", "the order of the cubes in", "the order of", "order of")
 _ITS_ORDER = ("its order", "the order", "their order")
 
@@ -28,10 +30,14 @@ def reverse(p: Parser, i: int, j: int) -> Results[Clause]:
 def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
     """ "turn it into a row", "make it a tower", "take the tower apart"."""
     if sense == "turn" and lemma in ("turn", "transform", "convert", "change"):
+        yield from _reordered(p, i, j)
         yield from _turned_into(p, i, j)
+    if sense == "turn" and lemma in ("turn", "flip"):
+        yield from _flipped(p, i, j)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
+            yield from _listed(p, i, k, theme) if told else ()
             for shape, end in simple(p, p.opt(k, "into")) if told else ():
                 if isinstance(shape, Structure):
                     into = Into(structure=shape, span=shape.span)
@@ -47,8 +53,36 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
                     yield _clause(p, i, last, "unstack", theme, found), last
 
 
+def _listed(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
+    """ "make it C, B, A": the row or tower that is there, in this order."""
+    for items, k in listed(p, j):
+        order = OrderBy(by="given", items=items, span=p.span(j, k))
+        for found, end in adjuncts(p, k):
+            yield _clause(p, i, end, "arrange", theme, (order, *found)), end
+
+
+def _flipped(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "turn the tower the other way round", "flip the stack over"."""
+    for theme, k in noun_phrase(p, j):
+        end = p.one(k, "over") if isinstance(theme, Structure) and theme.kind == "stack" else 0
+        end = end or (p.any_of(k, _ROUND) if isinstance(theme, Structure | Pronoun) else 0)
+        for found, last in adjuncts(p, end) if end else ():
+            yield _clause(p, i, last, "reverse", theme, found), last
+
+
+_ROUND = ("the other way around", "the other way round", "other way around", "other way round")
+
+
+def _reordered(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "change the order to B, A, C"."""
+    if k := p.any_of(j, _NEW_ORDER):
+        yield from _listed(p, i, k, Pronoun(word="it", span=p.span(j, k)))
+
+
 def _turned_into(p: Parser, i: int, j: int) -> Results[Clause]:
     for theme, k in noun_phrase(p, j):
+        if into := p.one(k, "into") if isinstance(theme, Pronoun | Structure) else 0:
+            yield from _listed(p, i, into, theme)
         for found, end in adjuncts(p, k):
             if any(isinstance(a, Into) for a in found):
                 yield replace(_clause(p, i, end, "arrange", theme, found), lemma="turn into"), end

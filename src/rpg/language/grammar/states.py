@@ -51,7 +51,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
     inverted = p.one(i, _BE) if i else 0
     barred = p.any_of(i, _BARRED)
-    asked = p.one(barred or i, _ASKING)
+    asked = p.one(barred or i, _ASKING) or (p.one(i, _DOES) if i and p.words[i - 1] in ("that", "then") else 0)
     if barred and not asked:
         return
     for theme, j in noun_phrase(p, inverted or asked or i):
@@ -71,6 +71,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for found, end in readings:
             found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
             lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
+            lasting = lasting or ("ever" in words and none_of(theme))
             if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & (_MODALS | _BOUND):
                 found = replace(found, lemma="fact")
             idle = isinstance(found, Clause) and _needless(
@@ -82,6 +83,11 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 allowed = Manner(kind="allowed", span=p.span(j, k))
                 found = replace(found, adjuncts=(*found.adjuncts, allowed))
             yield (ever(found, lasting) if isinstance(found, Clause) else found), end
+
+
+def none_of(theme: Meaning) -> bool:
+    """ "nothing", "no red block"."""
+    return getattr(theme, "det", "") == "no" or getattr(theme, "word", "") in ("nothing", "nothing else")
 
 
 def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
@@ -107,6 +113,8 @@ def _needless(words: set[str]) -> bool:
 _ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
 
 
+_DOES = frozenset({"does", "do"})
+"""These come first behind "only then": "only after that does the blue one go onto it"."""
 _BARRED = ("at no time", "at no point", "at no moment", "under no circumstances", "in no case", "never")
 """What comes before a question's order of words: "at no time may the red block be on ..."."""
 

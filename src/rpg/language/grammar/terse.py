@@ -146,7 +146,7 @@ _CLEAR = ("clear", "free", "empty", "bare", "vacant", "uncovered", "unoccupied")
 @rule
 def kept_clear(p: Parser, i: int) -> Results[Meaning]:
     """ "keep the zone clear of the red box", "leave the top of the red block free": that nothing lies there."""
-    j = p.any_of(i, ("keep", "leave", "make sure to keep", "make sure to leave"))
+    j = p.any_of(i, ("keep", "leave", "make sure to keep", "make sure to leave", "get", "make", "have"))
     for theme, k in noun_phrase(p, j) if j else ():
         place = theme.whole if isinstance(theme, PartOf) and theme.part == "top" else theme
         end = p.one(k, frozenset(_CLEAR))

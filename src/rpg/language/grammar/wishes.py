@@ -125,6 +125,7 @@ _PREFACES = (
     "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
     "easy|simple|quick|hard|tricky one|task|job|question|request|thing|exercise|puzzle|challenge :",
     "do|would_you_do me|us a|one|this small|little|big? favor ,|:|and please?",
+    "goal|aim|objective|target|task is to?",
     "be a friend|good_robot|good_sport|hero|sport? and",
     f"it would|will be {FINE}|ideal if you|we|the_robot could|would|can?",
     "mind",

@@ -207,7 +207,11 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
         return appear(clause, spec, scene, scope)
     if any(m.kind == "stay" for m in spec.manners):
         return turning.keep(clause, spec, scene, scope)
-    if clause.verb == "place" and any(isinstance(p, Loc) and p.rel == "moved" for p in spec.places):
+    moved = [p for p in spec.places if isinstance(p, Loc) and p.rel == "moved"]
+    if clause.verb == "place" and clause.negated and moved and "here" in moved[0].mods and len(spec.places) == 1:
+        spec.places = []
+        return turning.stay(clause, spec, scene, scope, stays=True)
+    if clause.verb == "place" and moved:
         return turning.moved(clause, spec, scene, scope)
     if (
         clause.verb == "place"

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.core import by_first
+from rpg.language.grammar.core import Beginnings, by_first
 from rpg.language.grammar.rephrased import rephrased
 from rpg.language.tokens import Token
 
@@ -104,14 +104,15 @@ _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "ne
 def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
+    tables = (
+        (by_first(_ANYWHERE), lambda first, last: True),
+        (by_first(_EMPHASIS), lambda first, last: _emphatic(words, last)),
+        (by_first(_FREE), lambda first, last: _set_off(words, first, last)),
+    )
     out: list[Token] = []
     at = 0
     while at < len(tokens):
-        end = max(
-            _standing(words, at, _ANYWHERE, lambda first, last: True),
-            _standing(words, at, _EMPHASIS, lambda first, last: _emphatic(words, last)),
-            _standing(words, at, _FREE, lambda first, last: _set_off(words, first, last)),
-        )
+        end = max(_standing(words, at, phrases, fits) for phrases, fits in tables)
         if end == at:
             out.append(tokens[at])
             at += 1
@@ -124,11 +125,13 @@ def _shouted(token: Token) -> bool:
     return token.kind == "word" and len(token.raw) > 1 and token.raw.isupper()
 
 
-def _standing(words: list[str], at: int, phrases: tuple[str, ...], fits: Callable[[int, int], bool]) -> int:
+def _standing(words: list[str], at: int, phrases: Beginnings, fits: Callable[[int, int], bool]) -> int:
     """The position after the longest of `phrases` that stands and fits here, or `at`."""
+    if (begun := phrases.get(words[at])) is None:
+        return at
     ends = [
         at + len(phrase)
-        for phrase in by_first(phrases).get(words[at], ())
+        for phrase in begun
         if tuple(words[at : at + len(phrase)]) == phrase and fits(at, at + len(phrase))
     ]
     return max(ends, default=at)

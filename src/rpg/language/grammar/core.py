@@ -35,10 +35,13 @@ class TooMuchWork(Exception):
     """The sentence is too tangled to parse within bounds."""
 
 
+Beginnings = dict[str, list[tuple[str, ...]]]
+
+
 @lru_cache(maxsize=1024)
-def by_first(phrases: tuple[str, ...]) -> dict[str, list[tuple[str, ...]]]:
+def by_first(phrases: tuple[str, ...]) -> Beginnings:
     """Phrases as words, by their first word."""
-    table: dict[str, list[tuple[str, ...]]] = {}
+    table: Beginnings = {}
     for phrase in phrases:
         words = tuple(phrase.split())
         table.setdefault(words[0], []).append(words)

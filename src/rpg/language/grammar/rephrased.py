@@ -31,8 +31,9 @@ def rephrased(tokens: list[Token]) -> list[Token]:
     out: list[Token] = []
     at = 0
     while at < len(tokens):
-        words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 6]]
-        said = max((x for x in phrases.get(words[0], ()) if tuple(words[: len(x)]) == x), key=len, default=())
+        begun = phrases.get(tokens[at].word, ()) if tokens[at].kind == "word" else ()
+        words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 6]] if begun else []
+        said = max((x for x in begun if tuple(words[: len(x)]) == x), key=len, default=())
         if not said:
             out.append(tokens[at])
             at += 1

@@ -51,7 +51,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
     inverted = p.one(i, _BE) if i else 0
     barred = p.any_of(i, _BARRED)
-    asked = p.one(barred or i, _ASKING) or (p.one(i, _DOES) if i and p.words[i - 1] in ("that", "then") else 0)
+    asked = p.one(barred or i, _ASKING) or (p.one(i, _DOES) if p.follows(i, ("that", "then")) else 0)
     if barred and not asked:
         return
     for theme, j in noun_phrase(p, inverted or asked or i):

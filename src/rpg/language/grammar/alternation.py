@@ -27,6 +27,7 @@ _APART = Patterns(
     f"{_WHERE_NO} no two {_NEXT} are|is|have|share|with|of|having? may|should|must|can? have|share|be|show? of|in? "
     "the? same|equal color|colors",
     f"{_WHERE_NO} {_NEXT} in|of|with different color|colors",
+    f"{_WHERE_NO} no two {_NEXT} are|being|may_be|should_be|must_be? equal|alike|identical|the_same in color|colors",
     f"{_WHERE_NO} no two blocks|cubes|ones? of|in|with the? same|equal|one color|colors are|stand|may|should|must|can? "
     f"be|stand|sit|come|lie|end_up? {_TOUCH}",
     f"{_WHERE_NO} no two blocks|cubes|ones? of|in|with the? same|equal|one color|colors may|should|must|can? touch",

@@ -355,7 +355,8 @@ def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results
     for sense, lemma, form in p.lex(j, lexicon.VERB) or ():
         if form not in ("past", "ing"):
             continue
-        for at_ in dict.fromkeys((p.opt(j + 1, *PARTICLES), j + 1)):
+        apart = (p.opt(j + 1, ","),) if sense == "stack" else ()
+        for at_ in dict.fromkeys((p.opt(j + 1, *PARTICLES), j + 1, *apart)):
             lined = lemma == "line" and p.words[at_ - 1] == "up"
             for found, k in [*adjuncts(p, at_), *(adjuncts(p, p.opt(at_, "and")) if lined else ())]:
                 if found or sense == "stack" or lined:

@@ -74,8 +74,8 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
     yield from _letters_of(p, i)
     for phrase, j in p.standing(i, _SIGNS):
         det = "the" if phrase.startswith("the") else "a"
-        marks = Traits(labels=(_SIGNS[phrase],), kind="symbol")
-        yield Noun(head="block", det=det, traits=marks, span=p.span(i, j), cost=phrase.endswith("plus sign") * 2), j
+        sign = Traits(labels=(_SIGNS[phrase],), kind="symbol")
+        yield Noun(head="block", det=det, traits=sign, span=p.span(i, j), cost=phrase.endswith("plus sign") * 2), j
     if j := p.any_of(i, _EVERYTHING):
         for marks, k in adjectives(p, j):
             if marks.keys() & {"colors", "kind", "size"}:

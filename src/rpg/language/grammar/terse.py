@@ -27,8 +27,17 @@ from rpg.language.meaning import (
     Quality,
     Structure,
     Traits,
+    Using,
 )
 
+_READ = tuple(
+    f"{who} {word}"
+    for who in ("you can read", "i can read", "one can read", "we can read", "you should read", "one should read",
+                "make it say", "make it read", "let it say", "let it read", "make it spell", "it should say",
+                "it must say", "it says", "it reads", "i want to read", "we want to read", "it should read", "you read")
+    for word in ("", "the word", "the name")
+)  # fmt: skip
+"""What a word follows that is to be there at the end."""
 _SPELT = ("spelled out", "spelt out", "written out", "spelled", "spelt", "written")
 _KINDRED = ("same colors", "the same colors", "same color", "the same color", "blocks of the same color",
             "cubes of the same color", "same colored blocks", "equal colors", "each color", "like colors",
@@ -116,6 +125,12 @@ def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
 @choice
 def _spelt(p: Parser, i: int) -> Results[Meaning]:
     """A word, and that it is spelt."""
+    if (k := p.any_of(i, _READ)) and (read := literal(p, k)) is not None and len(read) > 1:
+        word = Structure(kind="word", det="the", letter=read, span=p.span(k, k + 1))
+        it = Pronoun(word="it", span=p.span(i, k))
+        using = (Using(members=it, span=it.span),) if "it" in p.words[i:k] else ()
+        for found, end in adjuncts(p, k + 1):
+            yield Clause(verb="spell", theme=word, adjuncts=(*using, *found), span=p.span(i, end), cost=1), end
     text = literal(p, i)
     j = p.any_of(p.opt(i + 1, ","), _SPELT) if text is not None else 0
     if text is None or not j:

@@ -27,9 +27,17 @@ def check_built(shape: Structure) -> None:
         raise refuse("no-referent", f"nothing says that this {shape.kind} is built of blocks", shape.span, hint)
 
 
+def _bare(shape: Structure) -> bool:
+    """ "a black square": nothing but a look is said of it."""
+    return not (shape.members or shape.sizes or shape.dims or shape.letter) and shape.filled is None
+
+
 def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """Outlines, filled figures and letter shapes on the table."""
     plain(shape)
+    if shape.kind == "square" and theme is None and _bare(shape) and any(b.kind == "grid" for b in scene.built):
+        raise refuse("ambiguous", "this could be a place of the grid, or a figure of its own", shape.span,
+                     "say 'the block', or of how many blocks the square is built")  # fmt: skip
     count = said_count(shape, theme, scene)
     hub = hub_of(shape, spec, theme, scene) if not shape.filled else None
     if hub is not None:

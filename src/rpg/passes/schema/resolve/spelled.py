@@ -22,8 +22,13 @@ def spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     theme = None
     if spec.usings and isinstance(line := spec.usings[0].members, Structure) and line.kind in _LINES:
         theme = _of_line(line, spec, scene, scope)
+    if spec.usings and getattr(spec.usings[0].members, "word", "") == "it" and not any(True for _ in scene.blocks()):
+        spec.usings.pop(0)
     if spec.usings and _mentioned(spec.usings[0].members):
         theme = refer(spec.usings.pop(0).members, scene, scope)
+        stands = any(b.kind == "stack" and set(theme.names) <= set(b.members) for b in scene.built)
+        if stands and not (spec.toward or spec.intos):
+            spec.toward.append(Toward(axis="z", span=clause.span))
     if clause.verb == "read" and isinstance(clause.theme, Noun):
         return _read_row(clause, clause.theme, theme, spec, scene, scope)
     if theme is not None and isinstance(clause.theme, Structure):

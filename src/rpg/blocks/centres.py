@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +43,7 @@ class Centres:
 def places_of(names: Iterable[str], positions: Sequence[Mapping[str, Vec3]]) -> Numbers:
     """The centres of these blocks: x, y and z, each with a row a state and a column a block."""
     wanted = tuple(names)
-    rows = [[place[name] for name in wanted] for place in positions]
-    found = np.array(rows, dtype=np.float64).reshape(len(positions), len(wanted), 3)
-    return np.ascontiguousarray(found.transpose(2, 0, 1))
+    rows = ([place[name] for name in wanted] for place in positions)
+    # one long run of numbers: nested lists take twice as long to become an array
+    numbers = np.fromiter(chain.from_iterable(chain.from_iterable(rows)), np.float64)
+    return np.ascontiguousarray(numbers.reshape(len(positions), len(wanted), 3).transpose(2, 0, 1))

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.grammar.absolutes import more_parts, one_more
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each import each_clause
 from rpg.language.grammar.each_line import each_line
-from rpg.language.grammar.parts import part_statement
+from rpg.language.grammar.nouns import simple
+from rpg.language.grammar.parts import IS, part, part_statement
 from rpg.language.grammar.patterns import pattern
 from rpg.language.grammar.wholes import wholes_told
-from rpg.language.meaning import Absolute, Clause, Coord, Meaning
+from rpg.language.meaning import Absolute, Clause, Coord, Meaning, Noun, Structure
 
 
 @rule
@@ -23,6 +26,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
         yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
     for several, j in wholes_told(p, i):
         yield _said(p, i, j, several), j
+    yield from _of_a_whole(p, i)
     start = p.any_of(i, ("make", "let", "have", "keep")) or i
     told = dict.fromkeys(part_statement(p, start))
     for first, j in told:
@@ -31,6 +35,28 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
         for whole, k in more_parts(p, start, j, first):
             if isinstance(whole, Coord):
                 yield _said(p, i, k, whole), k
+
+
+def _of_a_whole(p: Parser, i: int) -> Results[Clause]:
+    """ "the four corners of a 3x3 grid are pink": builds the grid, and says so of its corners."""
+    from rpg.language.grammar.structures import structure
+
+    for place, j in part(p, i):
+        of = p.one(j, frozenset({"of", "in"}))
+        for whole, k in structure(p, of) if of else ():
+            sized = isinstance(whole, Structure) and whole.det in ("a", "bare") and not whole.plural
+            if not sized or not isinstance(whole, Structure) or not (whole.sizes or whole.dims or whole.members):
+                continue
+            told = p.any_of(k, IS)
+            for theme, end in simple(p, told) if told else ():
+                if not isinstance(theme, Noun) or theme.det != "bare" or theme.traits.rank or not theme.traits.colors:
+                    continue
+                first = Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end))
+                built = Clause(verb="build", theme=whole, adjuncts=(first,), mode="goal", span=p.span(i, end))
+                yield built, end
+                for more, last in more_parts(p, i, end, first):
+                    if isinstance(more, Coord):
+                        yield replace(built, adjuncts=(more,), span=p.span(i, last)), last
 
 
 def _said(p: Parser, i: int, j: int, found: Absolute | Coord) -> Clause:

@@ -40,6 +40,7 @@ _NOUNS = {
     "bottom": "bottom", "base": "bottom", "foundation": "bottom", "rest": "rest", "others": "rest",
     "remainder": "rest", "corner": "corners", "end": "ends", "inside": "inner", "interior": "inner",
     "outside": "outer", "hole": "middle", "arms": "rest",
+    "foot": "bottom",
 }  # fmt: skip
 """Parts that are named by a noun of their own."""
 _FROM = tuple(f"from {the}{side}" for side in ("left", "right", "top", "bottom") for the in ("the ", ""))
@@ -72,8 +73,6 @@ _BETWEEN = (
     "around the middle",
     "around the center",
     "around that",
-    "everywhere but in the middle",
-    "everywhere but in the center",
     "in between",
     "between them",
     "elsewhere",

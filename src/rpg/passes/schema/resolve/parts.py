@@ -210,6 +210,8 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
         left = [k for k in range(count) if k not in taken]
         if not left or len(rest) > 1:
             raise refuse("misplaced", "nothing is left for this", place.span, "leave it out")
+        if not taken:
+            raise refuse("misplaced", "it is not said of which other part this is the rest", place.span, "say it")
         found.append((item, place, [left]))
     return found
 

@@ -136,7 +136,7 @@ _SIZES = {
     "grid": {"size", "rows", "columns", "layers", "high", "wide", "long", "deep", "side", "dims"},
     "wall": {"size", "wide", "long", "columns", "high", "layers", "rows", "dims"},
     "pyramid": {"size", "base", "wide", "layers", "high", "dims"}, "staircase": {"size", "steps", "high", "layers"},
-    "cube": {"dims", "side", "size"},
+    "cube": {"dims", "side", "size", "wide", "deep", "high", "long"},
     "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep"},
     "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
     "triangle": {"size", "side"}, "circle": {"size"}, "checkerboard": {"dims", "rows", "columns", "size", "side"},

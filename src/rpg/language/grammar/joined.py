@@ -175,7 +175,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
             yield from ((Coord(op="xor", items=whole, span=p.span(i, k)), e) for e in {k: None, p.opt(k, ","): None})
         if joined:
-            cost = 6 if retold(whole) else 2 if now == "then" or shares_head(items[-1], item) else 0
+            stopped = len(items) == 1 and p.words[at : at + 1] == [","] and now == "and"
+            cost = 6 if retold(whole) else 5 if stopped else 2 if now == "then" or shares_head(items[-1], item) else 0
             yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
             yield from more(p, i, whole, j, now)
         else:

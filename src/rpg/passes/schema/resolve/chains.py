@@ -199,8 +199,17 @@ def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
     made = []
     for index, goal in enumerate(goals):
         later = goals[index + 1 :]
-        made.append(g.Stage(goal=goal, undone=any(_undone(after, goal, scene) for after in later)))
+        undone = any(_undone(after, goal, scene) for after in later)
+        _lasts(goal, undone, chain.span)
+        made.append(g.Stage(goal=goal, undone=undone))
     return [g.Sequence(stages=tuple(made), span=chain.span)]
+
+
+def _lasts(goal: g.Goal, undone: bool, span: tuple[int, int] | None) -> None:
+    """Refuse what always holds and is undone by what comes then."""
+    if undone and any(isinstance(part, g.Always) for part in (goal.goals if isinstance(goal, g.All) else (goal,))):
+        told, hint = "what always holds cannot end with what comes then", "leave 'always' out, or what comes then"
+        raise refuse("contradiction", told, span, hint)
 
 
 def _undone(later: g.Goal, earlier: g.Goal, scene: Scene) -> bool:
@@ -231,6 +240,7 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
         fixed = []
         for index, stage in enumerate(stages):
             undone = any(_undone(after.goal, stage.goal, scene) for after in stages[index + 1 :])
+            _lasts(stage.goal, undone, span)
             fixed.append(g.Stage(goal=stage.goal, undone=undone))
         return settle(g.Sequence(stages=tuple(fixed), span=span), scene)
     goals = [stages[0].goal] if stages else []

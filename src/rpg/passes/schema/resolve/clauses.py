@@ -199,6 +199,15 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return _arranged(clause, clause.theme, spec, scene, scope)
 
 
+def _at_a_distance(spec: Spec) -> None:
+    """ "far from the gray block, at least 20 cm": a measure of that, rather than of how far something moves."""
+    far = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("apart", "near") and p.landmark and p.low is None]
+    measured = [p for p in spec.places if isinstance(p, Loc) and p.rel == "moved" and p.cost and not p.mods]
+    if len(far) == len(measured) == 1:
+        told = replace(far[0], rel="distance", mods=(), low=measured[0].low, high=measured[0].high)
+        spec.places = [told if p is far[0] else p for p in spec.places if p is not measured[0]]
+
+
 def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
     """What the manner of a clause settles before its theme is looked at: looks, staying, moving; else None."""
     if spec.manner("partial") is not None:
@@ -207,6 +216,7 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
         return appear(clause, spec, scene, scope)
     if any(m.kind == "stay" for m in spec.manners):
         return turning.keep(clause, spec, scene, scope)
+    _at_a_distance(spec)
     moved = [p for p in spec.places if isinstance(p, Loc) and p.rel == "moved"]
     if clause.verb == "place" and clause.negated and moved and "here" in moved[0].mods and len(spec.places) == 1:
         spec.places = []

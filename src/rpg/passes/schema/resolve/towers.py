@@ -33,7 +33,6 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
     per = shape.extent("size", "high", "layers") or (scene.each[0] if scene.each else None)
     equal = spec.manner("equal") is not None
-    fresh = theme is None
     theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)
     if (
         theme is not None
@@ -50,7 +49,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         names, count = _given(theme, shape, count, per, by_color, scene)
     else:
         names, count = _new(shape.traits, shape, count, per, by_color, scene)
-    heights = (per,) * count if per is not None and count is not None and fresh else None
+    heights = (per,) * count if per is not None and count is not None else None
     node = s.Towers(
         blocks=names, count=count, heights=heights, equal=equal, each="color" if by_color else None,
         separate=by_color, span=shape.span

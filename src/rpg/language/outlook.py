@@ -37,8 +37,8 @@ def head_of(token: Token) -> str | None:
 class Firsts(NamedTuple):
     """What a rule asks of the word where it begins.
 
-    `words`: those that it asks for, END if the end of the sentence is like one of them. `behind`: those that it asks
-    for in front of that word, `anywhere` in the sentence. `found`: its readings before all other words, of no length.
+    `words`: those that it asks for. `behind`: those that it asks for in front of that word, `anywhere` in the sentence.
+    `found`: its readings before all other words and at the end of the sentence, of no length.
     """
 
     words: frozenset[str]

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.core import Beginnings, by_first
 from rpg.language.grammar.rephrased import rephrased
+from rpg.language.phrases import Beginnings, by_first
 from rpg.language.tokens import Token
 
 _ANYWHERE = (

@@ -1,13 +1,14 @@
 """The parser's bones: a token row, memoised rules that give every reading, and how far any of them came.
 
 A rule is a generator of (meaning, next position). Positions that matched are never 0, so that helpers return the next
-position or 0 for "no".
+position or 0 for "no". A rule looks for its first word by these helpers and before all else, so that it can be asked
+with which words it begins (`outlook`): it is not run before others.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from functools import lru_cache, wraps
+from functools import wraps
 from itertools import islice
 from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
@@ -15,6 +16,7 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.meaning import cost_of
 from rpg.language.outlook import END, Asked, Edge, Firsts, Heads, Hidden, Tokens, Words, free_of_places, head_of
+from rpg.language.phrases import TREES, tree_of, words_of
 from rpg.language.tokens import Token
 
 M = TypeVar("M")
@@ -33,43 +35,6 @@ MAX_STEPS = 100_000
 
 class TooMuchWork(Exception):
     """The sentence is too tangled to parse within bounds."""
-
-
-Beginnings = dict[str, list[tuple[str, ...]]]
-
-
-@lru_cache(maxsize=1024)
-def by_first(phrases: tuple[str, ...]) -> Beginnings:
-    """Phrases as words, by their first word."""
-    table: Beginnings = {}
-    for phrase in phrases:
-        words = tuple(phrase.split())
-        table.setdefault(words[0], []).append(words)
-    return table
-
-
-def tree_of(phrases: Collection[str]) -> dict[str | None, Any]:
-    """Phrases word by word: what may follow each word, and under None the rank and the phrase that ends there.
-
-    Phrases are known by where they are kept: to compare them all would take longer than to look for them.
-    """
-    kept = _TREES.get(id(phrases))
-    if kept is not None and kept[0] is phrases:
-        return kept[1]
-    tree: dict[str | None, Any] = {}
-    for rank, phrase in enumerate(phrases):
-        branch = tree
-        for word in phrase.split():
-            branch = branch.setdefault(word, {})
-        branch.setdefault(None, (rank, phrase))
-    if len(_TREES) >= MOST_TREES:
-        _TREES.clear()
-    _TREES[id(phrases)] = (phrases, tree)
-    return tree
-
-
-MOST_TREES = 4096
-_TREES: dict[int, tuple[Collection[str], dict[str | None, Any]]] = {}
 
 
 class Parser:
@@ -129,7 +94,7 @@ class Parser:
         """The position after `phrase`, or 0."""
         if i >= self.end or not phrase.startswith(self.words[i]):
             return 0
-        for word in _split(phrase):
+        for word in words_of(phrase):
             if i >= self.end or self.words[i] != word:
                 return 0
             i += 1
@@ -147,7 +112,7 @@ class Parser:
         """The position after the longest of `phrases` that stands here, or 0."""
         if i >= self.end:
             return 0
-        kept = _TREES.get(id(phrases))  # as in tree_of, without a call: nothing is asked as often
+        kept = TREES.get(id(phrases))  # as in tree_of, without a call: nothing is asked as often
         tree = kept[1] if kept is not None and kept[0] is phrases else tree_of(phrases)
         branch = tree.get(self.words[i])
         if branch is None:
@@ -224,11 +189,6 @@ class Parser:
         return None if whole is None else float(whole)
 
 
-@lru_cache(maxsize=4096)
-def _split(phrase: str) -> tuple[str, ...]:
-    return tuple(phrase.split())
-
-
 class Inquiry(Parser):
     """A parser that stands in for every sentence, and notes what a rule asks for where it begins."""
 
@@ -254,7 +214,7 @@ class Inquiry(Parser):
         return i
 
     def seq(self, i: int, phrase: str) -> int:
-        self.asked.note(i, _split(phrase)[:1])
+        self.asked.note(i, words_of(phrase)[:1])
         return 0
 
     def standing(self, i: int, phrases: Collection[str]) -> list[tuple[str, int]]:

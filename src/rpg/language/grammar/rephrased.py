@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.grammar.core import by_first
+from rpg.language.phrases import by_first
 from rpg.language.tokens import Token
 
 _MESSY = (

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from rpg.language.grammar.core import Parser, tree_of
+from rpg.language.grammar.core import Parser
 from rpg.language.grammar.frames import Phrases
+from rpg.language.phrases import tree_of
 
 PEOPLE = (
     "customer|customers|client|clients|boss|user|users|teacher|friend|friends|daughter|son|student|students|pupil|"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Clause, Manner
+from rpg.language.grammar.verbs import ever
+from rpg.language.meaning import Clause, In, Loc, Manner
 
 _NOT = frozenset({"not", "never"})
 _ALL = (["both"], ["all"])
@@ -27,3 +28,17 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
 
 def _verbs(clause: Clause) -> tuple[str, ...]:
     return tuple(clause.lemma.split()[:1])
+
+
+def stays(found: Clause, allowed: bool) -> Clause:
+    """ "stays on the patch": there from the start on; "stays empty", "must not stay there" are about the end.
+
+    `allowed`: "at most one may stay there" is so too.
+    """
+    if allowed:
+        return found
+    placed = any(isinstance(a, Loc | In) for a in found.adjuncts)
+    if placed and (found.negated or getattr(found.theme, "det", "") == "no"):
+        gone = Manner(kind="gone", span=found.span)
+        return replace(found, adjuncts=(*found.adjuncts, gone)) if found.negated else found
+    return ever(found, placed)

@@ -9,7 +9,7 @@ from rpg.language.grammar.adjectives import adjectives, of_quality
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.becoming import becoming
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.denials import denied_of_all
+from rpg.language.grammar.denials import denied_of_all, stays
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.manners import direction, manner
 from rpg.language.grammar.nouns import noun_phrase
@@ -19,7 +19,6 @@ from rpg.language.meaning import (
     At,
     Clause,
     Coord,
-    In,
     Loc,
     Manner,
     Meaning,
@@ -225,9 +224,10 @@ def _predicate_after_be(
         ):
             manner_ = Manner(kind="stay", span=p.span(k, still))
             return [(Clause(verb="be", theme=theme, adjuncts=(manner_,), mode=mode, span=p.span(i, still)), still)]
+        allowed = p.words[k - 1] in ("may", "might")
         lasting = p.words[k] in ("stays", "stay", "remains", "remain", "staying", "remaining")
         readings = list(_predicate(p, i, p.reach(k + 1), theme, mode, negated))
-        return [(_stays(c) if lasting and isinstance(c, Clause) else c, e) for c, e in readings]
+        return [(stays(c, allowed) if lasting and isinstance(c, Clause) else c, e) for c, e in readings]
     if gone := p.seq(k, "no longer"):
         past = Manner(kind="gone", span=p.span(k, gone))
         longer = [*_subject_verb(p, i, gone, theme, mode, True), *_predicate(p, i, gone, theme, mode, True)]
@@ -239,15 +239,6 @@ def _predicate_after_be(
     ):
         return list(_predicate(p, i, k, theme, mode, negated))
     return []
-
-
-def _stays(found: Clause) -> Clause:
-    """ "stays on the patch": there from the start on; "stays empty", "must not stay there" are about the end."""
-    placed = any(isinstance(a, Loc | In) for a in found.adjuncts)
-    if placed and (found.negated or getattr(found.theme, "det", "") == "no"):
-        gone = Manner(kind="gone", span=found.span)
-        return replace(found, adjuncts=(*found.adjuncts, gone)) if found.negated else found
-    return ever(found, placed)
 
 
 def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import string
 from dataclasses import replace
 
-from rpg.language.meaning import Amount, Noun
+from rpg.language.meaning import Amount, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.select import select
 from rpg.passes.schema.resolve.things import create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -115,3 +115,23 @@ def quantified(found: Ref, noun: Noun) -> Ref:
     if noun.amount is not None and noun.amount.strict and noun.det != "the":
         return replace(found, quant=noun.amount)
     return found
+
+
+def bounded(item: Meaning, bounds: Amount) -> Meaning:
+    """ "exactly two red and one blue": exactly one blue; "at most" and "at least" are said of all that follow, too."""
+    if not isinstance(item, Noun) or item.amount is None or item.amount.strict or item.det != "bare":
+        return item
+    low = item.amount.low if bounds.low else 0
+    high = None if bounds.high is None else item.amount.high
+    return replace(item, amount=Amount(low, high, strict=True))
+
+
+def repeats(item: Noun, seen: list[Traits]) -> bool:
+    """ "red, yellow, yellow, red": the second of the same kind in a list is another block."""
+    return (
+        item.traits in seen
+        and not item.plural
+        and item.det in ("bare", "a")
+        and item.amount in (None, Amount(1, 1))
+        and bool(item.traits.colors)
+    )

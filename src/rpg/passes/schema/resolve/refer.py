@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Refusal
 from rpg.language.grammar.retold import retold
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
 from rpg.passes.schema.resolve.counting import counted_among, denied, elliptical, not_of_a_structure
-from rpg.passes.schema.resolve.listing import fewer_than, listed, quantified
+from rpg.passes.schema.resolve.listing import bounded, fewer_than, listed, quantified, repeats
 from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
 from rpg.passes.schema.resolve.shares import SHARES, share_of
@@ -71,8 +71,8 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     bounds = meaning.items[0].amount if isinstance(meaning.items[0], Noun) else None
     for item in meaning.items:
         if bounds is not None and bounds.strict and meaning.op == "and":
-            item = _bounded(item, bounds)
-        if isinstance(item, Noun) and _repeats(item, seen, scene):
+            item = bounded(item, bounds)
+        if isinstance(item, Noun) and repeats(item, seen):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
         if parts and isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None:
             raise refuse("misplaced", "this could describe the blocks before it", item.span, "say it in front of them")
@@ -107,26 +107,6 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         plural=True,
         span=meaning.span,
         listed=single,
-    )
-
-
-def _bounded(item: Meaning, bounds: Amount) -> Meaning:
-    """ "exactly two red and one blue": exactly one blue; "at most" and "at least" are said of all that follow, too."""
-    if not isinstance(item, Noun) or item.amount is None or item.amount.strict or item.det != "bare":
-        return item
-    low = item.amount.low if bounds.low else 0
-    high = None if bounds.high is None else item.amount.high
-    return replace(item, amount=Amount(low, high, strict=True))
-
-
-def _repeats(item: Noun, seen: list[Traits], scene: Scene) -> bool:
-    """ "red, yellow, yellow, red": the second of the same kind in a list is another block."""
-    return (
-        item.traits in seen
-        and not item.plural
-        and item.det in ("bare", "a")
-        and item.amount in (None, Amount(1, 1))
-        and bool(item.traits.colors)
     )
 
 
@@ -384,6 +364,8 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
 def _extras(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """Distractors: as many as are said, of the colours or labels listed."""
     labels, colors = noun.traits.labels, noun.traits.colors
+    if noun.head == "any" and noun.traits == Traits(extra=True) and scene.blocks():
+        raise refuse("ambiguous", "it is not said what these blocks look like", noun.span, "name their colour")
     count = noun.amount.low if noun.amount else len(labels) or len(colors) or (2 if noun.plural else 1)
     scene.new_batch()
     names = []

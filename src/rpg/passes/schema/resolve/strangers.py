@@ -36,6 +36,7 @@ def no_strangers(scene: Scene) -> None:
     """Refuse things that were made up, where they could be among those that are named."""
     _unnamed(scene)
     _uncounted(scene)
+    _like_distractors(scene)
     _uncoloured(scene)
     _after_the_start(scene)
 
@@ -76,6 +77,15 @@ def _after_the_start(scene: Scene) -> None:
 
 def _look(thing: Thing) -> tuple[object, ...]:
     return thing.patch, thing.color, thing.label, thing.kind, thing.size, thing.edge
+
+
+def _like_distractors(scene: Scene) -> None:
+    """ "Three white blocks are lying around. Put the white block on the mat.": one of the three, or a fourth?"""
+    spare = {_look(t) for t in scene.blocks() if t.extra and (t.color or t.label)}
+    like = [t for t in scene.blocks() if not t.extra and _look(t) in spare]
+    if like:
+        raise refuse("ambiguous", "blocks that look like this one lie about besides", _span(like, scene),
+                     "say which are distractors, or say 'one of' them")  # fmt: skip
 
 
 def _uncoloured(scene: Scene) -> None:

@@ -61,6 +61,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 continue
             cost = (
                 _listed_cost(landmark)
+                + (5 if _stopped(p, landmark, j, k) else 0)
                 + (1 if p.words[i] == "side" and p.words[j - 1] == "with" else 0)
                 + (2 if name == "in" or p.words[i] == "by" else 0)
             )
@@ -205,6 +206,12 @@ _UNSAID = {
     "one row behind the other": "one_behind", "one row in front of the other": "one_behind",
     "one behind another": "one_behind",
 }  # fmt: skip
+
+
+def _stopped(p: Parser, landmark: Meaning, j: int, k: int) -> bool:
+    """ "8, and 9": behind a comma, "and" begins another clause rather than the second of two symbols."""
+    two = isinstance(landmark, Noun) and len(landmark.traits.labels) == 2
+    return two and p.words[k - 3 : k - 1] == [",", "and"] and j < k - 3
 
 
 def _listed_cost(landmark: Meaning) -> int:

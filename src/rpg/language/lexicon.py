@@ -81,10 +81,10 @@ SIZES = {"big": "big large huge giant", "small": "small little tiny mini", "medi
 BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 
 VERBS = {
-    "place": "put place move set position lay bring transfer relocate drop push slide shift carry get deliver locate "
-    "seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich stand mount shove "
-    "scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung heave hoist install wedge fit "
-    "slot",
+    "place": "put place add move set position lay bring transfer relocate drop push slide shift carry get deliver "
+    "locate seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich "
+    "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
+    "heave hoist install wedge fit slot",
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape",

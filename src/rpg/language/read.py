@@ -24,6 +24,7 @@ _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
 _ASKING = frozenset({"is", "are", "was", "were", "does", "did", "which", "where", "why", "who", "when"})
 """What a question begins with that is no polite command."""
 _BRACKETS = frozenset({"(", ")", "[", "]"})
+_BEGINS = frozenset({"starts", "start", "begins", "begin", "initially"})
 _TELLING = frozenset({"the", "which", "that", "not", "it", "this", "whose", "where", "i", "or"})
 _THEN = (
     "only then",
@@ -228,7 +229,8 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
 def _adds(tokens: list[Token]) -> bool:
     """Whether there are brackets, and what they hold adds something instead of telling which thing is meant."""
     inside = [tokens[n + 1].word for n, t in enumerate(tokens[:-1]) if t.word in ("(", "[")]
-    return bool(inside) and not any(word in _TELLING for word in inside)
+    begins = any(token.word in _BEGINS for token in tokens)
+    return bool(inside) and (begins or not any(word in _TELLING for word in inside))
 
 
 def _unbracketed(tokens: list[Token]) -> list[Token]:

@@ -10,6 +10,7 @@ from rpg.language.grammar.frames import THEN
 from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
+from rpg.language.grammar.starts import begun_with
 from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.meaning import (
@@ -54,6 +55,10 @@ def chain(p: Parser, i: int) -> Results[Chain]:
                 clauses = (*both[0].clauses, *both[1].clauses)
                 links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
                 yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
+    for begun, j in begun_with(p, i):
+        for main, end in chain(p, j):
+            links = ("and", *main.links)
+            yield Chain(clauses=(begun, *main.clauses), links=links, span=p.span(i, end)), end
     if j := p.one(i, "either"):
         if joined := list(_alternatives(p, j, ())):
             yield from joined

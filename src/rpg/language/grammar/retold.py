@@ -152,3 +152,8 @@ def one_heap(theme: Meaning, verb: str) -> bool:
     last = theme.items[-1]
     several = isinstance(last, Noun) and last.plural and last.det == "bare"
     return several and not first.plural and first.members is not None
+
+
+def none_of(theme: Meaning) -> bool:
+    """ "nothing", "no red block"."""
+    return getattr(theme, "det", "") == "no" or getattr(theme, "word", "") in ("nothing", "nothing else")

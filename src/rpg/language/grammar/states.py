@@ -13,7 +13,8 @@ from rpg.language.grammar.denials import denied_of_all, stays
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.manners import direction, manner
 from rpg.language.grammar.nouns import noun_phrase
-from rpg.language.grammar.retold import one_heap
+from rpg.language.grammar.retold import none_of, one_heap
+from rpg.language.grammar.starts import STARTS, starts_as
 from rpg.language.grammar.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.meaning import (
     At,
@@ -65,8 +66,9 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             continue
         readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
         readings += () if negated else becoming(p, i, k, theme, mode)
-        for _, s in p.standing(k, _STARTS):
+        for _, s in p.standing(k, STARTS):
             readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
+            readings += starts_as(p, i, s, theme)
         for found, end in readings:
             found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
             lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
@@ -82,11 +84,6 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 allowed = Manner(kind="allowed", span=p.span(j, k))
                 found = replace(found, adjuncts=(*found.adjuncts, allowed))
             yield (ever(found, lasting) if isinstance(found, Clause) else found), end
-
-
-def none_of(theme: Meaning) -> bool:
-    """ "nothing", "no red block"."""
-    return getattr(theme, "det", "") == "no" or getattr(theme, "word", "") in ("nothing", "nothing else")
 
 
 def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
@@ -116,11 +113,6 @@ _DOES = frozenset({"does", "do"})
 """These come first behind "only then": "only after that does the blue one go onto it"."""
 _BARRED = ("at no time", "at no point", "at no moment", "under no circumstances", "in no case", "never")
 """What comes before a question's order of words: "at no time may the red block be on ..."."""
-
-
-_STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
-    "start out", "initially is", "initially sits",
-           "starts the episode")  # fmt: skip
 
 
 _FILLERS = frozenset(

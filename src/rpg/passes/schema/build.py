@@ -36,7 +36,7 @@ from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.resolve import finish
-from rpg.passes.schema.resolve.beginning import UNMEANT, begun
+from rpg.passes.schema.resolve.beginning import UNMEANT, begun, start_first
 from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.counted import counted_later
@@ -169,6 +169,9 @@ def resolve(
         if bold != facts and refusal.diagnostics[0].code in UNMEANT:
             with suppress(Refusal):
                 return _resolved(*told_later(links, bold), text, notes, name, seed, author, lenient)
+        if (ahead := start_first(*told_later(links, facts))) is not None:
+            with suppress(Refusal):
+                return _resolved(*ahead, text, notes, name, seed, author, lenient)
         if isinstance(refusal, Repairable):
             raise refusal.blaming("order-misfit", _ordering(chains)) from None
         raise

@@ -1,0 +1,43 @@
+""" "It starts as red on blue", "the tower starts with A on B on C": a structure of the start by what it is made of."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.piled import piled
+from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure
+
+STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
+          "start out", "initially is", "initially sits", "starts the episode")  # fmt: skip
+
+
+def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
+    """What follows "starts" at `at` where it is the structure itself that is told."""
+    j = p.any_of(at, ("as", "out as", "with", "off as"))
+    it = isinstance(theme, Pronoun) and theme.word == "it"
+    the = isinstance(theme, Structure) and theme.det == "the" and theme.members is None
+    for first, k in simple(p, j) if j and (it or the) else ():
+        for found, end in adjuncts(p, k):
+            if isinstance(first, Structure) and first.members is not None:
+                span = p.span(i, end)
+                yield Clause(verb="exist", lemma="begun", theme=first, adjuncts=found, mode="given", span=span), end
+            upright = all(isinstance(a, Loc) and a.rel in ("on", "above") for a in found)
+            if isinstance(first, Noun) and found and upright:
+                yield piled(Clause(verb="be", theme=first, adjuncts=found, mode="start", span=p.span(i, end))), end
+
+
+_ALREADY = ("already", "initially", "currently", "starting out", "starting", "beginning")
+
+
+def begun_with(p: Parser, i: int) -> Results[Clause]:
+    """ "with red already on green, add ...", "with the red block on the green one at the start, ...": how it begins."""
+    j = p.one(i, "with")
+    for theme, k in noun_phrase(p, j) if j else ():
+        told = p.any_of(k, _ALREADY)
+        for found, end in adjuncts(p, told or k):
+            when = [a for a in found if isinstance(a, Manner) and a.kind == "start"]
+            places = tuple(a for a in found if a not in when)
+            comma = p.opt(end, ",", ":")
+            if comma > end and places and all(isinstance(a, Loc) for a in places) and (told or when):
+                yield Clause(verb="be", theme=theme, adjuncts=places, mode="start", span=p.span(i, end)), comma

@@ -15,7 +15,12 @@ def was_so(goals: list[g.Goal], clause: Clause, spec: Spec, scene: Scene) -> Non
     if gone is not None and not clause.negated:
         raise refuse("misplaced", "this goes with 'not'", gone.span, "say 'no longer'")
     if gone is not None or begun is not None:
-        scene.start_goals += [x for x in goals if isinstance(x, r.On | r.OnPatch) and x not in scene.start_goals]
+        parts = [part for goal in goals for part in (goal.goals if isinstance(goal, g.All) else (goal,))]
+        facts = [part.goal if isinstance(part, g.Not) else part for part in parts]
+        placed = [fact for fact in facts if isinstance(fact, r.On | r.OnPatch)]
+        if begun is not None and not placed:
+            raise refuse("ambiguous", "it is not clear what is so at the start", begun.span, "say it in two sentences")
+        scene.start_goals += [fact for fact in placed if fact not in scene.start_goals]
 
 
 def laid_down(clause: Clause, spec: Spec) -> bool:

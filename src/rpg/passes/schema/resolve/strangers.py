@@ -32,9 +32,19 @@ def _unnamed(scene: Scene) -> None:
         )
 
 
+def _apposed(scene: Scene) -> None:
+    """ "Three blocks, tan ones": so many without a look, and some of a look without a number, may be the same."""
+    counted = [t for t in scene.blocks() if t.elastic is None and not (t.color or t.label or t.kind or t.extra)]
+    uncounted = [t for t in scene.blocks() if t.elastic is not None and (t.color or t.label) and not t.extra]
+    if counted and uncounted:
+        told, hint = "the blocks that are counted may be those that are described", "say 'three red blocks'"
+        raise refuse("ambiguous", told, None, hint)
+
+
 def no_strangers(scene: Scene) -> None:
     """Refuse things that were made up, where they could be among those that are named."""
     _unnamed(scene)
+    _apposed(scene)
     _uncounted(scene)
     _like_distractors(scene)
     _uncoloured(scene)

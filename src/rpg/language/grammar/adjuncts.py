@@ -13,6 +13,7 @@ from rpg.language.grammar.makeup import apposed_blocks
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.offsets import offset
+from rpg.language.grammar.onto import piled_up
 from rpg.language.grammar.orders import order
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
@@ -102,6 +103,7 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from each_line(p, i)
     if p.words[i] in (",", ":"):
         yield from ((replace(found, cost=found.cost + 1), k) for found, k in wholes(p, i))
+        yield from ((replace(piled, cost=1), k) for piled, k in piled_up(p, i + 1))
         for blocks, k in apposed_blocks(p, i):
             yield Using(members=blocks, lead=",", span=p.span(i, k), cost=1), k
     yield from _that(p, i)

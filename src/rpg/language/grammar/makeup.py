@@ -184,7 +184,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     for size, k in [*lines_of(p, j, base.kind), *size_phrase(p, j)]:
         if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
             continue
-        k = p.opt(k, "each") if base.plural else k
+        k = (p.any_of(k, _EACH) or k) if base.plural else k
         changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
         yield from _sized(p, i, k, changed)
 

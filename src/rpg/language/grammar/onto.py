@@ -40,6 +40,38 @@ def one_on_another(p: Parser, i: int) -> Results[OrderBy]:
         for items, j in _more(p, i, words):
             if len(items) > 1:
                 yield OrderBy(by="named", items=items, first=first, span=p.span(i, j)), j
+    yield from piled_up(p, i)
+
+
+_ON_IT = ("on it", "on top of it", "on that", "on top of that", "above it", "above that", "over it", "on this")
+_UNDER_IT = ("under it", "below it", "beneath it", "underneath it", "under that", "below that", "under this")
+_AND = (", and", ", then", ", and then", "and then", "and", "then", ",", ";")
+
+
+@rule
+def piled_up(p: Parser, i: int) -> Results[OrderBy]:
+    """ "red, on it orange, on it yellow", "red at the bottom, blue on it, green on that"."""
+    for words, first, ends in (
+        (_ON_IT, "bottom", ("at the bottom", "at the very bottom", "first")),
+        (_UNDER_IT, "top", ("on top", "at the top", "on the top", "first")),
+    ):
+        for item, j in simple(p, i):
+            if isinstance(item, Noun) and _single(item):
+                j = p.any_of(j, ends) or j
+                for items, end in _next_on_it(p, j, words, (item,)):
+                    yield OrderBy(by="named", items=items, first=first, span=p.span(i, end)), end
+
+
+def _next_on_it(p: Parser, i: int, words: tuple[str, ...], had: tuple[Meaning, ...]) -> Results[tuple[Meaning, ...]]:
+    j = p.any_of(i, _AND)
+    if not j or len(had) > 12:
+        return
+    lead = p.any_of(j, words)
+    for item, k in simple(p, lead or j):
+        end = k if lead else p.any_of(p.opt(k, "is", "goes", "lies", "sits"), words)
+        if end and isinstance(item, Noun) and _single(item):
+            yield (*had, item), end
+            yield from _next_on_it(p, end, words, (*had, item))
 
 
 def _more(p: Parser, i: int, words: tuple[str, ...]) -> Results[tuple[Meaning, ...]]:

@@ -52,6 +52,10 @@ _ALONG = {
 """The axis of a line."""
 
 
+_COUNTED = frozenset({"block", "cube", "brick", "one", "layer", "row", "blocks", "cubes", *lexicon.ORDINAL})
+"""What is counted "from the bottom", so that this is no direction."""
+
+
 @rule
 def toward(p: Parser, i: int) -> Results[Meaning]:
     """ "from left to right", "bottom to top", "from the bottom up", "vertically", "starting from the left"."""
@@ -67,6 +71,9 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
                 yield Toward(first=first, axis=AXIS[first], span=p.span(i, e + 1)), p.opt(p.reach(e + 1), "side", "end")
         if j2 > j > i and first in ("left", "right") and p.words[k] not in ("to", "towards"):
             yield Toward(first=first, axis="y", span=p.span(i, k)), k
+        upright = first in ("top", "bottom") and not p.follows(i, _COUNTED)
+        if j2 > j > i and upright and not p.stands(k, ("to", "towards", "up", "down", "of", "upwards", "downwards")):
+            yield Toward(first=first, axis="z", span=p.span(i, k), cost=1), k
         if j2 == j > i and p.words[k] == ":":
             yield Toward(first=first, axis=AXIS[first], span=p.span(i, k)), k
         if p.words[k : k + 1] in (["up"], ["upwards"], ["upward"]) and first == "bottom" and j > i:

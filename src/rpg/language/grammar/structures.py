@@ -163,7 +163,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
         if (
             kind == "cube"
             and len(before.dims) != 3
-            and not p.any_of(k, ("of", "out of", "made of", "made from", "from"))
+            and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "that is made of", "built of"))
             and not ((m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, EDGES)))
         ):
             continue

@@ -72,6 +72,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     parts: list[At | Places] = []
     bunches: list[tuple[str, ...]] = []
     last: int | None = None
+    way = 1
     sides = [place.side for item in spec.absolutes if (place := place_of(item)) is not None]
     ends = "rest" not in sides and ("ends" in sides or "outer" in sides)
     for item in list(spec.absolutes):
@@ -81,8 +82,11 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         if place.side == "rest" or (place.side == "middle" and ends and _whole(item, place)):
             rest.append(item)
             continue
-        groups = _following(item, last) if place.side == "next" and last is not None else None
+        groups = _following(item, last, way) if place.side == "next" and last is not None else None
         found, last = _put(item, place, groups, held, names, kind, scene)
+        if place.side != "next":
+            way = -1 if place.side in FAR_ENDS else 1
+        last = last + 1 - len(found) if way < 0 else last
         alike_ = len({looks(scene.things[n]) for n in found}) == 1
         bunches += [found] if alike_ or (isinstance(item.theme, Noun) and not item.theme.traits.labels) else []
         parts.append(place)
@@ -105,10 +109,16 @@ def _side_of(parts: list[At | Places], kind: str) -> str:
     return {"stack": "bottom", "column": "front"}.get(kind, "left")
 
 
-def _following(item: Absolute, last: int) -> Groups:
-    """ "then green": the places after the last one."""
+FAR_ENDS = ("top", "right", "back")
+"""Ends from which on what comes next stands nearer to the beginning of the places."""
+
+
+def _following(item: Absolute, last: int, way: int) -> Groups:
+    """ "then green": the places after the last one, or before it where the far end was told first."""
     count = amount_of(item.theme) or max(1, len(getattr(item.theme, "items", ())))
-    return [[last + 1 + k] for k in range(count)]
+    if way < 0 and count > 1:
+        raise refuse("ambiguous", "it is not clear in which order these follow", item.span, "name them one by one")
+    return [[last + way + way * k] for k in range(count)]
 
 
 def _put(

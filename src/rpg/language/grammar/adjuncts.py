@@ -259,7 +259,8 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
         "making sure that", "making sure", "ensuring that", "ensuring",
                      "where", ", where", "in a way that", "and make sure that", "and ensure that",
                      "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring",
-                     "while making sure", "while ensuring"))  # fmt: skip
+                     "while making sure", "while ensuring", ", so long as", "so long as", ", provided that",
+                     "provided that"))  # fmt: skip
     if j:
         for clauses, k in chain(p, p.opt(j, ",")):
             yield That(kind="so", clauses=clauses, span=p.span(i, k)), k

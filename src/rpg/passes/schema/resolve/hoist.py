@@ -20,6 +20,7 @@ from rpg.language.meaning import (
     Traits,
 )
 from rpg.passes.schema.resolve.hubs import emptied, in_the_middle, outlines, told_inside
+from rpg.passes.schema.resolve.overs import in_one_tower
 
 _VERBS = ("stack", "arrange")
 
@@ -33,6 +34,9 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
         for link, said in zip(chain.links, chain.clauses, strict=True):
             if not isinstance(said, Clause):
                 kept.append((link, said))
+                continue
+            if (parts := in_one_tower(said)) and not any(found[:-1]) and not kept:
+                kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
                 continue
             clause = _of_one(said)
             if _in_outline(found, said, link):

@@ -1,0 +1,80 @@
+"""Blocks somewhere above each other in a tower: "pink is somewhere above brown in a stack with gray in between"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    At,
+    Clause,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Places,
+    Pronoun,
+    Structure,
+    parts_of,
+)
+
+_LOWER = {"above": 0, "under": 1}
+"""Which of the theme and the landmark is the lower one: 0 the landmark."""
+
+
+def in_one_tower(clause: Clause) -> tuple[Clause, ...]:
+    """The clauses that build the tower and say what is above what in it; none where this is not said."""
+    if clause.verb not in ("be", "place", "stack") or clause.negated or clause.mode == "start":
+        return ()
+    places = [a for a in clause.adjuncts if isinstance(a, Loc)]
+    towers = [a for a in clause.adjuncts if isinstance(a, Into)]
+    middles = [a for a in clause.adjuncts if isinstance(a, Absolute)]
+    if len(places) != 1 or len(towers) != 1 or len(middles) > 1 or 2 + len(middles) != len(clause.adjuncts):
+        return ()
+    tower, over = towers[0].structure, places[0]
+    if not isinstance(tower, Structure) or tower.kind != "stack" or tower.plural or tower.details or tower.sizes:
+        return ()
+    plain = not over.negated and over.low is None and over.high is None and not {"directly", "immediate"} & {*over.mods}
+    if over.rel not in _LOWER or not plain or not _one(clause.theme) or not _one(over.landmark):
+        return ()
+    if middles:
+        return _between(clause, tower, over, middles[0])
+    if tower.members is None or tower.det != "a" or not _looks(clause.theme, over.landmark) <= _looks(tower.members):
+        return ()
+    built = Clause(verb="build", theme=tower, mode="goal", span=tower.span)
+    said = replace(clause, verb="be", lemma="", theme=_known(clause.theme),
+                   adjuncts=(replace(over, landmark=_known(over.landmark)),))  # fmt: skip
+    return built, said
+
+
+def _between(clause: Clause, tower: Structure, over: Loc, middle: Absolute) -> tuple[Clause, ...]:
+    place = middle.adjuncts[0] if len(middle.adjuncts) == 1 else None
+    inside = (isinstance(place, Places) and place.side == "rest") or (isinstance(place, At) and place.side == "middle")
+    them = isinstance(place, Loc) and place.rel == "between" and isinstance(place.landmark, Pronoun)
+    if not (inside or them) or not _one(middle.theme) or tower.members is not None:
+        return ()
+    items = (over.landmark, middle.theme, clause.theme)
+    items = items if _LOWER[over.rel] == 0 else items[::-1]
+    named = tuple(x for x in items if isinstance(x, Noun))
+    order = OrderBy(by="named", items=named, first="bottom", span=clause.span)
+    return (Clause(verb="build", theme=replace(tower, det="a"), adjuncts=(order,), mode="goal", span=clause.span),)
+
+
+def _looks(*said: Meaning | None) -> set[str]:
+    """The colours and labels of which phrases speak."""
+    nouns = [part for part in parts_of(said) if isinstance(part, Noun)]
+    return {look for noun in nouns for look in (*noun.traits.colors, *noun.traits.labels)}
+
+
+def _one(meaning: Meaning | None) -> bool:
+    """One block by its look."""
+    if not isinstance(meaning, Noun) or meaning.head == "patch" or meaning.plural or meaning.conditions:
+        return False
+    told = len(meaning.traits.colors) + len(meaning.traits.labels) == 1 and not meaning.traits.rank
+    return told and meaning.amount in (None, Amount(1, 1)) and meaning.det in ("a", "the", "bare")
+
+
+def _known(meaning: Meaning | None) -> Meaning | None:
+    return replace(meaning, det="the", amount=None) if isinstance(meaning, Noun) else meaning

@@ -49,15 +49,18 @@ _PAGED = Patterns(
     "as on a page",
 )
 """As a page is read: the far row first, each from left to right."""
+_READING = frozenset({"left", "read", "page", "row", "book"})
+"""Words without one of which nothing is read as a page is."""
 _NAMES = (
-    ("paged", False, _PAGED),
     ("label", False, _ALPHABETICAL), ("label", True, _BACKWARDS), ("number", False, _INCREASING),
     ("number", False, _NUMERICAL),
     ("number", True, _DECREASING), ("ascending", False, _UP), ("ascending", True, _DOWN),
 )  # fmt: skip
 _TELLING = frozenset(
     f"{_ABC} z alphabetically numerical numeric number size numbers digits values numerals ascending increasing rising "
-    "growing upwards up descending decreasing falling shrinking downwards down".replace("|", " ").split()
+    "growing upwards upward up descending decreasing falling shrinking downwards downward down".replace(
+        "|", " "
+    ).split()
 )
 """Words without one of which none of these orders is told."""
 _EXTREMES = {
@@ -78,6 +81,8 @@ _COUNTING = {
 @rule
 def ascent(p: Parser, i: int) -> Results[Meaning]:
     """An order of letters, numbers or sizes."""
+    if p.anywhere(_READING):
+        yield from ((OrderBy(by="paged", span=p.span(i, j)), j) for j in _PAGED.matches(p, i))
     for by, descending, names in _NAMES if p.anywhere(_TELLING) else ():
         yield from ((OrderBy(by=by, descending=descending, span=p.span(i, j)), j) for j in names.matches(p, i))
     yield from _extreme(p, i)

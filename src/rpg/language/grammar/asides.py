@@ -53,7 +53,7 @@ _FREE = (
     "the side does not matter", "on whichever side", "whichever side", "in either order", "either order is fine",
     "which goes where is up to you", "which one goes where is up to you", "which is which does not matter",
     "which goes where does not matter", "it does not matter which goes where", "in both cases", "in either case",
-    "in any case", "however", "in either direction", "no matter which one", "no matter which side", "whichever one",
+    "in any case", "however", "no matter which one", "no matter which side", "whichever one",
     "that is all", "that is it", "i think",
     "all good",
     *(

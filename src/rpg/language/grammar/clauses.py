@@ -29,6 +29,7 @@ from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, STATE_WISHES, T
 from rpg.language.meaning import (
     Absolute,
     At,
+    Chain,
     Clause,
     Coord,
     In,
@@ -41,6 +42,7 @@ from rpg.language.meaning import (
     Pronoun,
     Size,
     Structure,
+    That,
     Toward,
 )
 
@@ -148,10 +150,23 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         for found, end in _plain(p, j, mode):
             if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
                 yield replace(found, verb="build", theme=first.structure, span=p.span(i, end)), end
+            elif isinstance(first, Into) and isinstance(found, Clause) and _of_a_place(first, found):
+                inside = Chain(clauses=(found,), links=("and",), span=found.span)
+                so = That(kind="so", clauses=inside, span=found.span)
+                line = first.structure
+                when = "start" if mode == "start" else "goal"
+                yield Clause(verb="build", theme=line, adjuncts=(so,), mode=when, span=p.span(i, end), cost=1), end
             elif isinstance(found, Clause) and found.verb != "exist":
                 yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
         if isinstance(first, Toward):
             yield from _listed_along(p, i, j, first)
+
+
+def _of_a_place(first: Into, found: Clause) -> bool:
+    """ "in a row of red, blue and green, the red one is (not) at the left end"."""
+    shape = first.structure
+    placed = found.verb == "be" and found.adjuncts and all(isinstance(a, At) for a in found.adjuncts)
+    return isinstance(shape, Structure) and shape.members is not None and bool(placed)
 
 
 _STANDS = (
@@ -184,7 +199,7 @@ def _stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Resul
 
 def _listed_along(p: Parser, i: int, j: int, first: Toward) -> Results[Meaning]:
     """ "from left to right there should be red, green, blue"."""
-    there = p.any_of(j, _SEEN) or j
+    there = p.opt(p.any_of(j, _SEEN) or j, ":")
     for items, end in listed(p, there):
         given = OrderBy(by="given", items=items, span=p.span(there, end))
         for more, last in adjuncts(p, end):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Meaning, Pattern, Spacing
 
 _UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer", "stack": "stack", "tower": "stack",
@@ -115,9 +116,19 @@ def _agree(p: Parser, i: int, k: int, unit: str) -> Results[Meaning]:
             yield Pattern(unit=unit, different=different, span=p.span(i, e)), e
 
 
+_TOUCH = Patterns(
+    "where|so_that|such_that|with|in_which|and|, all|each|every|their? the? block|blocks|cube|cubes|they|one|faces? "
+    "touch|touches|touching their|its|the|each? both? next|neighbor|neighbors|other_one|next_one|next_block",
+    ",? with? the|their? faces|sides|cubes|blocks touching",
+)
+"""No gaps along a line."""
+
+
 @rule
 def spacing(p: Parser, i: int) -> Results[Meaning]:
     """ "evenly spaced", "with equal gaps"."""
+    if j := max(_TOUCH.matches(p, i), default=0):
+        yield Spacing(kind="touching", span=p.span(i, j)), j
     if j := p.any_of(i, ("evenly spaced", "equally spaced", "evenly spaced out", "with equal spacing",
         "with even spacing", "spaced evenly", "evenly", "with equal gaps",
                          "spaced equally", "with equal space between them", "at equal distances",

@@ -148,28 +148,12 @@ def _merge(
             return Order(by="given", ranks=tuple((n,) for n in names), first=first or _default_side(kind))  # type: ignore[arg-type]
         case "in_order":
             return _in_order(found, things, names, kind, scene, order, first)
-        case "paged" if {t.kind for t in things} <= {"letter", "digit"} and len({t.kind for t in things}) == 1:
-            labels = [t.label or "" for t in things]
-            if all(labels) and labels != sorted(labels):
-                raise refuse("ambiguous", "these could be sorted, or stand as they are listed", order.span,
-                             "say 'in alphabetical order', or 'in the order' with all of them")  # fmt: skip
-            return _in_order(found, things, names, kind, scene, order, first)
         case "paged":
-            listed = Order(by="given", ranks=tuple((n,) for n in names), first=_default_side(kind))  # type: ignore[arg-type]
-            return found if found.by != "any" else listed
+            return _paged(found, order, things, names, kind, scene, first)
         case "label" | "number" | "ascending":
             return _symbolic(order, things, kind, scene, first)
-        case "countdown":
-            if kind == "stack" and first is None:
-                raise refuse("ambiguous", "it is not said from which end this counts down", order.span,
-                             "say 'from top to bottom' or 'from bottom to top'")  # fmt: skip
-            return _symbolic(replace(order, by="number"), things, kind, scene, first)
-        case "count_up":
-            upward = first or ("bottom" if kind == "stack" else None)
-            return _symbolic(replace(order, by="number"), things, kind, scene, upward)
-        case "number_up" | "number_down":
-            made = _symbolic(replace(order, by="number"), things, kind, scene, "bottom")
-            return made.model_copy(update={"descending": order.by == "number_down"})
+        case "countdown" | "count_up" | "number_up" | "number_down":
+            return _counted(order, things, kind, scene, first)
         case "rainbow":
             _paint(things, scene)
             return Order(by="rainbow", descending=order.descending, first=first)  # type: ignore[arg-type]
@@ -206,6 +190,40 @@ def _merge(
             return Order(by="together", attribute=order.attribute)  # type: ignore[arg-type]
         case _:
             raise refuse("misplaced", "this order does not fit here", order.span)
+
+
+def _paged(
+    found: Order,
+    order: OrderBy,
+    things: list[Thing],
+    names: tuple[str, ...],
+    kind: str,
+    scene: Scene,
+    first: str | None,
+) -> Order:
+    """ "from left to right and top to bottom": symbols in their order, other blocks as they are listed."""
+    if len({t.kind for t in things}) == 1 and {t.kind for t in things} <= {"letter", "digit"}:
+        labels = [t.label or "" for t in things]
+        if all(labels) and labels != sorted(labels):
+            raise refuse("ambiguous", "these could be sorted, or stand as they are listed", order.span,
+                         "say 'in alphabetical order', or 'in the order' with all of them")  # fmt: skip
+        return _in_order(found, things, names, kind, scene, order, first)
+    listed = Order(by="given", ranks=tuple((n,) for n in names), first=_default_side(kind))  # type: ignore[arg-type]
+    return found if found.by != "any" else listed
+
+
+def _counted(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    """Numbers that count up or down, along a line or a tower."""
+    number = replace(order, by="number")
+    if order.by in ("number_up", "number_down"):
+        made = _symbolic(number, things, kind, scene, "bottom")
+        return made.model_copy(update={"descending": order.by == "number_down"})
+    if order.by == "count_up":
+        return _symbolic(number, things, kind, scene, first or ("bottom" if kind == "stack" else None))
+    if kind == "stack" and first is None:
+        raise refuse("ambiguous", "it is not said from which end this counts down", order.span,
+                     "say 'from top to bottom' or 'from bottom to top'")  # fmt: skip
+    return _symbolic(number, things, kind, scene, first)
 
 
 def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, first: str | None) -> Order:

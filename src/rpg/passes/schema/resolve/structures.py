@@ -205,13 +205,14 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     )
     if len(names) < 2:
         raise refuse("too-few", "a lone block is no tower", shape.span, "name at least two blocks", blocks=len(names))
+    named = any(o.items and o.by != "alternating" for o in spec.orders)
     order = order_of(spec, names, "stack", scene, scope, shape.span)
     if order.by != "any":
         spec.toward = [t for t in spec.toward if t.axis != "z"]
     counted = (
         need is not None
-        or (source is None and theme is None)
-        or (isinstance(source, Noun) and source.det in ("bare", "a", "some"))
+        or (source is None and theme is None and not named)
+        or (isinstance(source, Noun) and source.det in ("bare", "a", "some") and not _one_by_one(source))
     )
     nodes = [
         s.Stack(
@@ -230,6 +231,11 @@ def _thick(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         raise refuse("ambiguous", "it is not said how many layers this tower has", shape.span, "say '2x2x3'")
     scene.assume("a tower whose layers have several blocks is a block of them, each right above another")
     return grids.grid(replace(shape, kind="grid"), spec, theme, scene, scope)
+
+
+def _one_by_one(source: Noun) -> bool:
+    """ "a tower of red, blue, red": its blocks are named, and others may lie on top."""
+    return source.head == "any" and source.amount is None and len(source.traits.colors) > 1
 
 
 def _alike(theme: Ref, shape: Structure, scene: Scene) -> tuple[str, ...]:

@@ -98,8 +98,13 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
             strays.append(Stray(text[at], (at, at + 1)))
             at += 1
             continue
-        tokens += _tokens_of(str(found.lastgroup), found.group(), (found.start(), found.end()))
-        at = found.end()
+        raw, end = found.group(), found.end()
+        if found.lastgroup == "bullet" and raw.endswith(")") and text.count("(", 0, at) > text.count(")", 0, at):
+            raw, end = raw[:-1], end - 1
+            tokens.append(Token("number", raw.strip(), raw, (at, end), float(raw)))
+        else:
+            tokens += _tokens_of(str(found.lastgroup), raw, (at, end))
+        at = end
     return _ordinals(tokens), strays
 
 

@@ -177,8 +177,9 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
     if p.words[i : i + 1] == ["last"]:
         yield Marks({"rank": "last"}), p.reach(i + 1)
     for (labels, more), j in label_list(p, i):
-        plural = lexicon.BLOCK.get(p.words[j]) if j < p.end else None
-        several = plural and labels[0].isalpha() and _counted(p, i)
+        sign = labels[0] in "+-*/="
+        plural = lexicon.BLOCK.get(p.words[j], lexicon.SYMBOL.get(p.words[j]) if sign else None)
+        several = plural and (labels[0].isalpha() or sign) and _counted(p, i)
         if len(labels) == 1 and (
             (plural is not False and not several)
             or (labels[0].isdigit() and not (i and _introduces_a_digit(p.words[i - 1])))
@@ -192,7 +193,7 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
 def _counted(p: Parser, i: int) -> bool:
     """ "two A blocks", "both A blocks": so many with the same letter."""
     told = i > 0 and (p.words[i - 1] in ("both", "all", "the") or p.number(i - 1) is not None)
-    return told and p.tokens[i].raw.isupper()
+    return told and (p.tokens[i].raw.isupper() or not p.tokens[i].raw[0].isalpha() or len(p.tokens[i].raw) > 1)
 
 
 def _introduces_a_digit(word: str) -> bool:

@@ -12,6 +12,7 @@ from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
 from rpg.language.grammar.starts import begun_with
 from rpg.language.grammar.states import carried_on
+from rpg.language.grammar.stock import stock
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.meaning import (
     Absolute,
@@ -93,7 +94,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             if isinstance(item, Clause) and told and item.verb != "exist":
                 whole = (*had, replace(item, cost=item.cost + 3))
                 yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
-        for item, k in inventory(p, colon):
+        for item, k in (*inventory(p, colon), *stock(p, colon)):
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, "and"), k)

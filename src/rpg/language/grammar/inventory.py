@@ -141,6 +141,9 @@ def _run(p: Parser, i: int, definite: bool = False) -> Results[tuple[Noun, ...]]
 @choice
 def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
     things = [(theme, j) for theme, j in simple(p, i) if isinstance(theme, Noun) and _counted(theme, definite)]
+    for sized, j in simple(p, i):
+        if isinstance(sized, Coord) and sized.op == "and" and all(isinstance(x, Noun) for x in sized.items):
+            yield tuple(x for x in sized.items if isinstance(x, Noun)), j
     longest = max((j for theme, j in things if theme.traits.labels), default=0)
     yield from (((replace(theme, cost=0),), j) for theme, j in things if not theme.traits.labels or j == longest)
     for theme, j in things:
@@ -186,6 +189,8 @@ def _counted(theme: Noun, definite: bool) -> bool:
     marks = theme.traits
     plain = plain and marks.rank is None and not marks.matching and not marks.either
     plain = plain and theme.det in (("bare", "a", "the") if definite else ("bare", "a"))
+    if definite and theme.det == "the" and not theme.plural and theme.amount is None and len(marks.colors) == 1:
+        return plain
     exact = theme.amount is not None and theme.amount.low == theme.amount.high and not theme.amount.strict
     return plain and (exact or (bool(marks.labels) and theme.amount is None and not marks.open_ended))
 

@@ -155,6 +155,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
     if word == "nor" and isinstance(items[0], Noun) and items[0].det == "no":
         return
     nxt = joined or comma
+    if word == "plus" and isinstance(items[-1], Noun) and _mere_number(items[-1]):
+        return
     for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
         if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
             continue
@@ -191,6 +193,11 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
 
 def _is_extra(item: Meaning) -> bool:
     return isinstance(item, Noun) and item.traits.extra
+
+
+def _mere_number(item: Noun) -> bool:
+    """ "two" of "two plus signs"."""
+    return item.head == "any" and item.det == "bare" and item.amount is not None and item.traits == Traits()
 
 
 def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord]:

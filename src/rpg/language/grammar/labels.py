@@ -10,7 +10,7 @@ _AND = frozenset({"and", "&", "plus"})
 _SIGN_WORDS = {"plus": "+", "minus": "-", "times": "*", "equals": "=", "equal": "=", "divide": "/", "divided": "/"}
 _GOES_ON = frozenset({",", "and", "&", "equals", "minus", "times", "="})
 """What a list goes on with behind "plus", where that is a sign of its own."""
-_CUBES = frozenset({"block", "cube", "brick", "box", "sign", "symbol"})
+_CUBES = frozenset({"block", "cube", "brick", "box", "sign", "symbol", "signs", "symbols"})
 _TO = frozenset({"to", "through", "thru", "until", "till"})
 _TOWARD = ("to", "through", "thru", "until", "till", "up to", "down to")
 
@@ -72,6 +72,7 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
         and p.words[i] in ("plus", "times", "minus", "equals", "equal", "divided", "divide")
         and not spoken
         and p.words[i + 1] not in _CUBES
+        and not (p.follows(i, ("a", "an", "one")) and p.words[i + 1] in (",", "and", "", ".", ";", ")"))
     ):
         return
     if (j := p.one(i + 1, _TO)) and (last := symbol(p, j, spoken)) and (run := _between(first, last)):

@@ -176,7 +176,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "at the start": ("start", None), "at the beginning": ("start", None), "at first": ("start", None),
     "in the beginning": ("start", None), "to begin with": ("start", None), "originally": ("start", None),
     "currently": ("start", None), "at the start of the episode": ("start", None), "as distractors": ("extra", None),
-    "as a distractor": ("extra", None), "lying around": ("extra", None),
+    "as a distractor": ("extra", None), "lying around": ("extra", "around"),
     "there as distractors": ("extra", None), "lying around as distractors": ("extra", None),
     "distractors": ("extra", None), "a distractor": ("extra", None), "just distractors": ("extra", None),
     "only distractors": ("extra", None), "as decoration": ("extra", None), ", which do not matter": ("extra", None),

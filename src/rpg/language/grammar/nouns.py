@@ -11,6 +11,7 @@ from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import Marks, adjectives, clash, color, merge, of_quality
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.edges import of_edges
 from rpg.language.grammar.joined import all_but, apposed, more
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.pronouns import pronoun
@@ -321,6 +322,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
     if (k := _as_many_colors(p, j, noun)) and (told := _with(noun, {"scheme": "different"}, p.span(i, k))) is not None:
         yield told, k
         tried.append((told, k))
+    yield from of_edges(p, i, j, noun)
     for update, k in of_quality(p, j, noun.head):
         if noun.head == "patch" and noun.det == "the" and noun.amount is None and update == {"scheme": "same"}:
             continue

@@ -25,7 +25,7 @@ _EXTRAS = Patterns(
     "as? distractors|a_distractor|distraction|decoration|decorations",
     "are|is not used|needed|required|part_of_it|involved|relevant",
     "do|does|should|must|may|can not matter|count|play_a_role|belong_to_it|take_part|be_used|belong_there",
-    "are|is irrelevant|unused|superfluous|left_over|leftover|of_no_importance|not_to_be_used",
+    "are|is irrelevant|unused|superfluous|of_no_importance|not_to_be_used",
 )
 """What is only there."""
 _WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the color is", "of which the color is",

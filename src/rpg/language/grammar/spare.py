@@ -28,21 +28,26 @@ _DOING_NOTHING = Patterns(
     "lying_around|on_the_table? ,? merely|just|only|purely? as|for|to a|an|some|pure|mere? "
     "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys|distract|confuse",
     "lie|lies|stand|stands|sit|sits also|too|just|only? around|there|about also|too|somewhere|on_the_table? ,? "
-    "as|for? a? distractor|distractors|distraction?",
+    "as|for a? distractor|distractors|distraction",
     "serve|serves|act|acts|function|functions also|just|only|merely|simply? as|for a|an|mere|pure? "
     "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys",
     "are|is|be|should_be|must_be|will_be also|just|only|merely|simply|mere|pure? distractors|distraction|decoration|"
     "decorations|a_distractor|a_decoy|decoys|unused|irrelevant|superfluous|left_over|leftover|left_out|spare|not_used|"
     "not_needed|not_required|not_involved|not_part_of_it|not_part_of_this|ignored|to_be_ignored|of_no_importance|"
-    "unimportant|unneeded|no_part_of_it|not_relevant|not_of_interest|lying_around|around here|there|at_all|for_this? "
+    "unimportant|unneeded|no_part_of_it|not_relevant|not_of_interest here|there|at_all|for_this? "
     "on_the_table|somewhere|for_now?",
     "do|does not matter|count|play_a_role|belong_to_it|take_part|belong_to_the_word here|at_all?",
     "play|plays no role|part here|in_this|in_it?",
-    "should|must|may|can|will|are_to|is_to be? not be? used|needed|moved_or_used",
+    "should|must|may|can|will|are_to|is_to be? not be? used|needed",
     "should|must|may|can not be used|needed|part_of_it",
     "can|should|may|must be ignored|left_out|disregarded|left_aside",
     "remain|remains|stay|stays|go|goes unused|out_of_it|aside|left_over",
 )
+_AROUND = Patterns(
+    "lie|lies|stand|stands|sit|sits|are|is also|too|just|only? around|about|lying_around|lying_about also|too? "
+    "somewhere|on_the_table?",
+)
+"""What is said of where blocks are, which is nowhere in particular: there are such, and they may be used or not."""
 _BELONGING = Patterns("that|which do|does not belong to the_word|it|the_tower|the_row|the_structure|them")
 _LABELS = (
     "distractor :", "distractors :", "distractor", "distractors", "as distractors :", "as a distractor :", "decoys :",
@@ -70,6 +75,10 @@ def spare(p: Parser, i: int) -> Results[Clause]:
         if not _told(theme):
             yield _said(p, i, j, theme), j
     for theme, j in noun_phrase(p, i):
+        further = isinstance(theme, Noun) and theme.det == "another" and theme.amount is not None
+        for k in _AROUND.matches(p, j) if further or _counted(theme) else ():
+            there = Clause(verb="exist", lemma="stock", theme=theme, mode="given", span=p.span(i, k))
+            yield (_said(p, i, k, theme) if further else there), k
         for k in {*_DOING_NOTHING.matches(p, j), *_AS.matches(p, p.opt(j, ","))} if _blocks(theme) else ():
             for end in {k, max(_BELONGING.matches(p, k), default=k)}:
                 yield _said(p, i, end, theme), end
@@ -86,6 +95,16 @@ def _blocks(theme: Meaning) -> bool:
     if isinstance(theme, Coord):
         return theme.op == "and" and not theme.cost and all(map(_blocks, theme.items))
     return isinstance(theme, Noun) or (isinstance(theme, Pronoun) and theme.word not in ("it", "nothing"))
+
+
+def _counted(theme: Meaning) -> bool:
+    """ "three white and two black blocks": blocks that come up by this, and how many they are."""
+    if isinstance(theme, Coord):
+        return theme.op == "and" and not theme.cost and all(map(_counted, theme.items))
+    if isinstance(theme, Noun) and theme.traits.labels and theme.det in ("bare", "the") and theme.amount is None:
+        return not theme.conditions
+    single = isinstance(theme, Noun) and theme.amount is not None and not theme.amount.strict
+    return single and isinstance(theme, Noun) and theme.det in ("bare", "a") and theme.part_of is None
 
 
 def _told(theme: Meaning) -> bool:

@@ -64,6 +64,8 @@ def stock(p: Parser, i: int) -> Results[Clause]:
             if j == p.end and _several(listed) and (mere_looks(listed) or all(map(_counted, _items(listed)))):
                 yield replace(given(p, i, j, listed, (), 3), lemma="stock"), j
     yield from _sized(p, i, lead or p.any_of(i, _USED))
+    if lead or i == 0 or p.follows(i, (":",)):
+        yield from _with_patches(p, lead or i)
     yield from _shown(p, i)
     yield from _parted(p, i)
 
@@ -101,6 +103,30 @@ def mere_looks(theme: Meaning) -> bool:
         return False
     looks = theme.traits.colors or theme.traits.labels
     return bool(looks) and theme.traits == Traits(colors=theme.traits.colors, labels=theme.traits.labels)
+
+
+def _with_patches(p: Parser, i: int) -> Results[Clause]:
+    """ "red, green and blue blocks with red, green and blue patches", "one red block and a red patch"."""
+    for blocks, j in noun_phrase(p, i):
+        joint = p.any_of(j, (", with", "with", "and", ", and", "plus", ","))
+        for patches, k in noun_phrase(p, joint) if joint and _told(blocks, "block") else ():
+            if _head(patches) == "patch" and _told(patches, "patch") and (k >= p.end or p.words[k] in (",", ";")):
+                whole = Coord(op="and", items=(blocks, patches), span=p.span(i, k))
+                yield replace(given(p, i, k, whole, (), 1), lemma=""), k
+
+
+def _told(theme: Meaning, head: str) -> bool:
+    """Whether it is said what these look like, or how many they are."""
+    if isinstance(theme, Coord):
+        return theme.op == "and" and all(_told(x, head) for x in theme.items) and _head(theme.items[-1]) == head
+    plain = isinstance(theme, Noun) and theme.head in (head, "any") and theme.det in ("bare", "a")
+    return plain and isinstance(theme, Noun) and bool(theme.traits.colors or theme.amount) and not theme.conditions
+
+
+def _head(item: Meaning) -> str:
+    if isinstance(item, Coord):
+        return _head(item.items[-1])
+    return item.head if isinstance(item, Noun) else ""
 
 
 def _shown(p: Parser, i: int) -> Results[Clause]:

@@ -88,7 +88,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         said = _number(token) if index + 1 == len(words) or words[index + 1].word not in ALWAYS_FOUR else None
         if said is not None and said > FEW:
             numbers = set(_numbers(task)) if numbers is None else numbers
-            measured = index + 1 < len(words) and words[index + 1].word in lexicon.UNIT
+            measured = _measured(words, index + 1)
             known = numbers | _edges(task) if measured else numbers
             if not any(abs(said - number) < 0.02 for number in known):
                 return token
@@ -118,6 +118,13 @@ def _meanwhile(words: Sequence[Token], at: int) -> bool:
     begin = max((index for index in ends if index < at), default=-1)
     end = min((index for index in ends if index > at), default=len(here))
     return not LASTING.isdisjoint(here[begin + 1 : at]) and not STATES.isdisjoint(here[at + 1 : end])
+
+
+def _measured(words: Sequence[Token], index: int) -> bool:
+    """Whether a unit follows, with the number or with the last of a list of them: "3, 4 and 5 cm"."""
+    while index < len(words) and (words[index].word in (",", "and") or _number(words[index]) is not None):
+        index += 1
+    return index < len(words) and words[index].word in lexicon.UNIT
 
 
 def _counts(after: Sequence[Token]) -> bool:

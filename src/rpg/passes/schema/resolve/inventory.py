@@ -6,6 +6,7 @@ from collections import Counter
 from dataclasses import replace
 
 from rpg.ir import goal as g
+from rpg.language.grammar.retold import tally as count
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -21,6 +22,8 @@ def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal
         if amount.low != amount.high or (scene.each is not None and scene.each[0] != amount.low):
             raise refuse("ambiguous", "it is not said how many of each there are", size.span, "say one number")
         scene.each = (amount.low, size.span)
+    if (kinds := blocks_and_patches(clause)) is not None:
+        return [goal for one in kinds for goal in tally(one, spec, scene, scope)]
     whole = told_apart(clause.theme)
     if whole is None:
         return []
@@ -91,16 +94,34 @@ def blocks_and_patches(clause: Clause) -> tuple[Clause, Clause] | None:
     theme = clause.theme
     if not isinstance(theme, Coord) or theme.op != "and" or clause.adjuncts:
         return None
+    theme = replace(theme, items=_retold_away(tuple(x for item in theme.items for x in _flat(item))))
     heads = [item.head if isinstance(item, Noun) else "" for item in theme.items]
-    for index, head in enumerate(heads):
-        near = {*heads[index + 1 : index + 2], *heads[max(index - 1, 0) : index]} - {"any"}
-        if head == "any" and len(near) == 1:
-            heads[index] = near.pop()
+    for index in reversed(range(len(heads))):
+        if heads[index] == "any":
+            heads[index] = (heads[index + 1 :] or [next((h for h in reversed(heads[:index]) if h != "any"), "")])[0]
     if set(heads) != {"block", "patch"}:
         return None
-    lots = [tuple(x for x, at in zip(theme.items, heads, strict=True) if at == head) for head in ("block", "patch")]
+    items = [replace(x, head=head) if isinstance(x, Noun) and head == "patch" else x
+             for x, head in zip(theme.items, heads, strict=True)]  # fmt: skip
+    lots = [tuple(x for x, at in zip(items, heads, strict=True) if at == head) for head in ("block", "patch")]
     blocks, patches = (lot[0] if len(lot) == 1 else replace(theme, items=lot) for lot in lots)
     return replace(clause, theme=blocks), replace(clause, theme=patches)
+
+
+def _retold_away(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "three patches (red, yellow and blue) and ...": the patches one by one."""
+    for n, whole in enumerate(items):
+        plain = isinstance(whole, Noun) and whole.traits == Traits() and whole.amount is not None
+        for end in range(n + 2, len(items) + 1) if plain else ():
+            if isinstance(whole, Noun) and whole.amount is not None and count(items[n + 1 : end]) == whole.amount.low:
+                told = (replace(x, head=whole.head) for x in items[n + 1 : end] if isinstance(x, Noun))
+                return _retold_away((*items[:n], *told, *items[end:]))
+    return items
+
+
+def _flat(item: Meaning) -> tuple[Meaning, ...]:
+    """The items of a list inside a list."""
+    return tuple(x for one in item.items for x in _flat(one)) if isinstance(item, Coord) else (item,)
 
 
 def each_agrees(scene: Scene) -> None:

@@ -15,7 +15,7 @@ from rpg.passes.schema.resolve.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place, related
-from rpg.passes.schema.resolve.spare import definite, pass_over
+from rpg.passes.schema.resolve.spare import definite, further, pass_over
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.spun import spun
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -53,9 +53,19 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
         clause.verb not in ("be", "exist")
         or clause.theme is None
         or is_shape(clause.theme)
-        or spec.manner("extra") is None
+        or (marked := spec.manner("extra")) is None
     ):
         return False
+    if (
+        marked.value == "around"
+        and not is_extra(clause.theme)
+        and not definite(clause.theme)
+        and not further(clause.theme)
+    ):
+        refer(clause.theme, scene, Scope(given=True, start=True))
+        for name in scene.mentions.pop().ref.names:
+            scene.things[name].declared = True
+        return True
     if clause.negated:
         raise refuse("misplaced", "it is said what these blocks are not, but not where they should be", clause.span,
                      "say where they should be")  # fmt: skip

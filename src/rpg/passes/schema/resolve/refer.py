@@ -8,6 +8,7 @@ from rpg.core.diagnostics import Refusal
 from rpg.language.grammar.retold import retold
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
 from rpg.passes.schema.resolve.counting import counted_among, denied, elliptical, not_of_a_structure
+from rpg.passes.schema.resolve.extras import extras
 from rpg.passes.schema.resolve.listing import bounded, fewer_than, listed, quantified, repeats
 from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
@@ -182,7 +183,7 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         names = tuple(t.name for t in matching(noun.traits, scene, False))
         return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, beyond=noun.traits)
     if noun.traits.extra:
-        return _extras(noun, scene, scope)
+        return extras(noun, scene)
     if noun.traits.rank:
         from rpg.passes.schema.resolve.ranks import ranked
 
@@ -282,8 +283,9 @@ def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
 
 
 def _the_marked(noun: Noun, scene: Scene) -> bool:
-    """ "the red one" where there is a red patch, and no red block."""
-    said = noun.det == "the" and bool(noun.traits.colors)
+    """ "the red one" where there is a red patch, and no red block; "red" where it is said which blocks there are."""
+    listed = any(t.declared for t in scene.blocks()) and any(t.declared for t in scene.things.values() if t.patch)
+    said = (noun.det == "the" or (noun.det == "bare" and listed)) and bool(noun.traits.colors)
     return said and bool(matching(noun.traits, scene, True)) and not matching(noun.traits, scene, False)
 
 
@@ -359,23 +361,6 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
     if noun.amount is not None and noun.amount.strict and len(free) > count:
         return replace(some, op="except", parts=(some, Ref(names=tuple(free[count:]))))
     return some
-
-
-def _extras(noun: Noun, scene: Scene, scope: Scope) -> Ref:
-    """Distractors: as many as are said, of the colours or labels listed."""
-    labels, colors = noun.traits.labels, noun.traits.colors
-    if noun.head == "any" and noun.traits == Traits(extra=True) and scene.blocks():
-        raise refuse("ambiguous", "it is not said what these blocks look like", noun.span, "name their colour")
-    count = noun.amount.low if noun.amount else len(labels) or len(colors) or (2 if noun.plural else 1)
-    scene.new_batch()
-    names = []
-    for index in range(max(count, len(labels), len(colors))):
-        color = (colors[index % len(colors)],) if colors else ()
-        label = (labels[index % len(labels)],) if labels else ()
-        thing = create(replace(noun.traits, labels=label, colors=color), scene, noun.head == "patch")
-        thing.extra = True
-        names.append(thing.name)
-    return Ref(names=tuple(names), patch=noun.head == "patch", det=noun.det, plural=len(names) > 1)
 
 
 def _alternatives(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:

@@ -40,11 +40,9 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     divides = clause.lemma in DIVIDES or (clause.lemma == "sort" and _from_others(spec))
     line = any(getattr(i.structure, "kind", "") in ("row", "line", "column", "stack", "grid") for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
-    if clause.lemma in GATHERS | DIVIDES and not line and (by := [o for o in spec.orders if o.by == "label"]):
-        raise refuse("misplaced", "groups have no order", by[0].span, "say 'in a row', or 'by the same letter'")
+    _no_order(clause, spec, line)
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
-        built, goals = _sort_piles(clause.theme, spec, scene, scope)
-        return goals
+        return _sort_piles(clause.theme, spec, scene, scope)[1]
     if clause.theme is None and not any(True for _ in scene.blocks()):
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
     apart = next((p for p in spec.places if isinstance(p, Loc) and p.rel in ("apart", "off") and not p.negated), None)
@@ -97,6 +95,12 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     goals += _sides_of(built, spec, scene)
     ref = replace(theme, built=tuple(built))
     return goals + places(ref, spec, scene, scope, clause.span)
+
+
+def _no_order(clause: Clause, spec: Spec, line: bool) -> None:
+    """ "group them by letter" puts nothing in order."""
+    if clause.lemma in GATHERS | DIVIDES and not line and (by := [o for o in spec.orders if o.by == "label"]):
+        raise refuse("misplaced", "groups have no order", by[0].span, "say 'in a row', or 'by the same letter'")
 
 
 def by_kinds(clause: Clause, spec: Spec) -> Clause:

@@ -65,6 +65,13 @@ def definite(meaning: Meaning) -> bool:
     )
 
 
+def further(meaning: Meaning) -> bool:
+    """ "two more green blocks"."""
+    if isinstance(meaning, Coord):
+        return any(map(further, meaning.items))
+    return isinstance(meaning, Noun) and meaning.det in ("another", "other")
+
+
 def none_ignored(goal: g.Goal, scene: Scene) -> None:
     """Refuse a distractor of which the goal says something."""
     for name in names_in(goal):

@@ -87,7 +87,7 @@ def _told_apart(shape: Structure, spec: Spec) -> Structure:
         colors = tuple(c for item in order.items if isinstance(item, Noun) for c in item.traits.colors)
         plain = all(isinstance(i, Noun) and i.amount is None and len(i.traits.colors) == 1 for i in order.items)
         if not plain or shape.amount is None or shape.amount.low != len(colors) or shape.traits.colors:
-            raise refuse("order-conflict", "this order is not one of several towers", order.span,
+            raise refuse("misplaced", "this order is not one of several towers", order.span,
                          "say what each tower is made of")  # fmt: skip
         spec.orders.remove(order)
         spec.patterns.append(Pattern(unit="stack", span=order.span))

@@ -1,0 +1,41 @@
+"""Blocks of several sizes: "three blue blocks with edges of 3, 4 and 5 cm"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.meaning import Amount, Coord, Noun
+
+_LEADS = (
+    "with edges of", "of", "with edges", "with sides of", "with edge lengths of", "of edge length", "of size",
+    "of sizes", "measuring", "with sizes", "with sizes of", "of edge lengths", "in sizes", "in sizes of", "of edge",
+    "of the sizes", "in the sizes", "with side lengths of", "with sides", "that are", "which are",
+)  # fmt: skip
+
+
+def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord]:
+    """As many blocks as there are lengths, each with its own."""
+    k = p.any_of(j, _LEADS) if noun.plural and noun.head == "block" and noun.traits.edge is None else 0
+    for edges, end in lengths(p, k) if k else ():
+        many = noun.amount
+        if many is None or many == Amount(len(edges), len(edges), many.strict):
+            one = replace(noun, amount=Amount(1, 1), det="the" if noun.det == "the" else "bare", plural=False)
+            items = tuple(replace(one, traits=replace(noun.traits, edge=edge), span=p.span(i, end)) for edge in edges)
+            yield Coord(op="and", items=items, span=p.span(i, end)), end
+
+
+def lengths(p: Parser, i: int) -> Results[tuple[float, ...]]:
+    """ "3, 4 and 5 cm", "3 cm, 4 cm and 5 cm": different lengths, the unit with each or with the last."""
+    numbers: list[tuple[float, float | None]] = []
+    at = i
+    while (value := p.figure(at)) is not None:
+        unit = p.lex(at + 1, lexicon.UNIT)
+        numbers.append((value, unit))
+        at += 2 if unit is not None else 1
+        last = unit
+        found = tuple(round(v * (u or last or 0), 6) for v, u in numbers)
+        if len(numbers) > 1 and last is not None and len(set(found)) == len(found):
+            yield found, at
+        at = p.opt(p.opt(at, ","), "and", "&")

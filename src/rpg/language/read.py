@@ -29,6 +29,13 @@ _TELLING = frozenset({"the", "which", "that", "not", "it", "this", "whose", "whe
 _THEN = (
     "only then",
     "and only then",
+    "and finally",
+    "and then finally",
+    "and lastly",
+    "and at last",
+    "and after that",
+    "and afterwards",
+    "and next",
     "only after that",
     "only afterwards",
     "once that is done",

@@ -42,6 +42,9 @@ CHATTER = Patterns(
     "do not worry|hurry|rush about_it|anything?",
     "take your time",
     "have fun",
+    "i|we am|are making|doing|shooting|preparing|planning|taking a|the|some|this? nice|little|short? "
+    "picture|pictures|photo|photos|video|videos|demo|poster|presentation|game|exercise for|of? my|our|the|a? "
+    "school|class|lab|team|website|paper|lesson|project? website|project|page|today?",
     "the|my table|desk|workspace is messy|untidy|a_mess|in_disorder",
 )
 """Whole sentences that ask for nothing. Disorder is how things begin anyway."""

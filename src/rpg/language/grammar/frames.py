@@ -104,6 +104,8 @@ START_FRAMES = Phrases(
     "initially ,", "at the start ,",
     "at the beginning ,", "assume initially", "the starting state is", "the starting state has",
     "in the starting state", "the starting configuration is", "the initial configuration is", "beginning from",
+    "at the beginning of the episode", "at the start of the episode", "at the start of the task",
+    "at the beginning of the task", "at the start of the game", "let us say", "let us assume", "let us suppose",
     "it starts with", "everything starts with", "things start with", "it all starts with", "we begin with",
     "it begins with", "everything begins with", "initial :", "initial state is", "the starting point is", "at present",
     "at the moment", "given :", "currently :",

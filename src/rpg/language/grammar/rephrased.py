@@ -12,6 +12,8 @@ _MESSY = (
 _TOGETHER = ("mixed up", "jumbled up", "mixed", "jumbled", "thrown together", "lumped together", "mixed together",
              "thrown", "heaped up", "heaped", "piled up", "piled", "dumped")  # fmt: skip
 _PHRASES = {
+    **{f"{how} {what}": what for how in ("scattered", "strewn") for what in ("blocks", "cubes", "bricks", "boxes")},
+    **{f"{on} the {floor}": f"{on} the table" for on in ("on", "onto", "to") for floor in ("floor", "ground")},
     **{f"{how} {heap}": heap for how in _MESSY for heap in ("heap", "pile", "jumble", "bunch")},
     **{f"{how} {at}": at for how in _TOGETHER for at in ("in one heap", "in a heap", "in one pile", "in a pile")},
     "an other": "another", "the both": "both", "both the two": "both",

@@ -93,7 +93,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
     for theme, k in noun_phrase(p, only or j):
         if isinstance(theme, Structure) and lemma in ("take", "pull") and p.words[k] in ("down", "apart"):
             continue
-        k = p.opt(k, "places", "positions") if sense == "swap" else k
+        k = p.opt(k, "places", "positions", "around", "over") if sense == "swap" else k
         if sense == "swap" and (end := p.one(k, "back")):
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
@@ -119,6 +119,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         after += adjuncts(p, k - 1) if lemma in ("lift", "pick") and p.words[k - 1] == "off" else []
         for found, end in [*adjuncts(p, k), *after]:
             if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":
+                continue
+            if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
                 continue
             said = (*found, *alone)
             yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word), end

@@ -20,9 +20,8 @@ PEOPLE = (
     "audience|visitors|guests|public|viewers|family"
 )
 """Whom an instruction may be for."""
-_WHO = "|".join(
-    ["i|we|you", *(f"{whose}_{who}" for whose in ("my", "our", "the", "your") for who in PEOPLE.split("|"))]
-)
+_WHOSE = ("my", "our", "the", "your", "my_little", "my_younger", "my_older", "my_big", "our_little", "the_little")
+_WHO = "|".join(["i|we|you", *(f"{whose}_{who}" for whose in _WHOSE for who in PEOPLE.split("|"))])
 _WOULD = "would|will|should|'d|do|may|might|can|could|must|am|are|is|was|were"
 _ALSO = "have_always|always|just|also|simply|now|like|here|still"
 _WANT = (
@@ -127,6 +126,13 @@ _PREFACES = (
     "easy|simple|quick|hard|tricky one|task|job|question|request|thing|exercise|puzzle|challenge :",
     "do|would_you_do me|us a|one|this small|little|big? favor ,|:|and please?",
     "goal|aim|objective|target|task is to?",
+    "here_is|this_is|that_is the deal|thing|story|point :|,",
+    "whatever you do|happens ,",
+    "no matter what happens? ,",
+    "it is very|really|also? important|essential|crucial|necessary|vital that|to|:",
+    "sorry|apologies|excuse_me to|for bother|bothering|disturb|interrupt you|me? ,? but ,?",
+    "no need to hurry|rush|worry :|,|but|and",
+    "i am? not sure if|whether you can do this|that|it ,? but ,?",
     "be a friend|good_robot|good_sport|hero|sport? and",
     f"it would|will be {FINE}|ideal if you|we|the_robot could|would|can?",
     "mind",
@@ -230,6 +236,11 @@ STATE_WISHES = Patterns(
     f"you|we|i|the_robot are|is|have|will_be|will_have|'ve {_DONE} {_WHEN}",
     f"success is|will_be|gets {_DONE} {_WHEN}",
     f"success {_WHEN}",
+    "success|done|finished|win|victory|completion means? that? :",
+    "what should|must|has_to|will come_out|result|be_there|be_seen|stand_there|appear in_the_end|at_the_end? is|:",
+    f"the|our|my end|final|desired|target|goal? {_RESULT} "
+    "i_am_after|we_are_after|i_am_looking_for|i_aim_for|i_have_in_mind|i_want_at_the_end|i_want_in_the_end|"
+    "we_want_at_the_end|i_want_to_see|we_want_to_see|i_dream_of|i_had_in_mind is|:|, :?",
     "success requires|demands|means|is|condition|criterion is|:? that|:?",
     "success|completion|passing|winning requires|demands that?",
     f"the|our|my|a? final|finished|end|desired|expected|target|goal|whole? {_RESULT}|thing|table|it|everything "

@@ -46,6 +46,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [x or (n < max(undone, default=0) and _facts(chains[n])) for n, x in enumerate(told)]
     told = [x or _moved_next(chains[n : n + 2]) for n, x in enumerate(told)]
+    chains = tuple(_heap_first(chain, chains[n + 1 : n + 2]) for n, chain in enumerate(chains))
     ordered = [n for n, chain in enumerate(chains) if _ordered(chain)]
     heaped = [n for n, chain in enumerate(chains) if n < max(ordered, default=0) and _heaped(chain)]
     found = []
@@ -113,6 +114,22 @@ def _heaped(chain: Chain) -> bool:
     """ "the six blocks lie in a heap": before a command no end, for nobody asks for a heap in the indicative."""
     shapes = [a.structure for c in chain.clauses if isinstance(c, Clause) for a in c.adjuncts if isinstance(a, Into)]
     return _facts(chain) and bool(shapes) and all(isinstance(x, Structure) and x.kind == "pile" for x in shapes)
+
+
+def _heap_first(chain: Chain, after: tuple[Chain, ...]) -> Chain:
+    """ "A pile of five white cubes. Make a row of them": a heap of which something is made is there at the start."""
+    heap, order = chain.clauses[0], after[0].clauses[0] if after else None
+    if not isinstance(heap, Clause) or not isinstance(order, Clause) or order.mode != "command" or order.negated:
+        return chain
+    shape = heap.theme if (heap.verb, heap.mode) == ("build", "goal") and not heap.adjuncts else None
+    of_them = any(
+        isinstance(part, Pronoun) and part.word in ("them", "these", "those", "it") for part in parts_of(order)
+    )
+    if not isinstance(shape, Structure) or shape.kind != "pile" or shape.plural or len(chain.clauses) > 1:
+        return chain
+    if not of_them or order.verb not in ("build", "stack", "arrange", "sort", "spell"):
+        return chain
+    return replace(chain, clauses=(replace(heap, verb="exist", lemma="begun", mode="given"),))
 
 
 def _facts(chain: Chain, bold: bool = True) -> bool:

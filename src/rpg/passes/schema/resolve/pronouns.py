@@ -137,8 +137,13 @@ def _there(word: Pronoun, scene: Scene) -> Ref:
 
 def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
     """ "the former", "the latter": of the two things that the clause before named, in the order of the words."""
-    last = max((m.clause for m in scene.mentions if m.ref.names and m.clause < scene.clause), default=-1)
+    again = {m.clause for m in scene.mentions if m.word in ("the former", "the latter")}
+    last = max((m.clause for m in scene.mentions if m.ref.names and m.clause not in {*again, scene.clause}), default=-1)
     named = sorted((m for m in scene.mentions if m.clause == last), key=lambda m: m.ref.span)
+    if len(named) == 1 and len(named[0].ref.names) == 2 and not named[0].ref.built:
+        both = [scene.things[n] for n in named[0].ref.names]
+        if len({(t.color, t.label, t.size) for t in both}) == 2:
+            return Ref(names=(both[word.word == "the latter"].name,), patch=named[0].ref.patch)
     if len(named) != 2:
         raise refuse("ambiguous", f"{word.word!r} wants two things named before", word.span, "name the block")
     found = named[1 if word.word == "the latter" else 0].ref

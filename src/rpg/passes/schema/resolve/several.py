@@ -7,6 +7,7 @@ from copy import copy
 from dataclasses import replace
 from itertools import pairwise
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -132,6 +133,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         own.orders, own.patterns, own.spacings, own.toward, [],
     )  # fmt: skip
     spec.absolutes = own.absolutes
+    goals += _not_one_line(goals, shape.span) if axis is None else []
     if axis is not None:
         ends = ("left", "right") if axis == "y" else ("front", "back")
         scene.sides.update({built[0].key: ends[0], built[-1].key: ends[1]})
@@ -141,6 +143,15 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
         goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
     return built, goals
+
+
+def _not_one_line(rows: list[g.Goal], span: Span) -> list[g.Goal]:
+    """ "Two rows of three": they do not form one row of six."""
+    lines = [row for row in rows if isinstance(row, s.Row)]
+    if len(lines) < len(rows) or len({(row.axis, row.gap, row.spacing) for row in lines}) > 1:
+        return []
+    blocks = tuple(name for row in lines for name in row.blocks)
+    return [g.Not(goal=s.Row(blocks=blocks, axis=lines[0].axis, span=span), span=span)]
 
 
 def _close_by(atom: g.Goal, scene: Scene) -> g.Goal:

@@ -122,7 +122,7 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    parts = split(tokens)
+    parts = _with_predicates(split(tokens))
     read = [found for part in [part for part in parts if not idle(part)] or parts for found in _read(part)]
     sentences = [sentence for _, sentence in read]
     for n in range(1, len(read)):
@@ -140,6 +140,25 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
             ]
         )
     return sentences
+
+
+_BARE = frozenset({"is", "are", "must", "should", "does", "may", "not", "be", "shall"})
+"""What a sentence ends with that leaves its predicate to the one before it."""
+_RELATIVE = frozenset({"where", "as", "what", "how", "that", "which"})
+"""With these "is" at the end is no predicate that is left out: "where it is"."""
+
+
+def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
+    """ "A must be on the patch. C must not be.": one sentence, for the second has no predicate of its own."""
+    out: list[list[Token]] = []
+    for part in parts:
+        own = part[0].word in _ASKING or any(token.word in _RELATIVE for token in part)
+        if out and len(part) > 1 and part[-1].word in _BARE and not own:
+            joint = replace(part[0], kind="word", word="and", raw="and", value=None)
+            out[-1] = [*out[-1], joint, *part]
+        else:
+            out.append(part)
+    return out
 
 
 def _read(tokens: list[Token]) -> Parts:

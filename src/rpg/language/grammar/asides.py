@@ -54,6 +54,8 @@ _FREE = (
     "which goes where is up to you", "which one goes where is up to you", "which is which does not matter",
     "which goes where does not matter", "it does not matter which goes where", "in both cases", "in either case",
     "in any case", "however", "no matter which one", "no matter which side", "whichever one",
+    "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
+    "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
     "that is all", "that is it", "i think",
     "all good",
     *(

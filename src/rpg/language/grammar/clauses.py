@@ -171,7 +171,8 @@ def _of_a_place(first: Into, found: Clause) -> bool:
 
 _STANDS = (
     "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
-    "stands", "lies", "go", "you put", "place", "put", "comes then", "come",
+    "stands", "lies", "go", "you put", "place", "put", "comes then", "come", "i want", "we want", "i need", "we need",
+    "i would like", "we would like", "there shall be", "there has to be", "there needs to be", "i want to see",
 )  # fmt: skip
 _FACTS = frozenset({"is", "are", "sits", "stands", "lies"})
 _SEEN = (
@@ -322,6 +323,9 @@ _WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
 """After these "it" and "them" are what is described: "I want them in a row"."""
 
 
+_SET_OFF = frozenset({",", ":"})
+
+
 @rule
 def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "a tower of three green blocks", "three red blocks stacked on ...": a picture of the end."""
@@ -334,7 +338,7 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
         )
         for found, k in [
             *adjuncts(p, p.opt(j, "each", "all", "both") if isinstance(theme, Noun | Coord) else j),
-            *((f, e) for f, e in (adjuncts(p, j + 1) if p.words[j : j + 1] == [","] else ()) if f),
+            *((f, e) for f, e in (adjuncts(p, j + 1) if p.stands(j, _SET_OFF) else ()) if f),
         ]:
             if found or shaped:
                 cost = 2 if found and isinstance(found[0], At) else 1

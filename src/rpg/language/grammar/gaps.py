@@ -79,6 +79,8 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
         if m := p.one(k, "between"):
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):
                 m, measure = centres, "centres"
+            if faces := p.any_of(m, ("the faces of", "faces of", "the sides of")):
+                m, measure = faces, "faces"
             for theme, end in noun_phrase(p, m):
                 apart = _far_apart(p, i, end, theme, low, high, measure)
                 yield apart, end

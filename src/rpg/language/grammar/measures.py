@@ -204,6 +204,7 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
         end = p.opt(j, "gap", "gaps")
         measure = "faces" if end > j or p.words[noted - 1] in ("gap", "gaps") else "centres"
+        end = p.any_of(end, _AMONG) or end
         yield replace(_each_other(p, i, end, low, high, measure), cost=1), end
     yield from _moved(p, i)
     yield from _spaced(p, i)

@@ -22,6 +22,7 @@ _APART = frozenset({"own", "separate", "distinct"})
 _OUTLINES = {word + end: (word, bool(end)) for word in ("square", "circle", "rectangle") for end in ("", "s")}
 """Figures by which a patch is called as well: the word, its shape, whether it is a plural."""
 _SINGLE = Quantity("bare")
+_ONE = ("the", "a", "bare")
 _PRESENT = ("present", "in the scene", "lying around", "around", "in view", "also present")
 """What may be said of where distractors are, which is nowhere in particular."""
 _EVERYTHING = ("everything", "everything that is", "everything which is", "all that is", "anything that is")
@@ -43,7 +44,8 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
             )
     if k := p.one(i, "only"):
         for item, j in simple(p, k):
-            if isinstance(item, Noun) and item.amount in (None, Amount(1, 1)) and item.det in ("the", "a", "bare"):
+            counted = isinstance(item, Noun) and item.det == "bare" and item.amount is not None
+            if isinstance(item, Noun) and not counted and item.amount in (None, Amount(1, 1)) and item.det in _ONE:
                 yield Coord(op="only", items=(item,), span=p.span(i, j)), j
     for item, j in simple(p, start) if start > i else ():
         yield from (

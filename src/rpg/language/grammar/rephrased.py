@@ -18,6 +18,13 @@ _PHRASES = {
     **{f"{how} {at}": at for how in _TOGETHER for at in ("in one heap", "in a heap", "in one pile", "in a pile")},
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
+    **{f"upright {to} {who}": "upright" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},
+    **{f"readable {by} {who}": "readable" for by in ("for", "by", "from", "to")
+       for who in ("the viewer", "the camera", "me", "the robot 's camera")},
+    **{f"read it {of} the camera": "read it" for of in ("from", "with", "through", "in")},
+    **{f"read them {of} the camera": "read them" for of in ("from", "with", "through", "in")},
+    "each other at all": "each other", "one another at all": "one another", "touch at all": "touch",
+    "just not": "but not", "only not": "but not", "please to": "please",
     "fill a": "build a filled", "fill the": "build the filled", "fill one": "build one filled",
     "in front from": "in front of", "behind from": "behind",
     "consists out of": "consists of", "consist out of": "consist of", "consisting out of": "consisting of",

@@ -12,7 +12,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.orders import order
-from rpg.language.grammar.regions import named
+from rpg.language.grammar.regions import named, named_regions
 from rpg.language.meaning import (
     Amount,
     Clause,
@@ -54,6 +54,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _placed(p, i, mode)
     yield from _spelt(p, i)
     yield from kept_clear(p, i)
+    yield from _nobody_there(p, i)
     yield from _all_colored(p, i)
     yield from _ordered(p, i)
     for found, j in alternation_alone(p, i):
@@ -156,6 +157,24 @@ def said_of(theme: Noun, found: Meaning) -> Clause | None:
 
 
 _CLEAR = ("clear", "free", "empty", "bare", "vacant", "uncovered", "unoccupied")
+
+
+_STAYS = (
+    "stays", "stay", "remains", "must stay", "should stay", "must be", "should be", "is", "has to be", "has to stay",
+    "must remain", "should remain", "shall be", "is to be", "is to stay",
+)  # fmt: skip
+
+
+@choice
+def _nobody_there(p: Parser, i: int) -> Results[Meaning]:
+    """ "the right half stays empty", "keep the middle of the table free": no block is there."""
+    kept = p.any_of(i, ("keep", "leave", "make sure to keep", "make sure to leave"))
+    for region, j in named_regions(p, p.opt(kept or i, "the")):
+        stays = j if kept else p.any_of(j, _STAYS)
+        if stays and (free := p.one(stays, frozenset(_CLEAR))):
+            nothing = Noun(head="block", det="no", plural=True, span=p.span(i, free))
+            place = In(region=region, span=p.span(i, j))
+            yield Clause(verb="be", theme=nothing, adjuncts=(place,), mode="goal", span=p.span(i, free)), free
 
 
 @rule

@@ -231,7 +231,7 @@ def _too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[M
         negated = "not" in p.words[j:k]
         kept = tuple(a for a in before.adjuncts if not isinstance(a, Manner | That))
         said = replace(before, theme=theme, adjuncts=kept, negated=negated, span=p.span(i, k), cost=1)
-        for end in dict.fromkeys((p.any_of(k, (", but not both", "but not both")) or k, k)):
+        for end in dict.fromkeys((p.any_of(k, (", but not both", "but not both", ", not both")) or k, k)):
             both = Manner(kind="xor", span=p.span(k, end))
             yield (replace(said, adjuncts=(*kept, both)) if end > k else said), end
 

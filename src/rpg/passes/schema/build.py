@@ -18,6 +18,7 @@ from rpg.ir.walk import names as names_in
 from rpg.language.meaning import (
     Chain,
     Clause,
+    In,
     Manner,
     Meaning,
     Noun,
@@ -336,6 +337,8 @@ _THEM = frozenset({"them", "they", "these", "those", "everything", "all", "the o
 
 def _of_everything(chain: Chain, pointed: bool) -> bool:
     """ "All blocks are 5 cm wide": what all look like can only be said of those that the other sentences bring up."""
+    if all(isinstance(clause, Clause) and _of_no_block(clause) for clause in chain.clauses):
+        return True
     if not pointed and all(isinstance(clause, Clause) and _begins_with_all(clause) for clause in chain.clauses):
         return True
     return all(
@@ -357,6 +360,13 @@ def _sizes(clause: Clause) -> bool:
     plural = isinstance(clause.theme, Noun) and clause.theme.plural
     marks = [a.traits for a in clause.adjuncts if isinstance(a, Quality)]
     return plural and all(x == Traits(edge=x.edge, size=x.size) for x in marks)
+
+
+def _of_no_block(clause: Clause) -> bool:
+    """ "No block is in the middle of the table", "the right half stays empty": whichever blocks there are."""
+    theme = clause.theme
+    none = isinstance(theme, Noun) and theme.head == "block" and theme.det == "no" and theme.traits == Traits()
+    return none and bool(clause.adjuncts) and all(isinstance(part, In) for part in clause.adjuncts)
 
 
 def _begins_with_all(clause: Clause) -> bool:

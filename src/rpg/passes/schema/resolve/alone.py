@@ -74,6 +74,13 @@ def none_beyond(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, relate
     return conj([g.Not(goal=x.there(n), span=x.span) for x in found for n in beyond(x, scene)])
 
 
+def none_there(region: In, scene: Scene) -> g.Goal:
+    """ "no block is in the right half": none of those that the task has in the end."""
+    alone = Exclusive((), _in(region), region.span, Traits())
+    scene.exclusive.append(alone)
+    return conj([g.Not(goal=alone.there(n), span=alone.span) for n in beyond(alone, scene)])
+
+
 def beyond(alone: Exclusive, scene: Scene) -> list[str]:
     """The blocks of which it does not hold."""
     return [t.name for t in matching(alone.traits, scene, False) if t.name not in alone.names]

@@ -12,7 +12,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest, Operand
 from rpg.ir.order import Order
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
-from rpg.passes.schema.resolve.alone import none_beyond, only_here, only_on
+from rpg.passes.schema.resolve.alone import none_beyond, none_there, only_here, only_on
 from rpg.passes.schema.resolve.corners import corners
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import none_another, reciprocal
@@ -52,6 +52,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
     """The goals that "theme is <meaning>" states."""
     if theme.beyond is not None:
         return [none_beyond(theme, meaning, scene, scope, _relate)]
+    if theme.everything and theme.quant is not None and isinstance(meaning, In) and not meaning.negated:
+        return [none_there(meaning, scene)]
     if theme.op == "only" and isinstance(meaning, In):
         theme = only_here(theme, meaning, scene)
     if theme.op == "only" and not (isinstance(meaning, Loc) and meaning.landmark is not None):

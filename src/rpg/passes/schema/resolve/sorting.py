@@ -62,8 +62,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     _at_hand(theme_meaning, spec, scene)
     need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
-    if clause.lemma in GATHERS and any(o.by == "label" for o in spec.orders) and _twice(theme, scene):
-        raise refuse("misplaced", "blocks that show the same are grouped, not put in order", clause.span)
+    _check_repeated(theme, clause, spec, scene)
     if line or ordered:
         in_sequence(clause, theme, spec, scene)
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
@@ -166,10 +165,11 @@ def _sides_of(built: list[Built], spec: Spec, scene: Scene) -> Goals:
     return [node(a=a, b=b, span=sided[0].span) for (_, a), (_, b) in pairwise(sorted(ranked))]
 
 
-def _twice(theme: Ref, scene: Scene) -> bool:
-    """Whether several of the blocks show the same."""
+def _check_repeated(theme: Ref, clause: Clause, spec: Spec, scene: Scene) -> None:
+    """ "Group two As and two Bs by letter": blocks that show the same are grouped, not put in order."""
     labels = [scene.things[n].label for n in theme.names]
-    return len(set(labels)) < len(labels)
+    if clause.lemma in GATHERS and any(o.by == "label" for o in spec.orders) and len(set(labels)) < len(labels):
+        raise refuse("misplaced", "blocks that show the same are grouped, not put in order", clause.span)
 
 
 def in_sequence(clause: Clause, theme: Ref, spec: Spec, scene: Scene) -> None:

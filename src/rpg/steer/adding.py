@@ -159,7 +159,7 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 yield r.Add(theme=listed, span=p.span(i, end)), end
             for start in (k, p.one(k, "in"), longest(p, k, _IT_GOES)):
                 for spots, end in places(p, start) if start else ():
-                    if spots or (j > i and start == k):
+                    if spots or (start == k and (j > i or p.words[i - 1] == "also")):
                         new = r.Add(theme=theme, places=spots, span=p.span(i, end), cost=0 if verb else 2)
                         yield new, end
                         yield from _further(p, end, new)

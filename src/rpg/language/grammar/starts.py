@@ -27,11 +27,11 @@ def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
                 yield piled(Clause(verb="be", theme=first, adjuncts=found, mode="start", span=p.span(i, end))), end
 
 
-_ALREADY = ("already", "initially", "currently", "starting out", "starting", "beginning")
+_ALREADY = ("initially", "currently", "starting out", "starting", "beginning")
 
 
 def begun_with(p: Parser, i: int) -> Results[Clause]:
-    """ "with red already on green, add ...", "with the red block on the green one at the start, ...": how it begins."""
+    """ "With the red block on the green one at the start, ...": how it begins. "Already" may mean the end too."""
     j = p.one(i, "with")
     for theme, k in noun_phrase(p, j) if j else ():
         told = p.any_of(k, _ALREADY)
@@ -39,5 +39,7 @@ def begun_with(p: Parser, i: int) -> Results[Clause]:
             when = [a for a in found if isinstance(a, Manner) and a.kind == "start"]
             places = tuple(a for a in found if a not in when)
             comma = p.opt(end, ",", ":")
+            if p.words[k] == "already":
+                continue
             if comma > end and places and all(isinstance(a, Loc) for a in places) and (told or when):
                 yield Clause(verb="be", theme=theme, adjuncts=places, mode="start", span=p.span(i, end)), comma

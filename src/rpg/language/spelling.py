@@ -78,7 +78,7 @@ def vocabulary() -> frozenset[str]:
                 words |= value.words
             elif isinstance(value, dict | tuple | frozenset):
                 words |= _words_of(value)
-    return frozenset(w for w in words if w.isalpha() or w in lexicon.ORDINAL)
+    return frozenset(w for w in words if (w.isalpha() and w.islower()) or w in lexicon.ORDINAL)
 
 
 def _words_in(code: CodeType) -> set[str]:

@@ -8,12 +8,11 @@ from rpg.language.meaning import In
 
 _NEAR = frozenset({"near", "front", "nearer", "bottom", "lower", "closest", "nearest"})
 _FAR = frozenset({"far", "back", "rear", "farther", "top", "upper", "farthest", "furthest"})
+_HALVES = {"left": "left", "right": "right", **dict.fromkeys(_NEAR, "near"), **dict.fromkeys(_FAR, "far")}
 
 
 def _half(word: str) -> str | None:
-    if word in ("left", "right"):
-        return word
-    return "near" if word in _NEAR else "far" if word in _FAR else None
+    return _HALVES.get(word)
 
 
 def _of_table(p: Parser, i: int) -> int:
@@ -94,9 +93,8 @@ def named_regions(p: Parser, i: int) -> list[tuple[str, int]]:
 def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
     """(region, next position, whether it stands for itself)."""
     found: list[tuple[str, int, bool]] = []
-    word = p.words[j] if j < p.end else ""
-    side = _half(word)
-    if side:
+    if side := p.peek(j, _HALVES):
+        word = p.words[j]
         k = p.opt(p.reach(j + 1), "hand", "most")
         if e := p.one(k, "half"):
             found.append((f"{side}_half", e, True))

@@ -184,6 +184,8 @@ def _asset(thing: Thing, name: str) -> Asset:
             "blocks have edges from 1 to 12 cm",
             edge_m=edge,
         )
+    if thing.label is not None and len(thing.label) > 1:
+        raise refuse("unknown-symbol", f"no block shows {thing.label}", None, "use a block for each digit or letter")
     if thing.kind:
         faces = Faces(**thing.faces) if thing.faces else None
         body = thing.color or "ivory"

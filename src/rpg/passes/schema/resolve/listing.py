@@ -5,7 +5,7 @@ from __future__ import annotations
 import string
 from dataclasses import replace
 
-from rpg.language.meaning import Amount, Meaning, Noun, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.select import select
 from rpg.passes.schema.resolve.things import create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
@@ -117,8 +117,16 @@ def quantified(found: Ref, noun: Noun) -> Ref:
     return found
 
 
-def bounded(item: Meaning, bounds: Amount) -> Meaning:
+def bounded(whole: Coord) -> tuple[Meaning, ...]:
     """ "exactly two red and one blue": exactly one blue; "at most" and "at least" are said of all that follow, too."""
+    first = whole.items[0]
+    bounds = first.amount if isinstance(first, Noun) else None
+    if bounds is None or not bounds.strict or whole.op != "and":
+        return whole.items
+    return tuple(_bounded(item, bounds) for item in whole.items)
+
+
+def _bounded(item: Meaning, bounds: Amount) -> Meaning:
     if not isinstance(item, Noun) or item.amount is None or item.amount.strict or item.det != "bare":
         return item
     low = item.amount.low if bounds.low else 0

@@ -69,10 +69,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         and all(isinstance(x, Noun) and x.head in ("patch", "any") for x in meaning.items)
     ):
         scope = replace(scope, like_patch=True)
-    bounds = meaning.items[0].amount if isinstance(meaning.items[0], Noun) else None
-    for item in meaning.items:
-        if bounds is not None and bounds.strict and meaning.op == "and":
-            item = bounded(item, bounds)
+    for item in bounded(meaning):
         if isinstance(item, Noun) and repeats(item, seen):
             item = replace(item, det="another", amount=item.amount or Amount(1, 1))
         if parts and isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None:

@@ -184,7 +184,7 @@ def _ordering(chains: tuple[Chain, ...]) -> Span | None:
     return next((p.span for p in parts if isinstance(p, OrderBy) and p.by in SYMBOLIC), None)
 
 
-SYMBOLIC = frozenset({"label", "number", "ascending", "number_up", "number_down"})
+SYMBOLIC = frozenset({"label", "number", "ascending", "count_up", "countdown", "number_up", "number_down"})
 """Orders that ask for letters or numbers."""
 
 

@@ -38,7 +38,8 @@ def test_every_rule_tells_what_it_asks_for() -> None:
     `follows` for the first word."""
     for text in texts(20):
         read(text)
-    silent = [each.body.__qualname__ for each in BEGINNINGS for known in each.firsts.values() if known is None]
+    rules = [each for each in BEGINNINGS if each.body.__module__.startswith("rpg.language")]
+    silent = [each.body.__qualname__ for each in rules for known in each.firsts.values() if known is None]
     assert not silent
 
 

@@ -17,7 +17,7 @@ COLORS = {
     "pink": "pink magenta rose fuchsia",
     "brown": "brown beige tan",
     "black": "black",
-    "gray": "gray grey silver",
+    "gray": "gray grey",
     "white": "white",
 }
 RAINBOW = ("red", "orange", "yellow", "green", "cyan", "blue", "purple", "pink")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
@@ -16,8 +15,6 @@ from rpg.language.meaning import Chain, cost_of
 from rpg.language.tokens import Token
 
 MAX_KEPT = 24
-MAX_STOPS = 5
-"""Colons or commas of a sentence that are tried as stops."""
 TANGLED = "too-complex"
 _ENDS = frozenset({".", "!", "?"})
 _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
@@ -173,28 +170,24 @@ def _read(tokens: list[Token]) -> Parts:
 def _parts(tokens: list[Token]) -> Parts | Refusal:
     """The sentence or the two that it is made of.
 
-    They meet where a command begins without a stop, or at a colon or a comma that does a stop's work. Only one place
-    to part them may make sense, for else it is not clear what was said.
+    They meet where a command begins without a stop. Only one place to part them may make sense, for else it is not
+    clear what was said.
     """
     whole = _whole(tokens)
     if not isinstance(whole, Refusal) or whole.diagnostics[0].code == TANGLED:
         return whole
     inside = range(2, len(tokens) - 2)
     commands = [n for n in inside if _commands(tokens, n)]
-    found = [parts for n in commands if (parts := _parted(tokens[:n], tokens[n:], _parts))]
-    for stop in (":", ","):
-        places = [n for n in inside if tokens[n].word == stop]
-        if not found and len(places) <= MAX_STOPS:
-            found = [parts for n in places if (parts := _parted(tokens[:n], tokens[n + 1 :], _whole))]
+    found = [parts for n in commands if (parts := _parted(tokens[:n], tokens[n:]))]
     return found[0] if len(found) == 1 else whole
 
 
-def _parted(first: list[Token], second: list[Token], read: Callable[[list[Token]], Parts | Refusal]) -> Parts:
-    """Two parts of a sentence, the second one by `read`; nothing where one of them makes no sense."""
+def _parted(first: list[Token], second: list[Token]) -> Parts:
+    """Two parts of a sentence; nothing where one of them makes no sense."""
     before = _whole(first)
     if isinstance(before, Refusal):
         return []
-    after = read(second)
+    after = _parts(second)
     return [] if isinstance(after, Refusal) else [*before, *after]
 
 

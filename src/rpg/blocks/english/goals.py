@@ -17,6 +17,7 @@ from rpg.ir.walk import names, rename
 CLAUSES: dict[str, Callable[[Any, Speaker], str]] = {**relations.TABLE, **structures.TABLE}
 """A clause for each kind of atom."""
 ANY = "any"
+"""What stands for any of some blocks; repeated for those within."""
 """Stands for the block that alternatives differ in."""
 OF_EACH = OnPatch | OnTable | InRegion | LeftOf | RightOf | InFrontOf | Behind
 """What is said of several blocks is said of each, be it denied or not."""
@@ -62,7 +63,8 @@ def _any_of(goal: g.Any, say: Speaker) -> g.Count | None:
         if not say.alike(over):
             continue
         if len(over) == len(goal.goals) > 1 and not set(over[1:]) & set(names(first)):
-            return g.Count(over=tuple(over), var=ANY, at_least=1, goal=rename(first, {name: ANY}))
+            var = ANY * (1 + sum(known.startswith(ANY) for known in say.aliases))
+            return g.Count(over=tuple(over), var=var, at_least=1, goal=rename(first, {name: var}))
     return None
 
 
@@ -151,7 +153,7 @@ def _counted(goal: g.Count, say: Speaker) -> str:
         many = f"at most {number(high)}"
     else:
         many = f"between {number(low)} and {number(high)}"
-    one = say.like(goal.over[:1])[0] if goal.var == ANY and say.aliases and say.alike(goal.over) else ""
+    one = say.like(goal.over[:1])[0] if goal.var.startswith(ANY) and say.aliases and say.alike(goal.over) else ""
     say.aliases[goal.var] = one or f"{many} of {say.the(goal.over)}"
     if many != "exactly one" and not one:
         say.plural.add(goal.var)

@@ -17,8 +17,7 @@ from rpg.ir.walk import names, rename
 CLAUSES: dict[str, Callable[[Any, Speaker], str]] = {**relations.TABLE, **structures.TABLE}
 """A clause for each kind of atom."""
 ANY = "any"
-"""What stands for any of some blocks; repeated for those within."""
-"""Stands for the block that alternatives differ in."""
+"""Stands for the block that alternatives differ in; repeated for those within."""
 OF_EACH = OnPatch | OnTable | InRegion | LeftOf | RightOf | InFrontOf | Behind
 """What is said of several blocks is said of each, be it denied or not."""
 ORDINALS = ("First", "Then", "After that", "Next")

@@ -275,9 +275,8 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
             word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
             them = Pronoun(word="them", span=p.span(i, j))
             for found, k in adjuncts(p, j + 1):
-                said = Clause(
-                    verb="spell", theme=word, adjuncts=(Using(members=them, span=them.span), *found), span=p.span(i, k)
-                )
+                using = (Using(members=them, span=them.span), *found)
+                said = Clause(verb="spell", theme=word, adjuncts=using, span=p.span(i, k), cost=1)
                 yield That(kind="so", clauses=Chain(clauses=(said,), links=("and",), span=said.span), span=said.span), k
     if j := p.any_of(comma, ("without", "while not", "while never", "but without", "and without")):
         for clauses, k in gerund_clause(p, j):

@@ -208,7 +208,9 @@ def heights_of_steps(p: Parser, j: int) -> Results[Size]:
     while at and (n := p.number(at)) is not None:
         listed.append(n)
         end = p.any_of(at + 1, ("blocks high", "blocks", "block", "cubes", "cube", "high", "block high")) or at + 1
-        if len(listed) > 1 and listed == list(range(1, len(listed) + 1)):
+        on = p.opt(end, ",")
+        ends = on == end or p.number(on) is None
+        if ends and len(listed) > 1 and listed == list(range(1, len(listed) + 1)):
             amount = Amount(len(listed), len(listed))
             yield Size(what="steps", amount=amount, span=p.span(j, end)), p.any_of(end, ("high", "blocks high")) or end
         at = p.any_of(p.opt(end, ","), ("and then", "then", "and", "and finally")) or p.opt(end, ",")

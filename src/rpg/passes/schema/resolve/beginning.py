@@ -48,7 +48,11 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     told = [x or _moved_next(chains[n : n + 2]) for n, x in enumerate(told)]
     chains = tuple(_heap_first(chain, chains[n + 1 : n + 2]) for n, chain in enumerate(chains))
     ordered = [n for n, chain in enumerate(chains) if _ordered(chain)]
-    heaped = [n for n, chain in enumerate(chains) if n < max(ordered, default=0) and _heaped(chain)]
+    heaped = [
+        n
+        for n, chain in enumerate(chains)
+        if n < max(ordered, default=0) and (_heaped(chain) or _heap_for(chain, chains[n + 1]))
+    ]
     found = []
     for n, chain in enumerate(chains):
         if n in heaped or (told[n] and any(m > n for m in (*commands, *undone))):
@@ -116,18 +120,32 @@ def _heaped(chain: Chain) -> bool:
     return _facts(chain) and bool(shapes) and all(isinstance(x, Structure) and x.kind == "pile" for x in shapes)
 
 
+def _made_of_them(order: Clause) -> bool:
+    """ "make a row of them"."""
+    them = any(isinstance(part, Pronoun) and part.word in ("them", "these", "those", "it") for part in parts_of(order))
+    return them and order.verb in ("build", "stack", "arrange", "sort", "spell")
+
+
+def _heap_for(chain: Chain, after: Chain) -> bool:
+    """ "five cyan blocks in a heap. make a row out of them": the heap is there at the start."""
+    heap, order = chain.clauses[0], after.clauses[0]
+    if not isinstance(heap, Clause) or not isinstance(order, Clause) or order.mode != "command" or order.negated:
+        return False
+    told = heap.adjuncts[0] if len(heap.adjuncts) == 1 else None
+    shape = told.structure if isinstance(told, Into) else None
+    alone = len(chain.clauses) == 1 and (heap.verb, heap.mode) == ("be", "goal")
+    return alone and isinstance(shape, Structure) and shape.kind == "pile" and _made_of_them(order)
+
+
 def _heap_first(chain: Chain, after: tuple[Chain, ...]) -> Chain:
     """ "A pile of five white cubes. Make a row of them": a heap of which something is made is there at the start."""
     heap, order = chain.clauses[0], after[0].clauses[0] if after else None
     if not isinstance(heap, Clause) or not isinstance(order, Clause) or order.mode != "command" or order.negated:
         return chain
     shape = heap.theme if (heap.verb, heap.mode) == ("build", "goal") and not heap.adjuncts else None
-    of_them = any(
-        isinstance(part, Pronoun) and part.word in ("them", "these", "those", "it") for part in parts_of(order)
-    )
     if not isinstance(shape, Structure) or shape.kind != "pile" or shape.plural or len(chain.clauses) > 1:
         return chain
-    if not of_them or order.verb not in ("build", "stack", "arrange", "sort", "spell"):
+    if not _made_of_them(order):
         return chain
     return replace(chain, clauses=(replace(heap, verb="exist", lemma="begun", mode="given"),))
 

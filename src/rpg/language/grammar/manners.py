@@ -189,7 +189,6 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "so that i can read it": ("idle", None), "so i can read it": ("idle", None), "so you can read it": ("idle", None),
     "so that you can read it": ("idle", None), "so that it is readable": ("idle", None),
     "so it is readable": ("idle", None),
-    "so that i can read them": ("idle", None), "so you can read them": ("idle", None),
     "readable upright": ("turn", 0.0), "readable from above": ("idle", None), ", letters on top": ("idle", None),
     "with the letters facing up": ("idle", None), "with letters facing up": ("idle", None),
     ", letters facing up": ("idle", None), ", letters readable from above": ("idle", None),

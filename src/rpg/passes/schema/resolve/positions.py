@@ -144,6 +144,9 @@ def _put(
             )
         indices = [k for group in groups for k in group]
         found = _refer(counted(theme, groups, place), names, held, item, scene)
+    if isinstance(theme, Coord) and len(theme.items) > 2 and isinstance(place, At) and place.index is None:
+        told, hint = "this could be the place of all of them or of the last one", "say the order from end to end"
+        raise refuse("ambiguous", told, item.span, hint)
     if len({looks(scene.things[n]) for n in found}) == 1 or isinstance(theme, Noun):
         indices = sorted(indices)
     if set(found) >= set(names) or len(found) != len(indices) or any(not 0 <= i < total for i in indices):

@@ -220,9 +220,6 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
         indices = places_of(at_, total, len(ref.names), sides, kind)
         if len(indices) != len(ref.names) or len(indices) >= total:
             raise refuse("contradiction", "so many blocks have no room there", span, "name fewer blocks", blocks=total)
-        if at_.index is None and at_.side in sides and len({scene.things[n].color for n in ref.names}) > 2:
-            told, hint = "this could be the place of all of them or of the last one", "say the order from end to end"
-            raise refuse("ambiguous", told, span, hint)
         for index, name in zip(indices, ref.names, strict=True):
             if index in places or name in places.values() or not 0 <= index < total:
                 raise refuse(

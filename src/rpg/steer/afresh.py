@@ -133,7 +133,13 @@ def extended(
     names = _counterparts(draft.schema, schema)
     if names is None:
         raise Refusal([_vague(begin, len(request))])
+    if _THE_BLOCK.search(request) and len(schema.blocks) > len(draft.schema.blocks) > 1:
+        raise Refusal([_vague(begin, len(request))])
     _take_over(draft, schema, names, (begin, len(request)))
+
+
+_THE_BLOCK = re.compile(r"^\W*(?:\w+\W+){0,6}?the (?:block|cube|one|box|brick)\b", re.IGNORECASE)
+"""Some block that is there, by its place alone: a sentence about it brings no other one."""
 
 
 _AGAINST = re.compile(r"^\W*(?:(?:no|now|actually|instead|rather|then|ok(?:ay)?|please)\b[\s,]*)+", re.IGNORECASE)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import prod
 
 from rpg.blocks.nouns import join
 from rpg.blocks.state import World
@@ -150,8 +151,12 @@ def _has_structure(view: View, phrase: m.Structure) -> bool:
         return False
     from rpg.steer.refer import resolve
 
+    names = resolve(view, phrase).names
+    dims = phrase.dims or next((size.dims for size in phrase.sizes if size.dims), ())
+    if len(dims) > 1 and prod(dims) != len(names):
+        return False
     size = phrase.size or (phrase.members.amount if isinstance(phrase.members, m.Noun) else None)
-    return size is None or len(resolve(view, phrase).names) == size.low
+    return size is None or len(names) == size.low
 
 
 def _as_many(view: View, phrase: m.Meaning) -> bool:

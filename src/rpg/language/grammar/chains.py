@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar.clauses import clause
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.frames import THEN
@@ -104,6 +105,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         previous = had[-1] if isinstance(had[-1], Clause) else None
         if previous is not None and previous.negated and link in ("before", "after"):
             continue
+        if previous is not None and not previous.adjuncts and _in_list(p, j):
+            continue
         items = [
             *clause(p, j),
             *(carried_on(p, j, previous) if previous is not None else ()),
@@ -143,6 +146,20 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 whole = (*_shared(had, item), item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
+
+
+def _in_list(p: Parser, j: int) -> bool:
+    """Whether the comma before `j` is one of a list of colours or labels: "the red, blue and green blocks"."""
+    if j < 2 or j >= p.end or p.words[j - 1] != ",":
+        return False
+    before, after = p.tokens[j - 2], p.tokens[j]
+    if before.word in lexicon.COLOR:
+        return after.word in lexicon.COLOR
+    return all(token.kind in _LABELS or len(token.word) == 1 for token in (before, after))
+
+
+_LABELS = frozenset({"literal", "number", "sign"})
+"""The kinds of words that labels of blocks are; single letters are words."""
 
 
 def _not_until(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:

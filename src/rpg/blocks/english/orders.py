@@ -31,7 +31,7 @@ def ordered(order: Order, say: Speaker) -> str:
         case "any":
             return way
         case "given":
-            return _at_the_ends(order, say) or f"{way} in the order {_ranks(order, say)}"
+            return _at_the_ends(order, say) or f"{way} in the order {said_in_turn(order, say)}"
         case "label":
             return f"{way} in {'reverse ' if order.descending else ''}alphabetical order"
         case "number":
@@ -81,7 +81,7 @@ def _at_the_ends(order: Order, say: Speaker) -> str:
     return f" with {' and '.join(told)}"
 
 
-def _ranks(order: Order, say: Speaker) -> str:
+def said_in_turn(order: Order, say: Speaker) -> str:
     """ "red, blue, red", "the red block, the A block", "a red block, then two blue blocks"."""
     single = all(len(rank) == 1 for rank in order.ranks)
     if order.match == "name":

@@ -102,6 +102,13 @@ class Speaker:
             return known or f"the tower of {self._listed(members(operand))}"
         return self._listed(members(operand))
 
+    def ordered(self, blocks: tuple[str, ...], ranks: tuple[tuple[str, ...], ...]) -> str:
+        """Blocks whose order is told behind: "the four blocks" where these are all there are and it lists each."""
+        told = sorted(name for rank in ranks for name in rank) == sorted(blocks)
+        if told and len(blocks) > 2 and set(blocks) == set(self.world.blocks) and all(map(self.unique, blocks)):
+            return f"the {number(len(blocks))} blocks"
+        return self.the(blocks)
+
     def like(self, names: Iterable[str]) -> list[str]:
         """Blocks by their look alone: "a red block", "two blue blocks", "the green block" where all such are meant."""
         groups: dict[str, int] = {}
@@ -149,7 +156,7 @@ class Speaker:
             if all(_COLOR.fullmatch(noun) for noun in parts):
                 return f"the {whole} blocks"
             if all(_LABEL.fullmatch(noun) for noun in parts):
-                return f"the blocks {whole}"
+                return f"the blocks {_run([noun.removesuffix(' block') for noun in parts]) or whole}"
         return join([said for noun, mine in parts.items() for said in self._references(noun, mine)])
 
     def _alike(self, noun: str) -> list[str]:
@@ -185,6 +192,15 @@ class Speaker:
         if left == count:
             return f"the other {noun}" if count == 1 else f"the other {number(count)} {_plural(noun)}"
         return f"another {noun}" if count == 1 else f"another {number(count)} {_plural(noun)}"
+
+
+def _run(labels: list[str]) -> str:
+    """Letters or digits without a gap: "A to F"; nothing for fewer than four, which are as short as a list."""
+    codes = sorted(map(ord, labels))
+    alike = all(label.isdigit() for label in labels) or all(label.isalpha() for label in labels)
+    if len(codes) < 4 or not alike or codes != list(range(codes[0], codes[-1] + 1)):
+        return ""
+    return f"{chr(codes[0])} to {chr(codes[-1])}"
 
 
 def _some(noun: str, count: int) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rpg.blocks.english.measures import cm
-from rpg.blocks.english.orders import ATTRIBUTES, along, ordered, patterned
+from rpg.blocks.english.orders import ATTRIBUTES, along, from_to, ordered, patterned, said_in_turn
 from rpg.blocks.english.speaker import Speaker
 from rpg.blocks.nouns import join, number
 from rpg.ir import structures as s
@@ -33,7 +33,7 @@ def stack(node: s.Stack, say: Speaker) -> str:
     if say.negated:
         # "Not stacked" would be said of every two of them.
         return _form(node, say, f"a tower{place}{order}")
-    return f"{say.the(node.blocks)} {say.be(node.blocks)} stacked{place}{order}"
+    return f"{say.ordered(node.blocks, node.order.ranks)} {say.be(node.blocks)} stacked{place}{order}"
 
 
 def _upward(node: s.Stack) -> Any:
@@ -68,7 +68,11 @@ def row(node: s.Row, say: Speaker) -> str:
     space += f" with {cm(node.spacing)} between centers" if node.spacing is not None else ""
     space += f" with gaps of {cm(node.gap)}" if node.gap is not None else ""
     space += ", evenly spaced" if node.evenly else ""
-    return f"{say.the(node.blocks)} {say.be(node.blocks)} {near}{kind}{order}{space}"
+    if node.readable and node.order.by == "given" and node.order.first:
+        read = say.do(node.blocks, "read", "reads")
+        return f"{say.the(node.blocks)} {read} {said_in_turn(node.order, say)}{from_to(node.order.first)}{space}"
+    blocks = say.ordered(node.blocks, node.order.ranks)
+    return f"{blocks} {say.be(node.blocks)} {near}{kind}{order}{space}"
 
 
 def _halfway(node: s.Row, say: Speaker) -> str | None:

@@ -41,6 +41,7 @@ COMMANDS: tuple[tuple[str, str, str, str], ...] = (
     ("be", r"(?P<more>.*)", "put {subject} {more}", "place {subject} {more}"),
     ("form", r"(?P<more>.*)", "arrange {subject} into {more}", "build {more} from {subject}"),
     ("spell", r"(?P<more>.*)", "spell {more} with {subject}", "arrange {subject} so that they spell {more}"),
+    ("read", r"(?P<more>.*)", "arrange {subject} so that they read {more}", "put {subject} so that they read {more}"),
     ("touch", r"(?P<more>.*)", "make {subject} touch {more}", "put {subject} so that it touches {more}"),
     ("stay", r"(?P<more>.*)", "leave {subject} {more}", "keep {subject} {more}"),
     ("swap", r"(?P<more>.*)", "swap {subject}", "exchange {subject}"),

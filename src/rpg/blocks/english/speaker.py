@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import string
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -196,11 +197,9 @@ class Speaker:
 
 def _run(labels: list[str]) -> str:
     """Letters or digits without a gap: "A to F"; nothing for fewer than four, which are as short as a list."""
-    codes = sorted(map(ord, labels))
-    alike = all(label.isdigit() for label in labels) or all(label.isalpha() for label in labels)
-    if len(codes) < 4 or not alike or codes != list(range(codes[0], codes[-1] + 1)):
+    if len(labels) < 4 or not any("".join(sorted(labels)) in row for row in (string.ascii_uppercase, string.digits)):
         return ""
-    return f"{chr(codes[0])} to {chr(codes[-1])}"
+    return f"{min(labels)} to {max(labels)}"
 
 
 def _some(noun: str, count: int) -> str:

@@ -50,6 +50,41 @@ def _but_so_many(p: Parser, i: int, whole: Meaning, j: int) -> Results[Noun]:
             yield Noun(head=whole.head, det="all but", amount=some, plural=True, part_of=them, span=span), end
 
 
+_OF_EACH = ("each of", "each in", "each :", "of each of", "of each of the colors", "of each of these :", "of each :")
+
+
+def of_each(p: Parser, i: int, whole: Meaning, j: int) -> Results[Coord]:
+    """ "one cube each of red, orange and yellow", "two each of A and B": so many of each that is listed."""
+    from rpg.language.grammar.nouns import noun_phrase
+
+    k = p.any_of(j, _OF_EACH)
+    if not k or not isinstance(whole, Noun) or whole.amount is None or whole.traits != Traits() or whole.part_of:
+        return
+    if whole.det not in ("bare", "a", "some") or whole.amount.low != whole.amount.high or whole.head == "patch":
+        return
+    for listed, end in noun_phrase(p, k):
+        looks = _looks(listed)
+        if len(looks) > 1 and len(set(looks)) == len(looks):
+            each = replace(whole, head="block", cost=0, det="bare")
+            items = tuple(replace(each, traits=look, span=p.span(i, end)) for look in looks)
+            yield Coord(op="and", items=items, span=p.span(i, end)), end
+
+
+def _looks(listed: Meaning) -> tuple[Traits, ...]:
+    """The colours or labels of a plain list of them; none of anything else."""
+    if isinstance(listed, Coord) and listed.op == "and":
+        each = [_looks(item) for item in listed.items]
+        return tuple(look for looks in each for look in looks) if all(each) else ()
+    if not isinstance(listed, Noun) or listed.det != "bare" or listed.amount is not None or listed.head == "patch":
+        return ()
+    marks = listed.traits
+    if marks == Traits(colors=marks.colors) and listed.part_of is None and not listed.conditions:
+        return tuple(Traits(colors=(color,)) for color in marks.colors)
+    if marks == Traits(labels=marks.labels) and listed.part_of is None and not listed.conditions:
+        return tuple(Traits(labels=(label,)) for label in marks.labels)
+    return ()
+
+
 _OF_WHICH = ("of which", "of them", "of these", "of whom")
 
 

@@ -12,7 +12,7 @@ from rpg.language.grammar.adjectives import Marks, adjectives, clash, color, mer
 from rpg.language.grammar.amounts import Quantity
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.edges import of_edges
-from rpg.language.grammar.joined import all_but, apposed, more
+from rpg.language.grammar.joined import all_but, apposed, more, of_each
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.pronouns import pronoun
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
@@ -55,6 +55,7 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         yield item, j
         yield from all_but(p, i, item, j)
         yield from apposed(p, i, item, j)
+        yield from of_each(p, i, item, j)
         if not (isinstance(item, Noun) and item.det == "both" and item.head == "any"):
             yield from more(p, i, (item,), j, None)
 
@@ -239,7 +240,7 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     if named and "edge" not in marks and (marks.get("colors") or marks.get("size") or ranked):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")
-        if several and _list_goes_on(p, j):
+        if (several and _list_goes_on(p, j)) or (quantity.det == "both" and not several and p.words[j] == "and"):
             return
         yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1 if several else 0)
     counted = quantity.amount is not None and quantity.det in ("the", "bare", "other", "another", "both", "some")

@@ -36,6 +36,7 @@ from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
 from rpg.passes.schema.names import family_name
+from rpg.passes.schema.patience import FINAL, LOST, patience
 from rpg.passes.schema.resolve import finish
 from rpg.passes.schema.resolve.beginning import UNMEANT, begun, start_first
 from rpg.passes.schema.resolve.chains import chain_goals, join
@@ -57,28 +58,6 @@ from rpg.passes.schema.resolve.world import Scene, refuse, said
 MAX_COMBINATIONS = 48
 
 
-FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors",
-    "does-not-fit", "unknown-symbol", "size-out-of-range",
-                   "out-of-reach", "too-many-asked", "covered-face", "too-wide"})  # fmt: skip
-"""Refusals that no other reading mends: the words are understood, and what they say cannot be done."""
-SENSIBLE = frozenset(
-    {
-        "ambiguous",
-        "contradiction",
-        "support-cycle",
-        "count-mismatch",
-        "self-reference",
-        "one-group",
-        "missing-symbol",
-        "unused-block",
-        "fixed-patch",
-        "order-conflict",
-    }
-)
-"""Refusals of a reading that makes sense in itself: only readings hardly less natural are tried after one."""
-PATIENCE = 0
-
-
 def build(
     words: list[Token], text: str, notes: list[str], *, name: str | None, seed: int, author: str | None
 ) -> Feasibility:
@@ -98,9 +77,8 @@ def build(
             code = refusal.diagnostics[0].code
             if code in FINAL and best is None:
                 raise
-            lost = code == "misplaced" and refusal.diagnostics[0].message.startswith(LOST)
-            if (code in SENSIBLE or lost) and limit is None:
-                limit, first = cost + PATIENCE, (refusal, chosen)
+            if limit is None and (more := patience(refusal.diagnostics[0])) is not None:
+                limit, first = cost + more, (refusal, chosen)
             first = first or (refusal, chosen)
             continue
         if best is None:
@@ -119,10 +97,6 @@ def build(
         failure.diagnostics,
         [_one_order(lambda: resolve(links, chosen, text, notes, name, seed, author, lenient=True))],
     )
-
-
-LOST = "this was read, but nothing in the task would come"
-"""How a word that a reading lost is told: a costlier reading that finds a place for it means something else."""
 
 
 def _lost(token: Token) -> Refusal:
@@ -304,9 +278,13 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
         )
 
 
+_SELECTING = ("all", "each")
+
+
 def _selects(part: Meaning) -> bool:
-    """ "All the red ones": of what there is, with others that are not meant."""
-    marks = part.traits if isinstance(part, Noun) and part.det in ("all", "each") else Traits()
+    """ "All the red ones", "none of the red ones": of what there is, with others that are not meant."""
+    whole = part.part_of if isinstance(part, Noun) and part.det == "no" else part
+    marks = whole.traits if isinstance(whole, Noun) and (whole is not part or whole.det in _SELECTING) else Traits()
     return bool(marks.colors or marks.kind or marks.size or marks.edge) and not marks.labels
 
 

@@ -10,6 +10,7 @@ from rpg.language.meaning import (
     Clause,
     Coord,
     Into,
+    Loc,
     Meaning,
     Noun,
     OrderBy,
@@ -17,6 +18,7 @@ from rpg.language.meaning import (
     Pronoun,
     Quality,
     Structure,
+    TableTop,
     Traits,
 )
 from rpg.passes.schema.resolve.hubs import emptied, in_the_middle, outlines, told_inside
@@ -39,6 +41,8 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
                 continue
             clause = _of_one(said)
+            if _asked_again(found, said, link) or _shape_alone(found, said, link):
+                continue
             if _in_outline(found, said, link):
                 continue
             if (inside := in_the_middle(said)) is not None and _new(inside[1]):
@@ -58,6 +62,40 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
         replace(chains[n], clauses=tuple(c for _, c in found[n]), links=tuple(link for link, _ in found[n]))
         for n in left
     )
+
+
+def _asked_again(found: list[list[tuple[str, Meaning]]], said: Clause, link: str) -> bool:
+    """ "From top to bottom: white, black. Build it.": no more than that what was told is wanted."""
+    last = _last(found)
+    bare = isinstance(said.theme, Pronoun) and said.theme.word in ("it", "that", "this") and not said.adjuncts
+    wanted = last is not None and last.mode in ("goal", "command") and last.verb not in ("part", "keep", "pick")
+    return said.verb == "build" and said.lemma in _MAKING and bare and not said.negated and link == "and" and wanted
+
+
+_MAKING = frozenset({"build", "make", "create", "construct", "form", "assemble"})
+
+
+def _shape_alone(found: list[list[tuple[str, Meaning]]], said: Clause, link: str) -> bool:
+    """ "Bottom to top: black, gray, white. One stack.": what the blocks just listed are to form."""
+    last, shape = _last(found), said.theme
+    there = all(isinstance(a, Loc) and isinstance(a.landmark, TableTop) and not a.negated for a in said.adjuncts)
+    if last is None or not isinstance(shape, Structure) or not there or said.negated or link != "and":
+        return False
+    listed = last.verb == "arrange" and last.theme is None and last.mode == "goal" and not last.negated
+    listed = listed and any(isinstance(a, OrderBy) and a.items for a in last.adjuncts)
+    plain = shape.kind in ("stack", "row", "line", "column") and not shape.plural and shape.det in ("a", "bare")
+    if not listed or not plain or shape.members or shape.details or any(isinstance(a, Into) for a in last.adjuncts):
+        return False
+    into = Into(structure=shape, span=said.span)
+    line = max(n for n, lot in enumerate(found) if lot)
+    found[line][-1] = (found[line][-1][0], replace(last, adjuncts=(*last.adjuncts, into, *said.adjuncts)))
+    return True
+
+
+def _last(found: list[list[tuple[str, Meaning]]]) -> Clause | None:
+    """The clause said last."""
+    kept = next((lot[-1][1] for lot in reversed(found) if lot), None)
+    return kept if isinstance(kept, Clause) else None
 
 
 def _new(whole: Meaning) -> bool:

@@ -11,36 +11,49 @@ from rpg.language.meaning import (
     Clause,
     Into,
     Loc,
+    Manner,
     Meaning,
     Noun,
     OrderBy,
     Places,
     Pronoun,
     Structure,
+    Toward,
+    Traits,
     parts_of,
 )
 
 _LOWER = {"above": 0, "under": 1}
 """Which of the theme and the landmark is the lower one: 0 the landmark."""
+_ANY_ONE = (Traits(), Traits(scheme="same"))
+"""What is said of a tower of which no more is said than that both are in it, which "above" says too."""
 
 
 def in_one_tower(clause: Clause) -> tuple[Clause, ...]:
     """The clauses that build the tower and say what is above what in it; none where this is not said."""
     if clause.verb not in ("be", "place", "stack") or clause.negated or clause.mode == "start":
         return ()
-    places = [a for a in clause.adjuncts if isinstance(a, Loc)]
-    towers = [a for a in clause.adjuncts if isinstance(a, Into)]
-    middles = [a for a in clause.adjuncts if isinstance(a, Absolute)]
-    if len(places) != 1 or len(towers) != 1 or len(middles) > 1 or 2 + len(middles) != len(clause.adjuncts):
+    if (between := _sandwiched(clause)) is not None:
+        return (between,)
+    towers = [shape for a in clause.adjuncts if (shape := _tower(a)) is not None]
+    places = [a for a in clause.adjuncts if isinstance(a, Loc) and _tower(a) is None]
+    middles: list[Meaning] = [a for a in clause.adjuncts if isinstance(a, Absolute)]
+    idle = [a for a in clause.adjuncts if isinstance(a, Manner) and (a.kind, a.value) == ("idle", None)]
+    if len(places) != 1 or len(towers) != 1 or 2 + len(middles) + len(idle) != len(clause.adjuncts):
         return ()
-    tower, over = towers[0].structure, places[0]
-    if not isinstance(tower, Structure) or tower.kind != "stack" or tower.plural or tower.details or tower.sizes:
+    tower, over = replace(towers[0], details=()), places[0]
+    middles += towers[0].details
+    if len(middles) > 1 or tower.plural:
         return ()
     plain = not over.negated and over.low is None and over.high is None and not {"directly", "immediate"} & {*over.mods}
     if over.rel not in _LOWER or not plain or not _one(clause.theme) or not _one(over.landmark):
         return ()
     if middles:
-        return _between(clause, tower, over, middles[0])
+        return _between(clause, tower, over, middles[0]) if isinstance(middles[0], Absolute) else ()
+    if tower.sizes:
+        return ()
+    if tower.members is None and tower.traits in _ANY_ONE and (tower.traits.scheme or tower.det == "bare"):
+        return (replace(clause, adjuncts=(over,)),) if clause.verb != "stack" else ()
     if tower.members is None or tower.det != "a" or not _looks(clause.theme, over.landmark) <= _looks(tower.members):
         return ()
     built = Clause(verb="build", theme=tower, mode="goal", span=tower.span)
@@ -49,11 +62,37 @@ def in_one_tower(clause: Clause) -> tuple[Clause, ...]:
     return built, said
 
 
+def _sandwiched(clause: Clause) -> Clause | None:
+    """ "white between the two black ones in one tower", "stack white between red and blue": one below, one above."""
+    places = [a for a in clause.adjuncts if isinstance(a, Loc) and _tower(a) is None]
+    towers = [a for a in clause.adjuncts if _tower(a) is not None or a == Toward(axis="z", span=a.span)]
+    said = places[0] if len(places) == 1 else None
+    upright = len(towers) == 1 or (clause.verb == "stack" and not towers)
+    if said is None or said.rel != "between" or said.negated or not upright or not _one(clause.theme):
+        return None
+    shapes = [shape for a in towers if (shape := _tower(a)) is not None]
+    if any(x.details or x.members or x.plural or x.traits not in _ANY_ONE for x in shapes):
+        return None
+    if 1 + len(towers) != len(clause.adjuncts) or any(z.amount != Amount(3, 3) for x in shapes for z in x.sizes):
+        return None
+    return replace(clause, verb="be", lemma="", adjuncts=(replace(said, rel="sandwiched"),))
+
+
+def _tower(adjunct: Meaning) -> Structure | None:
+    """The tower of "in one tower", "somewhere in the same stack"."""
+    shape = adjunct.structure if isinstance(adjunct, Into) else None
+    if isinstance(adjunct, Loc) and adjunct.rel == "in" and not adjunct.negated and adjunct.second is None:
+        shape = adjunct.landmark
+    return shape if isinstance(shape, Structure) and shape.kind == "stack" else None
+
+
 def _between(clause: Clause, tower: Structure, over: Loc, middle: Absolute) -> tuple[Clause, ...]:
     place = middle.adjuncts[0] if len(middle.adjuncts) == 1 else None
     inside = (isinstance(place, Places) and place.side == "rest") or (isinstance(place, At) and place.side == "middle")
     them = isinstance(place, Loc) and place.rel == "between" and isinstance(place.landmark, Pronoun)
     if not (inside or them) or not _one(middle.theme) or tower.members is not None:
+        return ()
+    if any(z.amount != Amount(3, 3) for z in tower.sizes):
         return ()
     items = (over.landmark, middle.theme, clause.theme)
     items = items if _LOWER[over.rel] == 0 else items[::-1]

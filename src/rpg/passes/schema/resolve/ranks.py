@@ -131,7 +131,8 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
 
 def _of_structures(noun: Noun, index: int, scene: Scene) -> Ref:
     """ "the first" where two towers were built: the first of them."""
-    unsaid = any(n in scene.on_clause for b in scene.built for n in b.members)
+    of_one = any(m.clause == scene.clause and m.role == "theme" and m.ref.built for m in scene.mentions)
+    unsaid = not of_one and any(n in scene.on_clause for b in scene.built for n in b.members)
     if noun.traits.colors or unsaid or len({b.kind for b in scene.built}) > 1 or index > len(scene.built):
         raise refuse("ambiguous", "it is not clear which block or structure this is", noun.span, "name it")
     built = scene.built[index - 1]

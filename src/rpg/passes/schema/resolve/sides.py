@@ -48,7 +48,9 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     loose = scene.loose
     scene.loose = []
     names = [n for ref, _, _ in loose for n in ref.names]
-    for node in (n for n in _lines(goal) if set(names) <= set(n.blocks)):
+    told = any(isinstance(a, r.InRegion) for a in atoms(goal))
+    whole = max(len(ref.names) for ref, _, _ in loose) if told else 0
+    for node in (n for n in _lines(goal) if set(names) <= set(n.blocks) and whole < len(n.blocks)):
         return _refine(goal, node, loose, scene)
     for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
         _check_word(word, loose, scene)
@@ -182,7 +184,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     if any(set(ref.names) & {*members(a.a), *members(a.b)} for a in close):
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip
-    if any(isinstance(a, r.InRegion) and ("edge" in a.region or "corner" in a.region) for a in atoms(goal)):
+    ends = ("edge", *(("corner",) if at_.side != "middle" else ()))
+    if any(isinstance(a, r.InRegion) and any(end in a.region for end in ends) for a in atoms(goal)):
         raise refuse("ambiguous", "this could be a half or an edge of the table", at_.span, "say which")
 
 

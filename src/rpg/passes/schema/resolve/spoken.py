@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Noun, Structure
+from rpg.language.meaning import Amount, Noun, Structure, Traits
+from rpg.passes.schema.resolve.things import matching
 from rpg.passes.schema.resolve.world import Built, Scene, refuse
 
 _FAMILY = {"line": "row", "column": "row"}
@@ -38,15 +39,32 @@ def _fitting(shape: Structure, scene: Scene) -> list[Built]:
         if (n := exact_size(shape)) is not None and n != len(things):
             continue
         found.append(built)
-    return _ranked(shape, found, scene)
+    return _ranked(shape, _holding(shape, found, scene), scene)
+
+
+def _holding(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
+    """ "the tower with A": of several, the one that has that block in it."""
+    whole = shape.members
+    if len(found) < 2 or not isinstance(whole, Noun) or whole.plural or whole.amount not in (None, Amount(1, 1)):
+        return found
+    held = [thing.name for thing in matching(whole.traits, scene, False)] if whole.traits.labels else []
+    having = [built for built in found if {*held} & {*built.members}]
+    return having if len(having) == 1 else found
 
 
 def _with_its_color(shape: Structure, scene: Scene) -> list[Built]:
     """ "the red tower" after "red on white": the one that has red in it, where no tower is all red."""
-    if shape.det != "the" or not shape.traits.colors or shape.members is not None:
+    whole = shape.members
+    one = isinstance(whole, Noun) and not whole.plural and whole.amount in (None, Amount(1, 1))
+    colors = shape.traits.colors
+    if one and isinstance(whole, Noun) and whole.traits == Traits(colors=whole.traits.colors):
+        colors = colors or whole.traits.colors
+    elif whole is not None:
+        return []
+    if shape.det != "the" or not colors:
         return []
     there = [built for built in scene.built if built.kind == shape.kind]
-    found = [b for b in there if any(scene.things[n].color in shape.traits.colors for n in b.members)]
+    found = [b for b in there if any(scene.things[n].color in colors for n in b.members)]
     if there and len(found) != 1:
         raise refuse("ambiguous", "it is not clear which of those spoken of this is", shape.span, "name its blocks")
     return found

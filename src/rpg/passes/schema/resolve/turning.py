@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Pronoun, TableTop, That, Using
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, TableTop, That, Using
 from rpg.passes.schema.resolve.finish import label_of
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import crown, spread
@@ -127,7 +127,7 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return _unlifted(theme, spec, clause)
     if clause.lemma == "take" and off:
         return remove(clause, spec, scene, scope, theme)
-    if clause.lemma == "take" and spec.places:
+    if spec.places and (clause.lemma == "take" or _laid_on(spec)):
         goals = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
         spec.places = []
         return goals
@@ -136,6 +136,12 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if len(spec.usings) == 1 and spec.usings[0].lead == "from":
         picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
     return []
+
+
+def _laid_on(spec: Spec) -> bool:
+    """ "lift the orange block onto the gray one": where it comes to lie."""
+    told = all(isinstance(p, In) or (isinstance(p, Loc) and p.rel == "on" and not p.negated) for p in spec.places)
+    return told and not spec.usings
 
 
 def _unlifted(theme: Ref, spec: Spec, clause: Clause) -> Goals:

@@ -1,0 +1,45 @@
+"""Which refusals of a reading let costlier readings be tried, and how much costlier ones."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Diagnostic
+
+FINAL = frozenset({"false-equation", "bad-equation", "too-many-blocks", "too-many-labels", "too-many-colors",
+    "does-not-fit", "unknown-symbol", "size-out-of-range",
+                   "out-of-reach", "too-many-asked", "covered-face", "too-wide"})  # fmt: skip
+"""Refusals that no other reading mends: the words are understood, and what they say cannot be done."""
+SENSIBLE = frozenset(
+    {
+        "ambiguous",
+        "contradiction",
+        "support-cycle",
+        "count-mismatch",
+        "self-reference",
+        "one-group",
+        "missing-symbol",
+        "unused-block",
+        "fixed-patch",
+        "order-conflict",
+    }
+)
+"""Refusals of a reading that makes sense in itself: only readings hardly less natural are tried after one."""
+LOST = "this was read, but nothing in the task would come"
+"""How a word that a reading lost is told: a costlier reading that finds a place for it means something else."""
+_TORN = frozenset({"self-reference", "support-cycle"})
+_UNFOUND = (
+    "'it' could be any of several blocks",
+    "it is not said of each of them",
+    "it is not said which symbols there are",
+    "it is not clear what belongs to 'each'",
+    "these places contradict each other",
+)
+"""Refusals that come of words joined that do not belong together, so that a pronoun or a place finds nothing to be
+of: a reading that joins them otherwise may be meant."""
+_SOMEWHAT = 3
+
+
+def patience(found: Diagnostic) -> int | None:
+    """How much costlier than a reading that is refused so another may be; None: as much as it likes."""
+    if found.code in _TORN or found.message.startswith(_UNFOUND):
+        return _SOMEWHAT
+    return 0 if found.code in SENSIBLE or found.message.startswith(LOST) else None

@@ -28,6 +28,8 @@ def _form(node: Any, say: Speaker, what: str) -> str:
 def stack(node: s.Stack, say: Speaker) -> str:
     place = f" on {say.the(node.patch)}" if node.patch else ""
     order = ordered(_upward(node), say)
+    if node.readable and node.order.by == "given" and node.order.first:
+        order = f", reading {said_in_turn(node.order, say)}{from_to(node.order.first)}"
     if node.exact:
         return _form(node, say, f"a tower of exactly {number(len(node.blocks))}{place}{order}")
     if say.negated:

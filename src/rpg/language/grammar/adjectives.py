@@ -345,7 +345,9 @@ def _labelled(p: Parser, i: int) -> Results[Marks]:
     j = p.opt(j, "the", "a", "an")
     noun = p.one(j, _LABEL_NOUNS)
     if noun or p.words[i] not in ("with", "carrying") or j > p.any_of(i, ("with",)):
+        read = not noun and p.words[i] in ("reading", "saying") and "of" in p.words[max(0, i - 3) : i]
         for (labels, more), k in label_list(p, noun or j, True):
-            yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), k
+            if len(labels) < 2 or not read:  # "a row of cubes reading C, A, B" is read from the left
+                yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), k
     if noun and p.words[j] in _KINDS:
         yield Marks({"kind": _KINDS[p.words[j]]}), p.any_of(noun, ("on them", "on it", "on top")) or noun

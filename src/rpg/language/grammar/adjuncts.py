@@ -14,7 +14,7 @@ from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.offsets import offset
 from rpg.language.grammar.onto import piled_up
-from rpg.language.grammar.orders import order
+from rpg.language.grammar.orders import READABLE, order
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
 from rpg.language.grammar.sizes import rising_steps, size_phrase
@@ -261,7 +261,7 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
                      "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring",
                      "while making sure", "while ensuring", ", so long as", "so long as", ", provided that",
                      "provided that"))  # fmt: skip
-    if j:
+    if j and not p.any_of(i, READABLE):
         for clauses, k in chain(p, p.opt(j, ",")):
             yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
     yield from _beginning_there(p, i)

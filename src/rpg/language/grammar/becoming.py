@@ -52,9 +52,11 @@ def _there(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tup
         yield _listing(p, i, end, theme, items, mode), end
 
 
-def _listing(p: Parser, i: int, end: int, theme: Meaning, items: tuple[Meaning, ...], mode: str) -> Clause:
+def _listing(
+    p: Parser, i: int, end: int, theme: Meaning, items: tuple[Meaning, ...], mode: str, by: str = "named"
+) -> Clause:
     """A structure with its members in their order."""
-    order = OrderBy(by="named", items=items, span=p.span(i, end))
+    order = OrderBy(by=by, items=items, span=p.span(i, end))
     assert isinstance(theme, Structure)
     said = theme.members
     open_ = isinstance(said, Noun) and said.amount is None and said.traits == Traits()
@@ -64,11 +66,14 @@ def _listing(p: Parser, i: int, end: int, theme: Meaning, items: tuple[Meaning, 
 
 def _goes(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterator[tuple[Meaning, int]]:
     """ "the tower goes brown, white, pink"."""
-    j = p.any_of(k, ("goes", "go", "runs", "run", "reads", "be", "is", "has")) if theme.kind in _ORDERED else 0
-    lists = p.words[j - 1 : j] in (["goes"], ["go"], ["runs"], ["run"], ["reads"]) or p.words[j : j + 1] == [":"]
+    j = p.any_of(k, ("goes", "go", "runs", "run", "reads", "read", "be", "is", "has")) if theme.kind in _ORDERED else 0
+    lists = p.words[j - 1] in ("goes", "go", "runs", "run", "reads", "read") or p.words[j : j + 1] == [":"]
     for items, end in listed(p, p.opt(j, ":")) if j else ():
         if lists or len(items) > 2:
-            yield _listing(p, i, end, theme, items, mode), end
+            by = "read" if p.words[j - 1] in ("reads", "read") else "named"
+            for found, last in adjuncts(p, end):
+                said = _listing(p, i, end, theme, items, mode, by)
+                yield replace(said, adjuncts=found, span=p.span(i, last)), last
 
 
 _ORDERED = ("stack", "row", "line", "column")

@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.along import listed_along
+from rpg.language.grammar.ascents import measures
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.lists import listed
@@ -262,6 +263,10 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 yield replace(base, members=members, span=p.span(i, end)), end
     if not k or (p.words[k - 1] == "from" and run(p, k)):
         return
+    for labels, end in run(p, k):
+        if not measures(p, end):
+            shown = Noun(head="block", plural=True, traits=Traits(labels=labels), span=p.span(k, end))
+            yield replace(base, members=shown, span=p.span(i, end)), end
     for start in dict.fromkeys((k, p.one(k, "each"))):
         for members, end in noun_phrase(p, start) if start else ():
             if not _are_members(p, j, k, base, members, end):

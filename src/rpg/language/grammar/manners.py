@@ -23,6 +23,16 @@ def direction(p: Parser, i: int) -> Results[str]:
         yield side, p.reach(j + 1)
 
 
+_ANY_WAY = Patterns(
+    ", or|in? any|either|whatever|whichever direction|orientation|rotation|way|way_round "
+    "you_like|will_do|is_fine|works?",
+    ",? it|they|which|the_row|the_line|the_tower may|can|might|could run|go|point|lie|stand|face|be_turned|be_rotated "
+    "in? any|either|whatever|whichever direction|orientation|way",
+    "in|with any|whatever|whichever orientation|rotation you_like?",
+    "whichever way round?",
+    ",? the? orientation|direction|rotation does_not_matter|is_irrelevant|is_up_to_you|is_free",
+)
+"""How a figure lies is not asked for anyway."""
 _LEFTWARD = tuple(f"{way} from right to left" for way in ("going up", "rising", "ascending", "climbing"))
 
 
@@ -41,6 +51,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         yield from _rising(p, i, j)
     if j := p.any_of(i, _LEFTWARD):
         yield Manner(kind="rising", value="left", span=p.span(i, j)), j
+    yield from ((Manner(kind="idle", value="any way", span=p.span(i, j)), j) for j in _ANY_WAY.matches(p, i))
     for n, j in _degrees(p, p.opt(i, "turned", "rotated", "twisted", "spun")):
         yield from _spun(p, i, j, n)
     yield from _strangers(p, i, comma)
@@ -218,7 +229,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "exactly": ("idle", None),
     "again": ("idle", "before again"), "precisely": ("idle", None), "instead": ("idle", "before instead"),
      "for me": ("idle", None), "slowly": ("idle", "pace slowly"), "quickly": ("idle", "pace quickly"),
-    "in any way": ("idle", None), "in any arrangement": ("idle", None), "in any direction": ("idle", None),
+    "in any way": ("idle", None), "in any arrangement": ("idle", None), "in any direction": ("idle", "any way"),
     "in the picture": ("idle", None), "at all times": ("always", None),
     "the whole time": ("always", None), "throughout": ("always", None), "always": ("always", None),
     "in the scene": ("idle", None), "side up": ("idle", None),

@@ -41,7 +41,12 @@ DETAILS: dict[str, OrderBy | Spacing | Manner] = {
     "descending": OrderBy(by="ascending", descending=True, span=NOWHERE),
     "alphabetical": OrderBy(by="label", span=NOWHERE), "alphabetically sorted": OrderBy(by="label", span=NOWHERE),
     "palindromic": OrderBy(by="mirrored", span=NOWHERE),
-    "rainbow": OrderBy(by="rainbow", span=NOWHERE), "touching": Spacing(kind="touching", span=NOWHERE),
+    **{
+        f"{shade}{word}": OrderBy(by="rainbow", span=NOWHERE)
+        for shade in ("", "color ", "rainbow ")
+        for word in ("rainbow", "gradient")
+    },
+    "touching": Spacing(kind="touching", span=NOWHERE),
     "tight": Spacing(kind="touching", span=NOWHERE),
     "evenly spaced": Spacing(kind="even", span=NOWHERE), "equally spaced": Spacing(kind="even", span=NOWHERE),
     "gapless": Spacing(kind="touching", span=NOWHERE),

@@ -15,6 +15,7 @@ from rpg.language.grammar.lists import listed, ranks
 from rpg.language.grammar.order_phrases import NAMED
 from rpg.language.grammar.parted import parted
 from rpg.language.grammar.patterns import pattern, spacing
+from rpg.language.grammar.reading import read_out
 from rpg.language.grammar.sides import toward
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Meaning, Noun, OrderBy, Toward, Traits
@@ -45,6 +46,13 @@ _LEADS = frozenset(
     }
 )
 
+READABLE = (
+    "so that they can be read in",
+    "so they can be read in",
+    "so that it can be read in",
+    "so that you can read them in",
+)
+"""What an order follows, and no statement of its own."""
 _READABLE = ("row by row", "so that they can be read", "so they can be read", "so that it can be read", "to be read",
              "so that they are", "so that they read", "so that they stand", "so that you can read them")  # fmt: skip
 _NAMED = {
@@ -76,6 +84,7 @@ def order(p: Parser, i: int) -> Results[Meaning]:
     yield from pattern(p, i)
     yield from spacing(p, i)
     yield from alternation(p, i)
+    yield from read_out(p, i)
     yield from _toward_list(p, i)
 
 
@@ -139,7 +148,7 @@ def _explicit(p: Parser, i: int) -> Results[Meaning]:
                      "following the order", "with the order", "with order", "with the color order",
                      "in the color order", "order",
                      "in that order", "ordered as", "ordered", "in the pattern", "as", "like this", "as follows",
-                     "that goes", "that go", "which goes", "in order from", "going", "that reads", "which reads",
+                     "that goes", "that go", "which goes", "in order from", "going",
                      "so they are", "so that they are", "so it goes", "in a sequence of",
                      "in the sequence of"))  # fmt: skip
     if not j:
@@ -197,7 +206,13 @@ def _run(p: Parser, i: int) -> Results[Meaning]:
             continue
         if labels[-1].isalpha() or not makes_number(p, k):
             items = tuple(Noun(head="any", traits=Traits(labels=(x,)), span=p.span(j, k)) for x in labels)
-            yield OrderBy(by="run", items=items, span=p.span(i, k)), k
+            cost = 1 if p.follows(i, _NAMING) and p.any_of(k, _SORTED) else 0
+            yield OrderBy(by="run", items=items, span=p.span(i, k), cost=cost), k
+
+
+_NAMING = frozenset({"digits", "numbers", "letters", "numerals", "symbols"})
+_SORTED = ("in order", "in reading order", "in sequence", "in the right order")
+"""Between these "from 1 to 5" tells which ones are meant, and their order is told after it."""
 
 
 _ATTRIBUTES = {

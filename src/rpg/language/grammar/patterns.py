@@ -146,5 +146,6 @@ def spacing(p: Parser, i: int) -> Results[Meaning]:
                          "such that each touches the next", "so each touches the next", "each one touching the next",
                          "flush together",
                          "without any gaps between them",
-                         "with no gap", "with no space in between", "side by side and touching")):  # fmt: skip
+                         "with no gap", "no gaps", "no gap", "no gaps between them",
+                         "with no space in between", "side by side and touching")):  # fmt: skip
         yield Spacing(kind="touching", span=p.span(i, j)), j

@@ -184,6 +184,7 @@ _UNSAID = {
     "close together": "near", "together": "together", "near each other": "near",
     "close to each other": "near",
     "touching": "touching", "in contact": "touching", "adjacent": "adjacent", "nearby": "near",
+    "neighbors": "side_by_side", "direct neighbors": "adjacent", "immediate neighbors": "adjacent",
     "shoulder to shoulder": "side_by_side", "in one place": "together", "spread out": "apart",
     "touching each other": "touching", "touching one another": "touching",
     "in contact with each other": "touching",

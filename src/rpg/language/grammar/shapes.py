@@ -26,8 +26,10 @@ def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
         yield (shape, False), j
     if p.words[i : i + 1] in (["cube"], ["cubes"]):
         yield ("cube", p.words[i] == "cubes"), p.reach(i + 1)
-    if p.words[i : i + 1] in (["block"], ["box"], ["cuboid"]) and _dimensions_before(p, i):
+    if p.words[i : i + 1] in (["block"], ["box"], ["cuboid"]) and _dims_before(p, i, 3):
         yield ("cube", False), p.reach(i + 1)
+    if p.stands(i, _LAYOUTS) and _dims_before(p, i, 2):
+        yield ("grid", False), p.reach(i + 1)
     if j := p.any_of(i, ("chess board", "checker board", "checkers board", "chess pattern", "checker pattern")):
         yield ("checkerboard", False), p.opt(j, "pattern")
     if j := p.any_of(i, ("flight of stairs", "flight of steps", "set of stairs", "set of steps")):
@@ -38,12 +40,18 @@ def noun(p: Parser, i: int) -> Results[tuple[str, bool]]:
     yield from _letter_shapes(p, i)
 
 
-def _dimensions_before(p: Parser, i: int) -> bool:
-    """ "a 2 by 2 by 2 block": three dimensions make it one of many blocks."""
-    words = p.words[max(0, i - 5) : i]
+_LAYOUTS = frozenset({"layout", "arrangement", "formation", "pattern", "field", "board", "block"})
+
+
+def _dims_before(p: Parser, i: int, many: int) -> bool:
+    """ "a 2 by 2 by 2 block": three dimensions make it one of many blocks; "a 3x3 layout": two make it a grid."""
     token = p.tokens[i - 1] if i else None
-    dims = token is not None and token.kind == "dims" and isinstance(token.value, tuple) and len(token.value) == 3
-    return dims or (len(words) == 5 and words[1] == words[3] == "by" and words[4].isalnum())
+    if token is not None and token.kind == "dims" and isinstance(token.value, tuple):
+        return len(token.value) == many
+    if many == 2:
+        return i > 2 and p.words[i - 2] == "by" and p.words[i - 4 : i - 3] != ["by"] and p.words[i - 1].isalnum()
+    words = p.words[max(0, i - 5) : i]
+    return len(words) == 5 and words[1] == words[3] == "by" and words[4].isalnum()
 
 
 _FORMS = frozenset(

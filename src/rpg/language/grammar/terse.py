@@ -12,6 +12,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.orders import order
+from rpg.language.grammar.parted import parted
 from rpg.language.grammar.regions import named, named_regions
 from rpg.language.meaning import (
     Amount,
@@ -25,7 +26,9 @@ from rpg.language.meaning import (
     PartOf,
     Pronoun,
     Quality,
+    Spacing,
     Structure,
+    Toward,
     Traits,
     Using,
 )
@@ -43,9 +46,14 @@ _KINDRED = ("same colors", "the same colors", "same color", "the same color", "b
             "cubes of the same color", "same colored blocks", "equal colors", "each color", "like colors",
             "same letters", "the same letters", "equal letters", "same numbers", "the same numbers",
             "equal numbers", "equal digits", "same digits",
-            "blocks with the same letter", "blocks with the same number", "same symbols", "each letter")  # fmt: skip
+            "blocks with the same letter", "blocks with the same number", "same symbols", "each letter",
+            *(f"{alike} {shown}" for alike in ("identical", "equal", "matching", "like", "the identical")
+              for shown in ("letters", "numbers", "digits", "symbols", "colors")))  # fmt: skip
 _TOGETHER = ("be together", "should be together", "must be together", "together", "are together", "go together",
              "stay together", "be in one group", "should go together", "in one group")  # fmt: skip
+
+
+_SET_OFF = (",", ":", "so", "such", "with")
 
 
 @rule
@@ -59,12 +67,35 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _ordered(p, i)
     for found, j in alternation_alone(p, i):
         yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j)), j
+    if i == 0:
+        yield from _laid(p)
+    for found, j in parted(p, i) if p.words[i] not in _SET_OFF else ():
+        everything = Pronoun(word="everything", span=found.span)
+        sort = Clause(verb="sort", lemma="sort", theme=everything, adjuncts=(found,), span=p.span(i, j), cost=1)
+        yield sort, j
     start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
     if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER)):
         everything = Pronoun(word="everything", span=p.span(i, j))
         told = "color" if {*p.words[start:j]} & {"color", "colors", "colored"} else "label"
         by = OrderBy(by="attribute", attribute=told, span=p.span(i, k))
         yield Clause(verb="sort", lemma="sort", theme=everything, adjuncts=(by,), span=p.span(i, k), cost=1), k
+
+
+def _laid(p: Parser) -> Results[Meaning]:
+    """ "Left to right.", "Touching, in rainbow order.": a sentence of its own about the line that was built before."""
+    for found, j in adjuncts(p, 0):
+        if found and j >= p.end and all(map(_of_a_line, found)):
+            yield Clause(verb="part", adjuncts=found, mode="goal", span=p.span(0, j), cost=2), j
+
+
+def _of_a_line(found: Meaning) -> bool:
+    """Directions, spacing, and orders that have a name."""
+    if isinstance(found, Loc):
+        mutual = getattr(found.landmark, "word", "") == "each other"
+        return mutual and not found.negated and found.rel in ("distance", "touching", "side_by_side", "adjacent")
+    if isinstance(found, Toward):
+        return found.first is not None
+    return isinstance(found, Spacing) or (isinstance(found, OrderBy) and not found.items and found.by != "attribute")
 
 
 _SORTING = frozenset({"reverse", "reversed", "alphabetical", "alphabetic", "backwards", "backward", "numerical",

@@ -123,7 +123,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
                 continue
             said = (*found, *alone)
-            yield Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word), end
+            done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
+            yield (replace(done, cost=1) if sense == "keep" and not said else done), end
     if sense == "sort" and p.words[j] in ("by", "according"):
         yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):
@@ -173,12 +174,25 @@ def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     if text is not None:
         themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
     themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
+    if lemma == "write":
+        yield from _written(p, i, j)
     for theme, k in themes:
         for found, end in adjuncts(p, k):
             clause_ = Clause(
                 verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=p.span(i, i + 1)
             )
             yield clause_, end
+
+
+def _written(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "write the digits 1 to 9 into a 3x3 grid": symbols that are put there."""
+    for theme, k in noun_phrase(p, j):
+        if not isinstance(theme, Noun) or len(theme.traits.labels) < 2:
+            continue
+        for found, end in adjuncts(p, k):
+            if any(isinstance(x, Into) for x in found):
+                word = p.span(i, i + 1)
+                yield Clause(verb="arrange", theme=theme, adjuncts=found, span=p.span(i, end), word=word), end
 
 
 def _turn(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:

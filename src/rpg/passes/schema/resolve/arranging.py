@@ -36,6 +36,7 @@ from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.placing import Goals, absolutes, loose_ats, places
 from rpg.passes.schema.resolve.positions import alternatives
+from rpg.passes.schema.resolve.reading import legible
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.reordered import within
@@ -315,7 +316,7 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         return theme, []
     if theme.quant is not None or theme.op == "or" or theme.mixed:
         raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
-    items = next((o.items for o in spec.orders if o.items and o.by in ("given", "run")), ())
+    items = next((o.items for o in spec.orders if o.items and o.by in ("given", "run", "read")), ())
     if items and len(theme.names) != len(items):
         theme = replace(theme, names=scene.fit(theme.names, len(items)))
     base = _base(theme, spec, scene, scope)
@@ -325,7 +326,6 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         built_, goals_ = make(Structure(kind="stack", span=span), spec, theme, scene, scope)
         return replace(theme, names=built_[0].members, built=tuple(built_)), goals_
     order = order_of(spec, theme.names, "stack", scene, scope, span)
-    spec.orders, spec.toward = [], []
     names = theme.names
     if base:
         names = (*base, *names)
@@ -339,9 +339,10 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
             )
         order = Order(by="given", ranks=(*((b,) for b in base), *ranks), first="bottom")
     nodes = [
-        s.Stack(blocks=names, order=o, readable=o.by in ("label", "number"), span=span)
+        s.Stack(blocks=names, order=o, readable=legible(o, names, spec, scene), span=span)
         for o in alternatives(order, scene)
     ]
+    spec.orders, spec.toward = [], []
     built = stack_built(nodes[0], scene) if len(nodes) == 1 else scene.add_built("stack", names, False, span)
     ref = replace(theme, names=names, built=(built,))
     scene.mention(ref, "theme")

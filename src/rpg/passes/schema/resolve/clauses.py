@@ -290,7 +290,7 @@ def _kind_of_shape(spec: Spec) -> str:
 
 def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "align in a row", "sort by colour": the blocks spoken of before."""
-    listed = next((o for o in spec.orders if o.items and o.by in ("given", "named", "run")), None)
+    listed = next((o for o in spec.orders if o.items and o.by in ("given", "named", "run", "read")), None)
     unnamed = any(t.color is None and t.label is None for t in scene.blocks())
     if listed is not None and not spec.usings and not unnamed:
         upright = clause.verb == "stack" or listed.first in ("top", "bottom") or any(t.axis == "z" for t in spec.toward)

@@ -138,7 +138,7 @@ def _name_items(spec: Spec, whole: Ref) -> None:
         if order.items:
             spec.orders[index] = replace(
                 order,
-                by="given",
+                by="read" if order.by == "read" else "given",
                 items=tuple(Pronoun(word="=" + " ".join(part.names), span=order.span) for part in whole.parts),
             )
 

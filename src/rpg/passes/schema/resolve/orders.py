@@ -13,6 +13,7 @@ from rpg.passes.schema.resolve.agreeing import OPPOSITE, agreed, one_way
 from rpg.passes.schema.resolve.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.positions import SIDES, Placed, positions
+from rpg.passes.schema.resolve.reading import reading_begins
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import matching, quality_fits
@@ -140,6 +141,9 @@ def _merge(
     match order.by:
         case "any" | "reverse" | "either":
             return found
+        case "read":
+            begin = order.first or first or reading_begins(order, names, kind, scene)
+            return _given(order, names, kind, scene, scope, begin)
         case "given" | "named" | "run" if order.items:
             return _given(order, names, kind, scene, scope, first)
         case "given":

@@ -106,6 +106,8 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
 def _laid_in(shape: Structure, spec: Spec) -> Structure:
     """ "a gradient in one row", "a countdown in a tower", "a line in a column": a line, and how it lies."""
     into = spec.intos[0].structure if len(spec.intos) == 1 else None
+    if isinstance(into, Structure) and into.kind == "grid" and shape.kind == "checkerboard":
+        return _sized_in(shape, into, spec)
     if shape.kind not in ("line", "gradient") or not isinstance(into, Structure) or into.kind not in _LINES:
         return shape
     single = not (shape.plural or into.plural) and into.traits == Traits() and into.det in ("a", "bare")
@@ -121,6 +123,15 @@ def _laid_in(shape: Structure, spec: Spec) -> Structure:
         details=(*rainbow, *shape.details, *into.details),
         upright=into.upright,
     )
+
+
+def _sized_in(board: Structure, into: Structure, spec: Spec) -> Structure:
+    """ "a checkerboard of four red and five black cubes in a 3x3 grid": how large it is."""
+    plain = not (into.plural or into.members or into.details) and into.traits == Traits() and into.det in ("a", "bare")
+    if not plain or board.dims or board.sizes or not (into.dims or into.sizes):
+        return board
+    spec.intos = []
+    return replace(board, dims=into.dims, sizes=into.sizes)
 
 
 _LINES = ("row", "column", "line", "stack")

@@ -44,6 +44,7 @@ class Spec:
     qualities: list[Quality] = field(default_factory=list)
     parts: list[Places] = field(default_factory=list)
     listed: bool = False
+    any_way: bool = False
 
     def first(self, *allowed: str) -> str | None:
         """The side where an order begins, if one of `allowed` was said."""
@@ -73,6 +74,8 @@ def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
             spec.absolutes += [a for a in item.items if isinstance(a, Absolute)]
         elif isinstance(item, Coord):
             spec.places.append(item)
-        elif not (isinstance(item, Manner) and item.kind == "idle"):
+        elif isinstance(item, Manner) and item.kind == "idle":
+            spec.any_way = spec.any_way or item.value == "any way"
+        else:
             getattr(spec, _KINDS[type(item)]).append(item)
     return spec

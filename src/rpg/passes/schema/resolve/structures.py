@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve import figures, grids, groups, lots, stepped, sym
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.positions import alternatives, lengthened
+from rpg.passes.schema.resolve.reading import legible
 from rpg.passes.schema.resolve.several import each_of, one_by_one
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.spoken import exact_size, known_ones
@@ -80,6 +81,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             [*inner.spacings, *spec.spacings],
             [*inner.patterns, *spec.patterns],
         )
+        spec.any_way = spec.any_way or inner.any_way
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     shape = _paged(shape, spec, theme)
@@ -216,7 +218,11 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     )
     nodes = [
         s.Stack(
-            blocks=names, order=o, exact=counted and not least, readable=o.by in ("label", "number"), span=shape.span
+            blocks=names,
+            order=o,
+            exact=counted and not least,
+            readable=legible(o, names, spec, scene),
+            span=shape.span,
         )
         for o in alternatives(order, scene)
     ]
@@ -320,7 +326,7 @@ def row_node(
     if axis is None:
         axis = {"left": "y", "right": "y", "front": "x", "back": "x"}.get(order.first or "")
     if axis is None:
-        axis = "y" if kind == "row" or flat else "x" if kind == "column" else None
+        axis = "y" if (kind == "row" and not spec.any_way) or flat else "x" if kind == "column" else None
     options: dict[str, object] = {}
     for spacing in spec.spacings:
         options["evenly" if spacing.kind == "even" else "touching"] = True
@@ -333,7 +339,8 @@ def row_node(
         ):
             spec.places.remove(place)
             options.update(_spaced(place))
-    return s.Row(blocks=names, axis=axis, order=order, readable=order.by in ("label", "number"), span=span, **options)  # type: ignore[arg-type]
+    readable = legible(order, names, spec, scene)
+    return s.Row(blocks=names, axis=axis, order=order, readable=readable, span=span, **options)  # type: ignore[arg-type]
 
 
 def _spaced(place: object) -> dict[str, object]:

@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses import clause
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.frames import THEN
 from rpg.language.grammar.inventory import inventory
+from rpg.language.grammar.listing import looks_told
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
 from rpg.language.grammar.starts import begun_with
@@ -95,6 +96,9 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             if isinstance(item, Clause) and told and item.verb != "exist":
                 whole = (*had, replace(item, cost=item.cost + 3))
                 yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
+        if isinstance(had[-1], Clause) and had[-1].adjuncts and had[-1].verb != "exist":
+            for item, k in looks_told(p, colon):
+                yield Chain(clauses=(*had, item), links=(*links, "and"), span=p.span(i, k)), k
         for item, k in (*inventory(p, colon), *stock(p, colon)):
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k

@@ -326,6 +326,12 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
         )
     ) and not negated:
         yield Clause(verb="swap", lemma="swap", theme=theme, mode=mode, span=p.span(i, j)), j
+    if j := p.one(k, frozenset({"alternate", "alternates"})):
+        for found, end in adjuncts(p, j):
+            turns = Clause(
+                verb="arrange", lemma="alternate", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)
+            )
+            yield replace(turns, negated=negated), end
     if j := p.one(k, frozenset({"touch", "touches"})):
         for other, end in noun_phrase(p, j):
             touch = Loc(rel="touching", landmark=other, span=p.span(k, end))

@@ -48,6 +48,7 @@ from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.inventory import each_agrees
 from rpg.passes.schema.resolve.kept import brought_about
 from rpg.passes.schema.resolve.moments import in_time
+from rpg.passes.schema.resolve.of_each import each_later
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.sized import sized
 from rpg.passes.schema.resolve.spare import definite, none_ignored, without_spare
@@ -175,7 +176,7 @@ def _resolved(
     scene = Scene(lenient=lenient)
     for note in notes:
         scene.assume(note)
-    links, chains = counted_later(links, chains)
+    links, chains = counted_later(links, each_later(chains))
     links, chains = sized(links, tuple(without_spare(chain) for chain in chains), scene)
     scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
     check_words(chains, scene)

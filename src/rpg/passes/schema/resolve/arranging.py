@@ -74,6 +74,9 @@ def counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
 def _in_turn(theme: Meaning, spec: Spec, lemma: str) -> Meaning | None:
     """ "red and blue blocks alternating in a stack of four", "like a 4x4 chessboard": as many as it takes."""
     shapes = [i.structure for i in spec.intos if isinstance(i.structure, Structure) and i.structure.members is None]
+    long = [z for z in spec.sizes if z.what == "long"]
+    if not spec.intos and len(long) == 1:
+        shapes = [Structure(kind="line", sizes=(long[0],), span=long[0].span)]
     if len(shapes) != 1 or len(colors := bare_colors(theme)) != 2:
         return None
     shape = shapes[0]

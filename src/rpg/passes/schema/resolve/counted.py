@@ -27,7 +27,7 @@ def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
             rest = tuple((c, x) for c, x in zip(found[n].clauses, found[n].links, strict=True) if c != clause)
             found[n] = replace(found[n], clauses=tuple(c for c, _ in rest), links=tuple(x for _, x in rest))
             told = replace(lot, amount=many, det="bare" if lot.det == "some" else lot.det)
-            found = [_put(c, lot, told) for c in found]
+            found = [put(c, lot, told) for c in found]
     kept = [n for n, chain in enumerate(found) if chain.clauses]
     return [links[n] for n in kept], tuple(found[n] for n in kept)
 
@@ -55,15 +55,15 @@ def _open(noun: Noun) -> bool:
     return plain and bool(looks) and not listed and noun.det in ("the", "all", "bare", "some")
 
 
-def _put(meaning: Any, old: Noun, new: Noun) -> Any:
+def put(meaning: Any, old: Meaning, new: Meaning) -> Any:
     """`meaning` with `new` for `old`."""
     if meaning == old:
         return new
     if isinstance(meaning, tuple) and not isinstance(meaning, Amount):
-        return tuple(_put(item, old, new) for item in meaning)
+        return tuple(put(item, old, new) for item in meaning)
     if is_dataclass(meaning) and isinstance(meaning, Meaning):
         told = {f.name: getattr(meaning, f.name) for f in fields(meaning)}
-        changed = {name: _put(value, old, new) for name, value in told.items() if isinstance(value, Meaning | tuple)}
+        changed = {name: put(value, old, new) for name, value in told.items() if isinstance(value, Meaning | tuple)}
         changed = {name: value for name, value in changed.items() if value != told[name]}
         return replace(meaning, **changed) if changed else meaning
     return meaning

@@ -19,10 +19,12 @@ from rpg.language.meaning import (
     Quality,
     Structure,
     TableTop,
+    Toward,
     Traits,
 )
 from rpg.passes.schema.resolve.hubs import emptied, in_the_middle, outlines, told_inside
 from rpg.passes.schema.resolve.overs import in_one_tower
+from rpg.passes.schema.resolve.world import refuse
 
 _VERBS = ("stack", "arrange")
 
@@ -41,8 +43,11 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
                 continue
             clause = _of_one(said)
-            if _asked_again(found, said, link) or _shape_alone(found, said, link):
+            if _asked_again(found, said, link) or _shape_alone(found, said, link) or _looks_listed(found, said, link):
                 continue
+            if said.lemma == "listed":
+                raise refuse("misplaced", "it is not clear of which blocks these are the looks", said.span,
+                             "list them where the blocks are counted")  # fmt: skip
             if _in_outline(found, said, link):
                 continue
             if (inside := in_the_middle(said)) is not None and _new(inside[1]):
@@ -90,6 +95,51 @@ def _shape_alone(found: list[list[tuple[str, Meaning]]], said: Clause, link: str
     line = max(n for n, lot in enumerate(found) if lot)
     found[line][-1] = (found[line][-1][0], replace(last, adjuncts=(*last.adjuncts, into, *said.adjuncts)))
     return True
+
+
+def _looks_listed(found: list[list[tuple[str, Meaning]]], said: Clause, link: str) -> bool:
+    """ "Four cubes in a row with 2 cm gaps: cyan, cyan, brown, brown": the looks of the blocks that were counted."""
+    last, items = _last(found), _bare_looks(said.theme)
+    if last is None or link != "and" or said.verb != "be" or said.negated or len(items) < 2:
+        return False
+    if last.verb not in ("be", "arrange", "build", "place") or last.negated or last.mode == "start":
+        return False
+    ways = all(isinstance(a, Toward) for a in said.adjuncts)
+    ordered = any(isinstance(a, OrderBy | Toward) for a in last.adjuncts)
+    if not ways or ordered or _unlooked(last) != len(items):
+        return False
+    order = OrderBy(by="named", items=items, span=said.span)
+    line = max(n for n, lot in enumerate(found) if lot)
+    found[line][-1] = (found[line][-1][0], replace(last, adjuncts=(*last.adjuncts, order, *said.adjuncts)))
+    return True
+
+
+def _bare_looks(theme: Meaning | None) -> tuple[Noun, ...]:
+    """The blocks of "cyan, cyan, brown", one for each colour; none of anything else."""
+    lots = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
+    if not all(isinstance(x, Noun) and x.head == "any" and x.det == "bare" and x.amount is None for x in lots):
+        return ()
+    nouns = [x for x in lots if isinstance(x, Noun)]
+    if any(x.traits != Traits(colors=x.traits.colors) or x.part_of or x.conditions for x in nouns):
+        return ()
+    return tuple(replace(x, plural=False, traits=Traits(colors=(c,)), cost=0) for x in nouns for c in x.traits.colors)
+
+
+def _unlooked(clause: Clause) -> int:
+    """How many blocks of no look a clause lays in one line or tower; 0 where it does not, or does not say."""
+    shapes = [a.structure for a in clause.adjuncts if isinstance(a, Into)]
+    theme = clause.theme
+    shape = theme if isinstance(theme, Structure) else shapes[0] if len(shapes) == 1 else None
+    if not isinstance(shape, Structure) or shape.kind not in ("stack", "row", "line", "column") or shape.plural:
+        return 0
+    if shape.traits != Traits() or any(isinstance(a, OrderBy) for a in shape.details):
+        return 0
+    blocks = shape.members if shape is theme else theme
+    if shape is theme and blocks is None:
+        return shape.size.low if shape.size is not None and shape.size.low == shape.size.high else 0
+    plain = isinstance(blocks, Noun) and blocks.traits == Traits() and blocks.det == "bare" and not blocks.part_of
+    amount = blocks.amount if isinstance(blocks, Noun) and plain else None
+    return amount.low if amount is not None and amount.low == amount.high else 0
 
 
 def _last(found: list[list[tuple[str, Meaning]]]) -> Clause | None:

@@ -8,15 +8,15 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
-from rpg.language.meaning import Coord, Meaning, Noun, OrderBy, Toward
+from rpg.language.meaning import Noun, OrderBy, Toward
 from rpg.passes.schema.resolve.agreeing import OPPOSITE, agreed, one_way
 from rpg.passes.schema.resolve.extremes import directed, sorted_from
+from rpg.passes.schema.resolve.items import by_look, claimed, claims
 from rpg.passes.schema.resolve.parts import place_of
 from rpg.passes.schema.resolve.positions import SIDES, Placed, positions
 from rpg.passes.schema.resolve.reading import reading_begins
-from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.things import matching, quality_fits
+from rpg.passes.schema.resolve.things import quality_fits
 from rpg.passes.schema.resolve.world import Scene, Scope, Thing, refuse
 
 
@@ -232,9 +232,10 @@ def _counted(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first
 
 def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, first: str | None) -> Order:
     ranks: list[tuple[str, ...]] = []
+    told = claims(order.items, names, scene)
     for item in order.items:
         had = {name for rank in ranks for name in rank}
-        ranks.append(_by_look(item, names, had, scene) or _item(item, names, scene))
+        ranks.append(claimed(item, names, scene) if told else by_look(item, names, had, scene))
     listed = [n for rank in ranks for n in rank]
     missing = [n for n in names if n not in listed]
     if missing or len(set(listed)) != len(listed) or not set(listed) <= set(names):
@@ -246,32 +247,6 @@ def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scop
     if first is None:
         _read_from(_default_side(kind), scene)
     return Order(by="given", ranks=tuple(ranks), first=first or _default_side(kind))  # type: ignore[arg-type]
-
-
-def _by_look(item: Meaning, names: tuple[str, ...], had: set[str], scene: Scene) -> tuple[str, ...]:
-    """ "a red block", "two red ones": the next of the blocks to be ordered that look so, where there are more."""
-    if isinstance(item, Coord) and item.op == "and":
-        found: list[str] = []
-        for part in item.items:
-            more = _by_look(part, names, had.union(found), scene) or _item(part, names, scene)
-            found += [name for name in more if name not in found]
-        return tuple(found)
-    if not isinstance(item, Noun) or item.det not in ("a", "bare") or item.part_of is not None or item.conditions:
-        return ()
-    count = 1 if item.amount is None else item.amount.low
-    if (item.amount is None and item.plural) or (item.amount is not None and item.amount != (count, count, False)):
-        return ()
-    known = [t.name for t in matching(item.traits, scene, False) if t.name in names]
-    looks = {(scene.things[n].color, scene.things[n].label, scene.things[n].size) for n in known}
-    free = [name for name in known if name not in had]
-    marked = len(item.traits.colors) + len(item.traits.labels) == 1 and not item.traits.rank
-    return tuple(free[:count]) if marked and len(looks) == 1 and len(free) >= count else ()
-
-
-def _item(item: Meaning, names: tuple[str, ...], scene: Scene) -> tuple[str, ...]:
-    found = refer(item, scene, Scope(pool=names)).names
-    scene.mentions.pop()
-    return found
 
 
 def _in_order(

@@ -34,12 +34,14 @@ def _unnamed(scene: Scene) -> None:
 
 def _apposed(scene: Scene) -> None:
     """ "Three blocks, tan ones": so many without a look, and some of a look without a number, may be the same; so may
-    the five letters beside the word ROBOT."""
+    the five letters beside the word ROBOT, and just as many that are named in another sentence."""
     counted = [t for t in scene.blocks() if t.elastic is None and not (t.color or t.label or t.kind or t.extra)]
     uncounted = [t for t in scene.blocks() if t.elastic is not None and (t.color or t.label) and not t.extra]
     letters = [t for t in scene.blocks() if t.kind == "letter" and not t.extra]
     spelt = [t for t in letters if t.label]
-    if (counted and uncounted) or (spelt and len(letters) == 2 * len(spelt)):
+    looks = [t for t in scene.blocks() if (t.color or t.label) and not t.extra]
+    same = counted and len(counted) > 1 and len(looks) == len(counted)
+    if same or (counted and uncounted) or (spelt and len(letters) == 2 * len(spelt)):
         told, hint = "the blocks that are counted may be those that are described", "say 'three red blocks'"
         raise refuse("ambiguous", told, None, hint)
 

@@ -1,0 +1,70 @@
+"""How many of each there are, said behind a list: "red, white and blue in a row, two of each"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits
+from rpg.passes.schema.resolve.counted import put
+
+
+def each_later(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """The sentences with such numbers where the colours or labels are listed."""
+    found = list(chains)
+    for n, chain in enumerate(chains):
+        for at, clause in enumerate(chain.clauses):
+            many = _of_each(clause)
+            line, place = (n, at - 1) if at else (n - 1, -1)
+            if many is None or line < 0:
+                continue
+            clauses = found[line].clauses
+            told = _counted(clauses[place], many)
+            whole = tuple(told if x is clauses[place] else x for x in clauses)
+            found[line] = replace(found[line], clauses=whole)
+    return tuple(found)
+
+
+def _of_each(clause: Meaning) -> int | None:
+    """The number in "two of each", where no more is said."""
+    if not isinstance(clause, Clause) or clause.lemma != "tally" or clause.theme is not None:
+        return None
+    sizes = [z for z in clause.adjuncts if getattr(z, "what", "") == "each"]
+    amount = getattr(sizes[0], "amount", None) if len(sizes) == len(clause.adjuncts) == 1 else None
+    return int(amount.low) if amount is not None and amount.low == amount.high else None
+
+
+def _counted(clause: Meaning, many: int) -> Meaning:
+    """A clause with so many of each of the looks that it lists."""
+    if not isinstance(clause, Clause) or clause.mode in ("given", "start"):
+        return clause
+    shape = clause.theme
+    if isinstance(shape, Structure) and shape.members is None and not shape.plural and not shape.sizes:
+        turns = [x for x in (*clause.adjuncts, *shape.details) if isinstance(x, OrderBy) and x.by == "alternating"]
+        items = turns[0].items if len(turns) == 1 else ()
+        if items and all(map(_single, items)) and not shape.dims and not shape.traits.colors:
+            whole = Coord(op="and", items=tuple(_so_many(x, many) for x in items), span=turns[0].span)
+            return replace(clause, theme=replace(shape, members=whole))
+    listed = shape.members if isinstance(shape, Structure) and not shape.plural else shape
+    if isinstance(listed, Noun) and len(listed.traits.labels) > 1 and listed.det == "bare" and listed.amount is None:
+        one = replace(listed, plural=False)
+        parts = tuple(replace(one, traits=replace(one.traits, labels=(x,))) for x in listed.traits.labels)
+        if all(map(_single, parts)):
+            items = tuple(_so_many(x, many) for x in parts)
+            return replace(clause, theme=put(clause.theme, listed, Coord(op="and", items=items, span=listed.span)))
+    if isinstance(listed, Coord) and listed.op == "and" and all(map(_single, listed.items)):
+        items = tuple(_so_many(x, many) for x in listed.items)
+        return replace(clause, theme=put(clause.theme, listed, replace(listed, items=items)))
+    return clause
+
+
+def _single(item: Meaning) -> bool:
+    """ "red", "A": one colour or label, and no number."""
+    if not isinstance(item, Noun) or item.det != "bare" or item.amount is not None or item.head == "patch":
+        return False
+    marks, plain = item.traits, item.part_of is None and not item.conditions
+    told = len(marks.colors) + len(marks.labels) == 1
+    return plain and told and marks == Traits(colors=marks.colors, labels=marks.labels)
+
+
+def _so_many(item: Meaning, many: int) -> Meaning:
+    return replace(item, head="block", amount=Amount(many, many), plural=many > 1) if isinstance(item, Noun) else item

@@ -27,7 +27,7 @@ from rpg.language.meaning import (
 
 _LEADS = (
     "with", "having", "where", "keeping", "whose", "and with", "but with", "crowned by", "crowned with", "topped by",
-    "topped with",
+    "topped with", "that has", "which has", "and has", "that have", "which have",
 )  # fmt: skip
 _PART_LEADS = (
     "in which", "of which", "so that", "such that", "except that", "except", "but", "but where", "but whose", "only",

@@ -9,8 +9,10 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each import each_clause
 from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.nouns import simple
+from rpg.language.grammar.onto import piled_from_an_end
 from rpg.language.grammar.parts import IS, part, part_statement
 from rpg.language.grammar.patterns import pattern
+from rpg.language.grammar.strangers import strangers_told
 from rpg.language.grammar.wholes import wholes_told
 from rpg.language.meaning import Absolute, Clause, Coord, Meaning, Noun, Structure
 
@@ -19,6 +21,8 @@ from rpg.language.meaning import Absolute, Clause, Coord, Meaning, Noun, Structu
 def part_clause(p: Parser, i: int) -> Results[Meaning]:
     """ "its top is red", "make the middle one blue", "the two ends should be white"."""
     yield from each_clause(p, i)
+    yield from strangers_told(p, i)
+    yield from piled_from_an_end(p, i)
     for lines, j in each_line(p, i):
         if isinstance(lines, Coord):
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j

@@ -101,7 +101,8 @@ def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "a tower of red on green on blue"."""
     from rpg.language.grammar.onto import one_on_another
 
-    lead = p.any_of(k, ("of", ",", ":", "with", "in which", "where", "made of", ", with", "that is"))
+    lead = p.any_of(k, ("of", ",", ":", "with", "in which", "where", "made of", ", with", "that is", "that has",
+                        "which has", "having"))  # fmt: skip
     lead = lead or (k if base.det in ("the", "a") and k < p.end and p.words[k] in lexicon.COLOR else 0)
     if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
         return

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import simple
-from rpg.language.meaning import Amount, Meaning, Noun, OrderBy
+from rpg.language.meaning import Amount, Clause, Meaning, Noun, OrderBy, Structure
 
 _OVER = (
     "on top of",
@@ -45,21 +45,48 @@ def one_on_another(p: Parser, i: int) -> Results[OrderBy]:
 
 _ON_IT = ("on it", "on top of it", "on that", "on top of that", "above it", "above that", "over it", "on this")
 _UNDER_IT = ("under it", "below it", "beneath it", "underneath it", "under that", "below that", "under this")
+_WAYS = tuple(
+    (words, first, tuple(f"{at}{of}" for at in ends for of in ("", " of the tower", " of the stack", " of a tower")))
+    for words, first, ends in (
+        (_ON_IT, "bottom", ("at the bottom", "at the very bottom", "at the base")),
+        (_UNDER_IT, "top", ("on top", "at the top", "on the top", "at the very top")),
+    )
+)
+"""Where a tower is begun, and what is said of each block that comes next."""
 _AND = (", and", ", then", ", and then", "and then", "and", "then", ",", ";")
 
 
 @rule
 def piled_up(p: Parser, i: int) -> Results[OrderBy]:
     """ "red, on it orange, on it yellow", "red at the bottom, blue on it, green on that"."""
-    for words, first, ends in (
-        (_ON_IT, "bottom", ("at the bottom", "at the very bottom", "first")),
-        (_UNDER_IT, "top", ("on top", "at the top", "on the top", "first")),
-    ):
+    for words, first, ends in _WAYS:
         for item, j in simple(p, i):
             if isinstance(item, Noun) and _single(item):
-                j = p.any_of(j, ends) or j
+                j = p.any_of(j, ends) or p.one(j, "first") or j
                 for items, end in _next_on_it(p, j, words, (item,)):
                     yield OrderBy(by="named", items=items, first=first, span=p.span(i, end)), end
+
+
+@rule
+def piled_from_an_end(p: Parser, i: int) -> Results[Clause]:
+    """The same by itself, which makes a tower: "red at the bottom, blue on it", "at the top is red, under it blue"."""
+    for words, first, ends in _WAYS:
+        led = p.any_of(i, ends)
+        led = (p.any_of(led, _COMES) or led) if led else 0
+        start = p.any_of(i, ("put", "place", "have", "set", "i want", "we want")) or i
+        for item, j in simple(p, led or start):
+            k = j if led else p.any_of(p.opt(j, "is", "goes", "sits", "lies"), ends)
+            for items, end in (
+                _next_on_it(p, k, words, (item,)) if k and isinstance(item, Noun) and _single(item) else ()
+            ):
+                order = OrderBy(by="named", items=items, first=first, span=p.span(i, end))
+                tower = Structure(kind="stack", det="the", span=order.span)
+                yield Clause(verb="part", theme=tower, adjuncts=(order,), mode="goal", span=order.span), end
+
+
+_COMES = ("is", "goes", "comes", "sits", "lies", ",", ":", "put", "place", "there is")
+_LYING = ("is", "goes", "lies", "sits", "should be", "should go", "must be", "rests", "sitting", "lying", "resting",
+          "stacked", "stands", "standing")  # fmt: skip
 
 
 def _next_on_it(p: Parser, i: int, words: tuple[str, ...], had: tuple[Meaning, ...]) -> Results[tuple[Meaning, ...]]:
@@ -68,7 +95,7 @@ def _next_on_it(p: Parser, i: int, words: tuple[str, ...], had: tuple[Meaning, .
         return
     lead = p.any_of(j, words)
     for item, k in simple(p, lead or j):
-        end = k if lead else p.any_of(p.opt(k, "is", "goes", "lies", "sits"), words)
+        end = k if lead else p.any_of(p.any_of(k, _LYING) or k, words)
         if end and isinstance(item, Noun) and _single(item):
             yield (*had, item), end
             yield from _next_on_it(p, end, words, (*had, item))

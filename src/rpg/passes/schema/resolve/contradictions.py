@@ -27,6 +27,18 @@ def check(goal: g.Goal, scene: Scene) -> None:
                 raise _clash(a, b)
     _direction_cycles(parts)
     _turned_in_words(parts)
+    _between_neighbours(parts)
+
+
+def _between_neighbours(parts: list[g.Goal]) -> None:
+    """Nothing is between two blocks that lie right on each other."""
+    touching = {frozenset((a, b)) for a, b, _ in _supports(parts)}
+    for part in parts:
+        if not isinstance(part, r.Between) or not isinstance(part.b, tuple) or not isinstance(part.c, tuple):
+            continue
+        if len(part.b) == len(part.c) == 1 and frozenset((*part.b, *part.c)) in touching:
+            raise refuse("contradiction", "nothing is between two blocks of which one lies on the other", part.span,
+                         "say which block lies on which")  # fmt: skip
 
 
 def _stages(goal: g.Goal) -> list[g.Goal]:

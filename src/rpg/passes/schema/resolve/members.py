@@ -6,10 +6,11 @@ from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.passes.schema.resolve.onward import in_between, onward
 from rpg.passes.schema.resolve.orders import implied_kind
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.things import create, matching, plain_colors
+from rpg.passes.schema.resolve.things import amount_of, create, matching, plain_colors
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -59,6 +60,8 @@ def members_of(
         scene.mentions.pop()
         _name_items(spec, whole)
         return whole.names
+    spec.absolutes = onward(spec.absolutes) if shape.kind == "stack" else spec.absolutes
+    spec.absolutes = in_between(spec.absolutes) if need in (None, 3) else spec.absolutes
     absolute = _from_absolutes(spec, need, scene)
     if absolute:
         return absolute
@@ -180,7 +183,7 @@ def _from_absolutes(spec: Spec, need: int | None, scene: Scene) -> tuple[str, ..
     from rpg.language.meaning import At
 
     inside = [a for a in spec.absolutes if isinstance(a.adjuncts[0], At)]
-    if not inside or (need is not None and len(inside) < need):
+    if not inside or (need is not None and sum(amount_of(item.theme) or 1 for item in inside) < need):
         return ()
     names: list[str] = []
     for index, item in enumerate(spec.absolutes):

@@ -9,8 +9,21 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
-from rpg.language.meaning import Amount, At, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, Structure, TableTop
+from rpg.language.meaning import (
+    Amount,
+    At,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    TableTop,
+)
 from rpg.passes.schema.resolve.centred import centred
+from rpg.passes.schema.resolve.onward import in_between
 from rpg.passes.schema.resolve.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.refer import refer
@@ -239,6 +252,7 @@ def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
 def parts_alone(spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
     """ "red leftmost, then blue, green rightmost": places with no structure, settled once all clauses are read."""
     goals: Goals = []
+    spec.absolutes = in_between(spec.absolutes)
     blocks = [part for part in spec.absolutes if isinstance(part.adjuncts[0], At) and not is_shape(part.theme)]
     if not blocks or len(blocks) < len(spec.absolutes) or scene.built:
         raise refuse(
@@ -298,17 +312,30 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             goals += loose_ats(theme, inner, scene, item.span)
         for adjunct in inner.places:
             mark = getattr(adjunct, "landmark", None)
-            if isinstance(mark, Pronoun) and mark.word in ("it", "them", "that") and isinstance(adjunct, Loc):
+            if isinstance(mark, Pronoun) and mark.word in _POINTED and isinstance(adjunct, Loc):
                 nothing = theme.everything and theme.quant is not None
                 if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
-                goals += related(theme, ref, adjunct, scene, item.span)
+                goals += related(theme, _pointed(ref, mark, scene), adjunct, scene, item.span)
             else:
                 before = len(scene.things)
                 goals += place(theme, adjunct, scene, scope, item.span)
                 _among_members(ref, theme, before, scene, item.span)
     spec.absolutes = []
     return goals
+
+
+_POINTED = ("it", "them", "that", "both", "both of them")
+
+
+def _pointed(ref: Ref, word: Pronoun, scene: Scene) -> Ref:
+    """ "Place red left of blue with green behind them": behind both of these."""
+    if len(ref.names) > 1 or word.word in ("it", "that"):
+        return ref
+    marks = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "landmark" and not m.ref.patch]
+    if len(marks) != 1 or len(marks[0].names) != 1:
+        raise refuse("ambiguous", f"it is not clear what {word.word!r} are", word.span, "name the blocks")
+    return Ref(names=(*ref.names, *marks[0].names), plural=True, det="both" if "both" in word.word else "the")
 
 
 def _among_members(ref: Ref, theme: Ref, before: int, scene: Scene, span: Span) -> None:

@@ -82,7 +82,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         if place.side == "rest" or (place.side == "middle" and ends and _whole(item, place)):
             rest.append(item)
             continue
-        groups = _following(item, last, way) if place.side == "next" and last is not None else None
+        groups = _following(item, last, way, scene) if place.side == "next" and last is not None else None
         found, last = _put(item, place, groups, held, names, kind, scene)
         if place.side != "next":
             way = -1 if place.side in FAR_ENDS else 1
@@ -113,10 +113,12 @@ FAR_ENDS = ("top", "right", "back")
 """Ends from which on what comes next stands nearer to the beginning of the places."""
 
 
-def _following(item: Absolute, last: int, way: int) -> Groups:
+def _following(item: Absolute, last: int, way: int, scene: Scene) -> Groups:
     """ "then green": the places after the last one, or before it where the far end was told first."""
-    count = amount_of(item.theme) or max(1, len(getattr(item.theme, "items", ())))
-    if way < 0 and count > 1:
+    known = item.theme.word[1:].split() if isinstance(item.theme, Pronoun) and item.theme.word[:1] == "=" else []
+    count = amount_of(item.theme) or max(1, len(getattr(item.theme, "items", known)))
+    alike = len({looks(scene.things[n]) for n in known}) == 1 and getattr(item.adjuncts[0], "whole", None)
+    if way < 0 and count > 1 and not alike:
         raise refuse("ambiguous", "it is not clear in which order these follow", item.span, "name them one by one")
     return [[last + way + way * k] for k in range(count)]
 
@@ -240,6 +242,8 @@ def _told_through(shape: Structure, spec: Spec, theme: Ref | None) -> Structure 
     if theme is not None or shape.sizes or not (source is None or (bare and amount_of(source) is None)):
         return None
     places = [place_of(item) for item in spec.absolutes]
+    if (total := _ends_and_rest(spec, places)) is not None:
+        return replace(shape, sizes=(Size(what="size", amount=Amount(total, total), span=shape.span),))
     sides = [place.side if place is not None and place.index in (None, 1) else "" for place in places]
     told = "next" in sides[1:] and sides[0] != "next" and set(sides[1:-1]) <= {"next"}
     single = all(isinstance(x.theme, Noun) and x.theme.amount in (None, Amount(1, 1)) for x in spec.absolutes)
@@ -249,6 +253,23 @@ def _told_through(shape: Structure, spec: Spec, theme: Ref | None) -> Structure 
         return None
     size = Size(what="size", amount=Amount(len(places), len(places)), span=shape.span)
     return replace(shape, sizes=(size,))
+
+
+def _ends_and_rest(spec: Spec, places: list[At | Places | None]) -> int | None:
+    """ "red at both ends and three blue ones between them": how many these are, where it is said of all."""
+    sides = [place.side if place is not None and place.index is None else "" for place in places]
+    counts = [
+        amount_of(item.theme) or (None if side in ("rest", "middle") else 1)
+        for item, side in zip(spec.absolutes, sides, strict=True)
+    ]
+    ends = [side for side in sides if side not in ("rest", "middle")]
+    if len(sides) - len(ends) != 1 or not (ends in (["ends"], ["outer"]) or set(ends) in _BOTH) or None in counts:
+        return None
+    total = sum(n or 0 for n in counts)
+    return total + 1 if len(ends) == 1 and counts[sides.index(ends[0])] == 1 else total
+
+
+_BOTH = ({"left", "right"}, {"top", "bottom"}, {"front", "back"})
 
 
 def _further(item: Absolute, kind: str, own: Sequence[str | None]) -> Noun | None:

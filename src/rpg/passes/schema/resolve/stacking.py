@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
+from rpg.ir.order import Order
 from rpg.language.meaning import Loc, Pronoun
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import crown, foot, spread
@@ -104,6 +106,23 @@ def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     if not isinstance(upper, Lowest | Highest) and not isinstance(lower, Lowest | Highest):
         scene.on_top.setdefault(upper[0], lower[0])
     return r.Above(a=upper, b=lower, span=span)
+
+
+def sandwich(one: str, inner: str, other: str, scene: Scene, span: Span) -> g.Goal:
+    """A block stacked between two others, of which either is the lower one."""
+    scene.assume("sandwiched means stacked: one below, one above")
+    orders = [(one, inner, other), (other, inner, one)]
+    if _look(one, scene) == _look(other, scene):
+        orders = orders[:1]
+    scene.add_built("stack", orders[0], len(orders) == 1, span)
+    given = [Order(by="given", ranks=tuple((n,) for n in names)) for names in orders]
+    nodes = [s.Stack(blocks=orders[0], order=order, span=span) for order in given]
+    return nodes[0] if len(nodes) == 1 else g.Any(goals=tuple(nodes), span=span)
+
+
+def _look(name: str, scene: Scene) -> tuple[object, ...]:
+    thing = scene.things[name]
+    return thing.color, thing.label, thing.size, thing.kind
 
 
 def separately(spec: Spec, scene: Scene) -> None:

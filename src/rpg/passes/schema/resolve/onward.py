@@ -1,0 +1,49 @@
+"""Parts of a line told by the part before: "red at the bottom, blue on it", "white on top, green between them"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Absolute, At, Loc, Meaning, Noun, Places, Pronoun
+
+_ENDS = ({"top", "bottom"}, {"left", "right"}, {"front", "back"})
+_UP = frozenset({"on", "above"})
+_DOWN = frozenset({"under"})
+_IT = frozenset({"it", "that", "this", "them", "those", "that one", "this one"})
+
+
+def in_between(parts: list[Absolute]) -> list[Absolute]:
+    """ "red at the bottom, blue on top, green between them": green is in the middle."""
+    rest = [part for part in parts if isinstance(place := part.adjuncts[0], Places) and place.side == "rest"]
+    sides = {part.adjuncts[0].side for part in parts if isinstance(part.adjuncts[0], At)}
+    if len(rest) != 1 or len(parts) != 3 or sides not in _ENDS or not _one_look(rest[0].theme):
+        return parts
+    inside = replace(rest[0], adjuncts=(At(side="middle", span=rest[0].adjuncts[0].span),))
+    return [inside if part is rest[0] else part for part in parts]
+
+
+def _one_look(theme: Meaning) -> bool:
+    return isinstance(theme, Noun) and not theme.plural and len(theme.traits.colors + theme.traits.labels) == 1
+
+
+def onward(parts: list[Absolute]) -> list[Absolute]:
+    """ "red at the bottom, two blue ones above it, white on those": each next to the one before, up or down a tower."""
+    found: list[Absolute] = []
+    way: frozenset[str] | None = None
+    for part in parts:
+        place = part.adjuncts[0]
+        if isinstance(place, Loc) and found:
+            if len(part.adjuncts) > 1 or not _of_the_last(place) or way is None or place.rel not in way:
+                return parts
+            found.append(replace(part, adjuncts=(At(side="next", whole=place.rel, span=place.span),)))
+        else:
+            side = place.side if isinstance(place, At) and place.index in (None, 1) else ""
+            way = {"bottom": _UP, "top": _DOWN, "middle": way, "next": way}.get(side)
+            found.append(part)
+    return found
+
+
+def _of_the_last(place: Loc) -> bool:
+    """ "on it", "above that": of the block that was named last, by no measure."""
+    plain = not place.negated and place.low is None and place.high is None and not set(place.mods) & {"somewhere"}
+    return plain and isinstance(place.landmark, Pronoun) and place.landmark.word in _IT

@@ -11,6 +11,7 @@ from rpg.language.grammar.chains import chain
 from rpg.language.grammar.chatter import idle
 from rpg.language.grammar.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
+from rpg.language.grammar.smalltalk import without_talk
 from rpg.language.meaning import Chain, cost_of
 from rpg.language.tokens import Token
 
@@ -157,13 +158,16 @@ def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
 def _read(tokens: list[Token]) -> Parts:
     """A sentence; where it makes no sense as one, the two that it is made of.
 
-    One that makes none is looked at again with nothing spared, for a diagnostic to say how far it was understood.
+    One that makes none is looked at without the talk around it, and if there is none again with nothing spared, for a
+    diagnostic to say how far it was understood.
     """
     found = _parts(tokens)
     if not isinstance(found, Refusal):
         return found
     if found.diagnostics[0].code == TANGLED:
         raise found
+    if (rest := without_talk(tokens)) is not None:
+        return _read(rest) if rest else []
     return [(tokens, read_sentence(tokens, thorough=True))]
 
 

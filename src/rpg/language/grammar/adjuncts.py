@@ -107,11 +107,27 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
         for blocks, k in apposed_blocks(p, i):
             yield Using(members=blocks, lead=",", span=p.span(i, k), cost=1), k
     yield from _that(p, i)
+    yield from _not_there(p, i)
     yield from ((how, k) for how, k in manner(p, i) if not _bare_distractors(p, i, how))
     yield from size_phrase(p, i)
     yield from rising_steps(p, i)
     yield from each_led(p, i)
     yield from offset(p, i)
+
+
+_NOT = frozenset({"not", "never", "neither"})
+
+
+@choice
+def _not_there(p: Parser, i: int) -> Results[That]:
+    """ "a row of ..., with green not in the middle", "red not at the bottom": where a block of a line is not."""
+    j = p.any_of(i, ("with", ", with", "but with", ", but with", ", and", ", but", ",", "but", "and"))
+    if not j or not p.anywhere(_NOT):
+        return
+    for theme, k in simple(p, j):
+        for place, end in at(p, k + 1) if isinstance(theme, Noun) and p.stands(k, ("not", "never")) else ():
+            denied = Clause(verb="be", theme=theme, adjuncts=(place,), negated=True, mode="goal", span=p.span(j, end))
+            yield That(kind="so", clauses=Chain(clauses=(denied,), links=("and",), span=denied.span), span=denied.span), end
 
 
 _COPULAS = frozenset(
@@ -238,7 +254,7 @@ _STARTS = ("starts", "start", "begins", "begin", "is at the start", "are at the 
 
 def _beginning_there(p: Parser, i: int) -> Results[That]:
     """ "clear the patch, where the black block starts", "the patch on which it starts"."""
-    j = p.any_of(p.opt(i, ","), ("where", "on which"))
+    j = p.any_of(p.opt(i, ","), ("where", "on which", "which is where", "the place where"))
     for theme, k in noun_phrase(p, j) if j else ():
         for end in {p.any_of(k, _STARTS)} - {0}:
             spot = Pronoun(word="there", span=p.span(i, j))

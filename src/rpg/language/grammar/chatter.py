@@ -13,7 +13,27 @@ _ERRAND = (
     "task|job|request|plan|idea|goal|instruction|instructions|wish|exercise|challenge|puzzle|problem|question|mission|"
     "game|assignment"
 )
+_OPEN = (
+    "the_order|the_exact_order|order|which_order|which_one_goes_where|what_order|the_direction|which_direction|"
+    "the_orientation|the_exact_position|the_exact_positions|their_order|their_exact_order|their_exact_positions|"
+    "the_exact_place|the_exact_places|the_exact_spot|where_exactly|where_on_the_table|where|where_it_is|where_they_are|"
+    "where_it_stands|where_they_stand|where_you_build_it|where_you_put_it|where_you_put_them|which_is_which|"
+    "which_goes_where|which_comes_first|which_one_comes_first|what_they_are|the_rest|everything_else|anything_else|"
+    "how_you_do_it|how_you_do_that|how_you_get_there|how_it_is_done|how|the_colors|their_colors|the_color|its_color|"
+    "what_color|what_color_it_is|what_color_they_are|which_color|which_colors|which_color_it_is|which_colors_they_have"
+)
+_FREE = (
+    "up_to_you|irrelevant|unimportant|not_important|of_no_importance|your_choice|your_decision|free|left_to_you|"
+    "left_open|all_the_same_to_me|all_the_same|not_relevant|arbitrary|open|for_you_to_decide|for_you_to_choose"
+)
 CHATTER = Patterns(
+    "i|we|my_boss|my_teacher|they do|does|really not really|particularly|much|actually? care|mind|worry|bother "
+    f"about|at_all|much? {_OPEN}?",
+    f"it|that does not really|actually? matter|make_a_difference|make_any_difference at_all|to_me|here? {_OPEN}?",
+    f"it|that is|remains|stays really|entirely|completely|totally|quite? {_FREE} {_OPEN}?",
+    f"{_OPEN} is|are|remains|stays entirely|completely|totally|really|quite? {_FREE}",
+    f"{_OPEN} do|does not really|actually? matter at_all|to_me|here?",
+    f"you can|may|are_free_to choose|pick|decide|select|decide_on yourself|freely? {_OPEN} yourself|freely?",
     f"i|we have|'ve|got|brought a|an|another|one|this|some|your? new|little|small|simple|quick|easy|nice|special? "
     f"{_ERRAND} for_you|for_the_robot|today|here|now?",
     "i|we need|could_use|want|would_like|require your|some|a_bit_of|a_little? help|assistance|support with_this|"

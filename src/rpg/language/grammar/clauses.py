@@ -25,7 +25,7 @@ from rpg.language.grammar.states import state
 from rpg.language.grammar.stock import stock
 from rpg.language.grammar.terse import about, said_of, terse
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
-from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, STATE_WISHES, TAGS
+from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, START_WISHES, STATE_WISHES, TAGS
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -145,7 +145,7 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
             continue
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
-        if isinstance(first, Loc | In | At):
+        if isinstance(first, Loc | In | At) and p.words[i] != "separately":
             yield from _stands_there(p, i, j, first, mode)
         for found, end in _plain(p, j, mode):
             if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
@@ -220,13 +220,14 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
             (FIRST, mode),
             (COMMAND_WISHES, "command"),
             (STATE_WISHES, "state"),
+            (START_WISHES, "start"),
             (DENIALS, "denied"),
             (CHATTER, mode),
         ):
             for j in table.matches(p, start):
                 if p.words[j] == "to" and p.words[j - 1] in ("next", "addition"):
                     continue
-                if table is CHATTER and not (j := p.one(j, _CLOSING)):
+                if table is CHATTER and not (j := p.one(j, _SET_OFF)):
                     continue
                 if start > 0 and p.tokens[start].kind == "number" and p.words[start - 1] != ";":
                     continue
@@ -236,10 +237,6 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
                     seen.add(j)
                     found.append((j, mode if mode in ("start", "denied") else kind))
     return found
-
-
-_CLOSING = frozenset({",", ":"})
-"""What sets chatter off from an instruction in the same sentence."""
 
 
 _AGENTS = (

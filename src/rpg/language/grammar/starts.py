@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.nouns import noun_phrase, simple
@@ -25,6 +27,19 @@ def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
             upright = all(isinstance(a, Loc) and a.rel in ("on", "above") for a in found)
             if isinstance(first, Noun) and found and upright:
                 yield piled(Clause(verb="be", theme=first, adjuncts=found, mode="start", span=p.span(i, end))), end
+
+
+_ENDING = frozenset(
+    {"end", "finally", "final", "goal", "finish", "afterwards", "later", "then", "result", "should", "must"}
+)
+
+
+def still_begun(p: Parser, j: int, k: int, before: Clause | None, item: Meaning) -> Meaning:
+    """ "Initially red is on blue and green is on yellow": a further fact is of the start too, unless it says when."""
+    if before is None or before.mode != "start" or not isinstance(item, Clause):
+        return item
+    fact = (item.lemma, item.mode) == ("fact", "goal") and _ENDING.isdisjoint(p.words[j:k])
+    return replace(item, mode="start") if fact and not item.negated else item
 
 
 _ALREADY = ("initially", "currently", "starting out", "starting", "beginning")

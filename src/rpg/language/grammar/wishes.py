@@ -25,17 +25,18 @@ _WHO = "|".join(["i|we|you", *(f"{whose}_{who}" for whose in _WHOSE for who in P
 _WOULD = "would|will|should|'d|do|may|might|can|could|must|am|are|is|was|were"
 _ALSO = "have_always|always|just|also|simply|now|like|here|still"
 _WANT = (
-    "want|wants|wanted|like|likes|love|loves|need|needs|prefer|prefers|wish|wishes|hope|hopes|ask|asks|require|requires|"
+    "asked|be_delighted|be_thankful|be_thrilled|want|wants|wanted|like|likes|love|loves|need|needs|prefer|prefers|wish|wishes|hope|hopes|ask|asks|require|requires|"
     "expect|expects|imagine|imagines|request|requests|have_in_mind|picture|propose|suggest|envision|look|looking|"
     "hoping|asking|wondering|wanting|dreaming|thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing"
 )
 _SEE = (
-    "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|:"
+    "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|"
+    "me_for|us_for|you_for|:"
 )
 _DO = (
     "to|you_to|you_could|you_would|you_can|you_might|the_robot_to|us_to|to_ask_you_to|it_if_you_would|"
     "it_if_you_could|if_you_could|if_you_would|it_if_you|"
-    "the_arm_to|that_you"
+    "the_arm_to|that_you|if_you|when_you|you_if_you_could|you_if_you_can|me_to|us_to|me_if_you_could|us_if_you_could"
 )
 _PICTURE = "picture|image|photo|photograph|drawing|sketch|figure|scene|view|arrangement|result|layout|setup|state"
 
@@ -148,6 +149,8 @@ COMMAND_WISHES = Patterns(
     "is|would|might there be? a|any|some way|chance|possibility to|you_could|you_can|for_you_to|that_you",
     "is|would it be? possible|okay|ok|fine|feasible|alright to|for_you_to|if_you|for_the_robot_to|that_you|that_we",
     "i|we want|need|wish|ask|would_like you",
+    "would|could|are|will you be? so? willing|able|prepared|ready|happy|good|nice|generous enough? to",
+    "would|is it be? too? much|bold|rude to_ask_you|to_ask_for_you|if_i_asked_you|if_we_asked_you|to_expect_you to",
     "please you",
     "clean|tidy|sort up|out :|,",
     "a|the? sequential|final|main|first|simple|small|multi_step|two_step|step_by_step? task|job|exercise|goal :",
@@ -163,7 +166,8 @@ COMMAND_WISHES = Patterns(
     "ask|tell|have|let|make|get|instruct|command|program the|your robot|arm|machine|gripper|manipulator to?",
     "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
     "hello|hi|hey|hiya|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
-    "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again ,|:?",
+    "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again|computer|"
+    "assistant|machine|helper|buddy|mate|my_friend|dear_friend ,|:?",
     "helper|assistant|machine|computer|builder|friend|friends|arm ,|:",
     "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls ,|: let_us|please?",
     "to",
@@ -172,6 +176,26 @@ COMMAND_WISHES = Patterns(
     "assignment|request|instruction|wish|setup|objective for_you|today|here|now|this_time? is|:|would_be|"
     "will_be to|:? :?",
 )
+_BEGINNING = "initial|starting|start|original|opening"
+_STATES = "state|configuration|setup|situation|scene|arrangement|layout|picture|position"
+START_WISHES = Patterns(
+    f"in|at|from the|our|my {_BEGINNING} {_STATES} ,|:?",
+    f"the|our|my? {_BEGINNING} {_STATES} is|has|shows|looks_like_this|looks_like|contains? that|this|as_follows? :|,?",
+    f"the|our|my? {_BEGINNING} {_STATES} :",
+    "the|our|this|my scene|episode|task|game|simulation|run|trial|story|world|level|exercise|puzzle "
+    "opens|starts|begins|starts_off|starts_out|starts_off with|from|: ,?",
+    "we|you|i|things|everything|it|all start|starts|begin|begins|start_off|starts_off|start_out|starts_out|"
+    "are_starting|am_starting with|from|:",
+    "at|in the very? start|beginning|outset of? the|this? episode|task|game|run|trial|simulation|exercise ,|:?",
+    "at the very? start|beginning|outset ,|:?",
+    "before anything_happens|the_robot_moves|the_robot_starts|you_start|we_start|it_starts|you_begin|we_begin|"
+    "anything_is_moved|the_episode_starts|the_task_starts|the_robot_does_anything ,",
+    "when the|this|our episode|task|game|simulation|run|trial|exercise starts|begins|opens ,",
+    "when you|we|i start|begin ,",
+    "you will find|see|be_given|receive|start_with|begin_with|be_faced_with",
+    "you find|are_faced_with|are_presented_with",
+)
+"""What is said after these is so at the start."""
 DENIALS = Patterns(
     f"{_WHO} do|does|would|should|must|can|may|will not|never ever? want|like|see|wish|expect|have to_see|to_have|"
     f"that|it_that?",
@@ -196,6 +220,19 @@ _WHEN = (
     "provided|provided_that|when_and_only_when|by_having"
 )
 STATE_WISHES = Patterns(
+    "at|by|in the very? end|finish|conclusion of the|this|our episode|task|game|run|trial|simulation|exercise ,|:?",
+    "by|at the very? end|finish ,|:?",
+    "when|once it|everything is all over|done|finished ,?",
+    "it|this|that|the_picture|the_result|the_scene should|must|shall|will|has_to show|look_like|display|depict :?",
+    "a|the|one|any correct|right|valid|good|successful|finished|complete|proper solution|result|answer|outcome "
+    "has|shows|is|looks_like|consists_of|contains|would_be|would_have|must_have|must_show|should_have|should_show "
+    ":|,?",
+    "what counts as? a? success|solved|done|correct|solution|finished is|:|, :?",
+    "a? reward|points|point|score is|are|will_be given|granted|earned|due|paid|awarded "
+    "when|if|once|as_soon_as|for|only_if",
+    "you|we|i|the_robot|the_agent get|gets|earn|earns|receive|receives|score|scores a|the|your|full? "
+    "reward|points|point when|if|once|as_soon_as|for",
+    "passing|success|winning|completion|solving|finishing it|this|the_task? requires|demands|needs|takes that?",
     "the|my picture|image|scene|arrangement|idea i|we have|imagine in_mind? :|is :?",
     "the|our|my? acceptance|success|completion|goal|pass|test|definition_of? "
     "criteria|criterion|condition|conditions|requirement|requirements|done|user_story|specification|spec|deliverable|"
@@ -215,6 +252,7 @@ STATE_WISHES = Patterns(
     "it can|should|must|could|shall be seen|shown that?",
     f"let me|us|{_WHO} see|have|get|admire|find",
     "is it possible|okay|true|allowed|fine that",
+    "would|is it be? too? much|bold|rude to_ask for",
     "could|can|would|may|might it be that",
     "is there a way that",
     "how|what about having|that|if?",

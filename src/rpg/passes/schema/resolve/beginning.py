@@ -37,11 +37,8 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     if (picture := _pictured(chains)) is not None:
         return picture
     told = [_facts(chain, bold) for chain in chains]
-    ends = [chain.span[1] for chain in chains]
-    told = [
-        fact and not _END.search(text[before:after])
-        for fact, before, after in zip(told, [0, *ends], [*(c.span[0] for c in chains[1:]), len(text)], strict=False)
-    ]
+    final = [_of_its_end(chains, n, text) for n in range(len(chains))]
+    told = [fact and not end for fact, end in zip(told, final, strict=True)]
     commands = [n for n, chain in enumerate(chains) if _commands(chain)]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [x or (n < max(undone, default=0) and _facts(chains[n])) for n, x in enumerate(told)]
@@ -53,6 +50,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
         for n, chain in enumerate(chains)
         if n < max(ordered, default=0) and (_heaped(chain) or _heap_for(chain, chains[n + 1]))
     ]
+    heaped += _going_on(chains, final)
     found = []
     for n, chain in enumerate(chains):
         if n in heaped or (told[n] and any(m > n for m in (*commands, *undone))):
@@ -64,10 +62,35 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     return tuple(found)
 
 
+def _of_its_end(chains: tuple[Chain, ...], n: int, text: str) -> bool:
+    """Whether a sentence has words of the end, the frames around its clauses included."""
+    begun, ended = chains[n].span
+    before = text[chains[n - 1].span[1] if n else 0 : begun]
+    after = text[ended : chains[n + 1].span[0] if n + 1 < len(chains) else len(text)]
+    own = re.split(r"[.;!?]", before)[-1] + text[begun:ended] + re.split(r"[.;!?]", after)[0]
+    return bool(_END.search(own))
+
+
+def _going_on(chains: tuple[Chain, ...], final: list[bool]) -> list[int]:
+    """ "Initially red is on blue. Green is on yellow. Put ...": facts that follow what is told of the start are of the
+    start as well, where something is asked for, or told of the end, behind them."""
+    found: list[int] = []
+    started = False
+    for n, chain in enumerate(chains):
+        asked = any(final[m] or _ordered(chains[m]) for m in range(n + 1, len(chains)))
+        if started and asked and not final[n] and _facts(chain):
+            found.append(n)
+        else:
+            started = all(isinstance(c, Clause) and c.mode == "start" for c in chain.clauses)
+    return found
+
+
 def _pictured(chains: tuple[Chain, ...]) -> tuple[Chain, ...] | None:
     """Facts alone, "there is a red block on the blue one" among them: all of it pictures the end."""
     clauses = [c for chain in chains for c in chain.clauses]
     if not all(isinstance(c, Clause) and (c.lemma == "fact" or _there_is(c)) for c in clauses):
+        return None
+    if any(isinstance(c, Clause) and c.mode == "start" for c in clauses):
         return None
     if not any(isinstance(c, Clause) and c.lemma == "fact" and c.mode == "goal" for c in clauses):
         return None

@@ -150,6 +150,8 @@ def _in(built: Built, rank: str) -> str | None:
         "back": "front",
     }.get(first)
     members = built.members
+    if not members:
+        return None
     if rank == first:
         return members[0]
     if rank == opposite or rank == "last":

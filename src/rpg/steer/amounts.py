@@ -252,6 +252,8 @@ _SPACING = ("the spacing", "spacing", "a spacing")
 
 _BETWEEN = phrases(
     "between the blocks | between them | between blocks | between neighbors | between neighbours | of the row | "
+    "between neighboring blocks | between neighbouring blocks | between adjacent blocks | between any two blocks | "
+    "between any two neighbors | between any two neighbours | between the neighbors | between the neighbours | "
     "between two neighbors | between two neighbours | between the cubes | between each of them | in between"
 )
 _IS = phrases(": | = | should be | must be | has to be | is | ought to be | are | should all be | must all be")
@@ -373,4 +375,4 @@ def _apart(p: Parser, i: int) -> Iterator[tuple[float | None, float | None, str,
             yield low, high, "gap", k
     if j := longest(p, i, "with gaps of | with a gap of | gaps of | a gap of | leaving a gap of"):
         for (low, high), k in bounds(p, j):
-            yield (low, high, "gap", longest(p, k, ("between them", "between the blocks", "between each")) or k)
+            yield (low, high, "gap", longest(p, k, _BETWEEN) or longest(p, k, "between each") or k)

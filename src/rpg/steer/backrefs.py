@@ -112,7 +112,11 @@ def _undo(p: Parser, i: int) -> Iterator[tuple[Reference, int]]:
 def _times(p: Parser, i: int) -> Iterator[tuple[int, int]]:
     if j := longest(p, i, "again | once more | one more time | once again"):
         yield 1, j
-    if j := longest(p, i, "twice | two times | both | again and again"):
+    if j := longest(
+        p,
+        i,
+        "twice | two times | both | again and again | both changes | both edits | both steps | both of them",
+    ):
         yield 2, j
     if j := longest(p, i, ("the last", "my last", "the previous")) or i:
         for n, k in count(p, j):

@@ -27,16 +27,16 @@ from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import replace as replace_blocks
 from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.starts import begin
-from rpg.steer.operations.symbols import carry_on, equate
-from rpg.steer.operations.terse import bound, bring, pile_up, shift, tint
+from rpg.steer.operations.symbols import carry_on, equate, other_word
+from rpg.steer.operations.terse import bound, bring, more, pile_up, shift, tint
 from rpg.steer.operations.tune import loosen, outliers
-from rpg.steer.operations.vary import climb, closer, copies, divide, some, turn
+from rpg.steer.operations.vary import climb, closer, copies, divide, enough, some, turn
 from rpg.steer.parties import NewTower
 from rpg.steer.parts import DropPart, Part
 from rpg.steer.refer import resolve
 from rpg.steer.starts import Begin
-from rpg.steer.symbols import Continue, Equate
-from rpg.steer.terse import Bound, Bring, PileUp, Shift, Tint
+from rpg.steer.symbols import Continue, Equate, Respell
+from rpg.steer.terse import Bound, Bring, More, PileUp, Shift, Tint
 
 OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Add: add,
@@ -53,6 +53,7 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Kinds: mixed,
     r.Group: group,
     r.Some: some,
+    r.Enough: enough,
     r.Copies: copies,
     r.Divide: divide,
     r.Closer: closer,
@@ -62,15 +63,17 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     Part: part,
     DropPart: drop_part,
     Equate: equate,
+    Respell: other_word,
     Tint: tint,
     Bound: bound,
     PileUp: pile_up,
     Bring: bring,
+    More: more,
     Shift: shift,
     Begin: begin,
     Continue: carry_on,
 }
-WEAK = (Shift, Bring, Part, DropPart)
+WEAK = (Shift, Bring, More, Part, DropPart, Respell)
 """Readings of few words: where they cannot be carried out, the words may still be a sentence about the task."""
 
 

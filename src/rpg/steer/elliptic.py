@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rpg.steer import requests as r
 from rpg.steer.amounts import BLOCKS, LONG, TALL, by_so_many
-from rpg.steer.language import Parser, colors, count, length, loc, longest, m, region_name, simple
+from rpg.steer.language import Parser, colors, count, dimensions, length, loc, longest, m, phrases, region_name, simple
 from rpg.steer.places import place
 
 _ALL = "all | everything | all of it | all of them | everything in | all in | all of them in | both | both in | each in"
@@ -20,6 +20,7 @@ def elliptic(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """What only says how it is to be, with nothing but small words before it."""
     yield from _of_each(p, i)
     yield from _some(p, i)
+    yield from _enough(p, i)
     yield from _copies(p, i)
     yield from _climbing(p, i)
     yield from _divided(p, i)
@@ -126,6 +127,35 @@ def _climbing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Climb(to=p.words[k], span=p.span(i, k + 1)), p.reach(k + 1)
 
 
+_ARE_THERE = phrases(
+    "of them do | of them are | of them are there | of them are on it | of them lie there | of them lie on it | "
+    "of them do that | of them do so | of them are in it | of them are in there"
+)
+_NEEDED = phrases(
+    "of them have to be there | of them need to be there | of them have to | of them need to | of them has to | "
+    "of them needs to | of them have to be on it | of them need to be on it | of them are needed there"
+)
+_SUFFICES = phrases(
+    "is enough | are enough | will do | would do | would be enough | should be enough | suffices | suffice | "
+    "is sufficient | are sufficient | will be enough | is plenty | are plenty | is fine | are fine | would be fine"
+)
+
+
+def _enough(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "2x2 is enough", "four blocks will do", "only two of them have to"."""
+    start = longest(p, i, "only | just | a | an") or i
+    for dims, j in dimensions(p, start):
+        if end := longest(p, longest(p, j, "grid | square | wall | one") or j, _SUFFICES):
+            yield r.Recount(theme=None, dims=dims, span=p.span(i, end)), end
+    for n, j in count(p, start):
+        k = longest(p, j, BLOCKS) or longest(p, j, TALL) or longest(p, j, LONG) or j
+        if end := longest(p, k, _SUFFICES):
+            of_them = p.words[k - 1] == "them"
+            yield r.Enough(amount=n, of_them=of_them, span=p.span(i, end)), end
+        if end := longest(p, j, _NEEDED):
+            yield r.Some(bound="at_least", amount=n, span=p.span(i, end)), end
+
+
 _BOUNDS = {"exactly": "exactly", "only": "exactly", "at least": "at_least", "at most": "at_most"}
 
 
@@ -145,6 +175,14 @@ def _some(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for n, k in count(p, j) if j else ():
             if end := longest(p, k, "of them | of the blocks | of those | of these | of the cubes"):
                 yield r.Some(bound=bound, amount=n, span=p.span(i, end)), end
+    j = longest(p, i, "it is enough if | it is enough that | it is enough when | it suffices if | it suffices that")
+    for n, k in count(p, p.opt(j, "only", "just")) if j else ():
+        if end := longest(p, k, _ARE_THERE):
+            yield r.Some(bound="at_least", amount=n, span=p.span(i, end)), end
+    j = p.seq(i, "at least")
+    for n, k in count(p, j) if j else ():
+        if end := longest(p, k, _NEEDED):
+            yield r.Some(bound="at_least", amount=n, span=p.span(i, end)), end
 
 
 def _colored(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -189,10 +227,16 @@ def _way(p: Parser, i: int) -> Iterator[tuple[str, int]]:
 
 
 def turned(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
-    """Phrases such as "to the right instead of to the left", "behind it, not in front of it"."""
+    """Phrases such as "to the right instead of to the left", "behind it, not in front of it", "not left, right"."""
     start = longest(p, i, "it should be | it must be | make it | put it | i want it | it has to be") or i
     for to, j in _way(p, start):
         k = longest(p, j, ", not | not | instead of | rather than | , and not | and not | , instead of | , rather than")
         for old, end in _way(p, k) if k else ():
+            if to != old:
+                yield r.Turn(to=to, old=old, span=p.span(i, end)), end
+    n = p.one(i, "not")
+    for old, j in _way(p, n) if n else ():
+        k = longest(p, j, ", but | but | ,")
+        for to, end in _way(p, k) if k else ():
             if to != old:
                 yield r.Turn(to=to, old=old, span=p.span(i, end)), end

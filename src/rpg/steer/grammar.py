@@ -26,7 +26,8 @@ ALSO = ("too", "as well", "also", "instead", "again", "please", "now", "there", 
 _CLOSING = phrases(
     "for me | if you can | if possible | rather | , rather | , please | , too | , instead | , though | though | "
     ", now | after all | , i mean | i mean | thanks | , thanks | thank you | , thank you | would be nice | "
-    "would be great | if you do not mind | , if possible | , if you can | , again | actually | , actually"
+    "would be great | sorry | , sorry | "
+    "my mistake | , my mistake | if you do not mind | , if possible | , if you can | , again | actually | , actually"
 )
 
 

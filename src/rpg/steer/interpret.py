@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -23,8 +23,6 @@ from rpg.steer.afresh import (
     mentions_known,
     names_structure,
     of_all,
-    one_more,
-    only_a_number,
     only_known,
     reused,
     speaks_of_parts,
@@ -32,6 +30,7 @@ from rpg.steer.afresh import (
 from rpg.steer.backrefs import Reference
 from rpg.steer.carry import WEAK, carry_out
 from rpg.steer.classify import Category
+from rpg.steer.doubts import Reader, about_all_there, about_new_things, not_half, not_of_what_is_built
 from rpg.steer.draft import Draft
 from rpg.steer.history import History, Past
 from rpg.steer.identity import look
@@ -41,9 +40,6 @@ from rpg.steer.naming import tidied
 from rpg.steer.parse import Parsed, is_edit, parse
 from rpg.steer.shape import STRUCTURES, conjuncts, same_structure, structures
 from rpg.steer.told import check, divided
-
-Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
-"""The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
 
 KIND_OF = {"label": "letter", "number": "digit"}
 TRIES = 12
@@ -96,7 +92,7 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
     if fresh is not None:
         return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
     there = [refusal for refusal in weak if refusal.diagnostics[0].code == "ambiguous-object"]
-    if there and not refusals and not _about_all_there(request, history, read):
+    if there and not refusals and not about_all_there(request, history, read):
         raise there[0]
     try:
         return _otherwise(request, readings, refusals, history, read)
@@ -135,6 +131,9 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
     draft = Draft(past.schema, past.focus)
     if past.number != history.head:
         draft.parameters["revert"] = past.number
+    if parsed.reference is None and _INSTEAD.search(request) and any(isinstance(q, r.Add) for q in parsed.requests):
+        told, hint = "it is not said what this comes instead of", "say 'replace the red block with ...', or add it"
+        raise draft.refusal("edit-unclear", told, (0, len(request)), hint)
     carry_out(draft, parsed.requests)
     if _AFTER.match(request):
         _staged(draft, past.schema.goal)
@@ -147,6 +146,9 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
 
 
 _AFTER = re.compile(r"^\W*(?:and\s+)?(?:then|finally|after that|afterwards|next(?! to)|lastly)\b", re.IGNORECASE)
+
+
+_INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
 
 
 _BESIDES = re.compile(
@@ -227,13 +229,13 @@ def _otherwise(
     edits = is_edit(request) or any(reading.whole and _adds_at_end(reading) for reading in readings)
     edits = edits or (speaks_of_parts(request) and bool(structures(history.current.schema.goal) & STRUCTURES))
     reasons: list[Diagnostic] = []
-    _not_of_what_is_built(request, history, read)
+    not_of_what_is_built(request, history, read)
     if not edits and not Fresh.adds(request) and (not refusals or "instead" in request.lower()):
         try:
             return _reused(request, history, read)
         except Refusal as refusal:
             reasons += [] if refusals else refusal.diagnostics[1:]
-    if refusals and (edits or not _about_new_things(request, history, read)):
+    if refusals and (edits or not about_new_things(request, history, read)):
         raise refusals[0]
     if longest is not None and (longest.requests or longest.reference):
         try:
@@ -250,38 +252,6 @@ def _otherwise(
         except Refusal as refusal:
             reasons += refusal.diagnostics
     raise refusals[0] if refusals else _not_understood(request, longest, reasons, edits)
-
-
-def _not_of_what_is_built(request: str, history: History, read: Reader) -> None:
-    """Refuse "three towers" where there are two: as an instruction of its own it would make up the blocks."""
-    if not only_a_number(request):
-        return
-    schema, _ = read(by_itself(request))
-    built = structures(history.current.schema.goal) & STRUCTURES
-    if schema is not None and structures(schema.goal) & built:
-        message = "this may be about what is there, or an instruction of its own"
-        hint = "say 'add ...' or 'remove ...' for what is there, or 'build ...' for another task"
-        span = (0, len(request))
-        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
-
-
-def _about_new_things(request: str, history: History, read: Reader) -> bool:
-    """Whether a request that failed as an edit is an instruction of its own, about blocks the task does not have."""
-    schema, _ = read(by_itself(request))
-    if schema is None or one_more(request):
-        return False
-    known = [look(asset) for asset in history.current.schema.blocks]
-    shared = [look(asset) in known for asset in schema.blocks]
-    return not any(shared)
-
-
-def _about_all_there(request: str, history: History, read: Reader) -> bool:
-    """Whether a request, as an instruction of its own, is about the very blocks that the task has."""
-    schema, _ = read(by_itself(request))
-    if schema is None:
-        return False
-    looks = [sorted(repr(look(asset)) for asset in each.blocks) for each in (schema, history.current.schema)]
-    return looks[0] == looks[1]
 
 
 def _with_clause(request: str, parsed: Parsed, history: History, read: Reader) -> Interpretation:
@@ -307,6 +277,7 @@ def _reused(request: str, history: History, read: Reader) -> Interpretation:
     past = history.current
     draft = Draft(past.schema, past.focus)
     reused(draft, request, read)
+    not_half(request, draft.schema.goal, history)
     return finish(request, draft, past)
 
 
@@ -321,6 +292,7 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     if names_structure(draft, request):
         raise _not_understood(request, None, (), True)
     found = _whole(request, by_itself(request), 0, history, read, "PIVOT")
+    not_half(request, found.task.goal, history)
     _not_of_those_there(found, history.current.schema)
     there = [look(block) for block in history.current.schema.blocks]
     if all(part.kind in _OF_A_BLOCK for part in conjuncts(found.task.goal)) and any(

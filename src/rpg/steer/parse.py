@@ -9,6 +9,7 @@ from rpg.steer import requests as r
 from rpg.steer.backrefs import Reference, references
 from rpg.steer.grammar import request, skip, tail
 from rpg.steer.language import Parser, Token, TooMuchWork, longest, m, phrases, tokenize
+from rpg.steer.terse import Tint
 
 MAX_REQUESTS = 8
 _STOPS = frozenset({".", ";", "!", "?", "…"})
@@ -110,7 +111,10 @@ def _openings(p: Parser) -> list[tuple[Reference | None, int]]:
 
 
 def _chains(p: Parser, start: int, reference: Reference | None) -> list[Parsed]:
-    """Requests one after the other; for every chain that stops early, what it leaves over."""
+    """Requests one after the other; for every chain that stops early, what it leaves over.
+
+    A colour alone is no further request of a sentence: "stack them, red, blue" lists blocks.
+    """
     done: list[Parsed] = []
     if start >= p.end:
         return [Parsed(reference=reference)] if reference else []
@@ -120,6 +124,8 @@ def _chains(p: Parser, start: int, reference: Reference | None) -> list[Parsed]:
             return
         extended = False
         for found, j in request(p, i):
+            if so_far and isinstance(found, Tint) and p.words[i - 1] not in _STOPS:
+                continue
             j = tail(p, j)
             total = cost + found.cost + m_cost(found) + 1
             if j >= p.end:

@@ -9,6 +9,7 @@ from rpg.blocks.nouns import bare, join
 from rpg.blocks.traits import VOWELS, kind_of, symbol_of
 from rpg.core.diagnostics import Diagnostic, Refusal, Span
 from rpg.ir.structures import Figure, GroupBy, Towers
+from rpg.ir.walk import names as mentions
 from rpg.steer.language import m
 from rpg.steer.operations.guard import check_picked
 from rpg.steer.view import NOUNS, Line, Shape, View
@@ -66,6 +67,13 @@ def _resolved(view: View, phrase: m.Meaning) -> Found:
 def _several(view: View, phrase: m.Coord) -> tuple[str, ...]:
     """The objects of a list; of all but some, the rest."""
     first, *others = (resolve(view, item).names for item in phrase.items)
+    if (
+        isinstance(phrase.items[0], m.Pronoun)
+        and phrase.op == "and"
+        and any(set(names) <= set(first) for names in others)
+    ):
+        told, hint = "these are among the blocks that were named before", "say what is to be done with each of them"
+        raise Refusal([_diagnostic("ambiguous-object", phrase.span, told, hint)])
     if phrase.op == "and":
         return tuple(dict.fromkeys(name for names in (first, *others) for name in names))
     if phrase.op == "except":
@@ -357,13 +365,7 @@ def _placed(view: View, name: str, condition: m.Meaning) -> bool:
         at = line.members.index(name)
         near = line.members[:at] if condition.rel != "under" else line.members[at + 1 :]
         return bool(set(near) & set(others))
-    return any(name in _mentioned(atom) and set(_mentioned(atom)) & set(others) for _, atom in view.atoms)
-
-
-def _mentioned(atom: object) -> tuple[str, ...]:
-    from rpg.ir.walk import names
-
-    return names(atom)  # type: ignore[arg-type]
+    return any(name in mentions(atom) and set(mentions(atom)) & set(others) for _, atom in view.atoms)
 
 
 def _missing(view: View, span: Span, word: str) -> Refusal:

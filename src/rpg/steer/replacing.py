@@ -8,7 +8,7 @@ from typing import TypeGuard
 
 from rpg.core.diagnostics import Span
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, adjectives, longest, m, noun_phrase, phrases, simple
+from rpg.steer.language import Parser, adjectives, label_list, lexicon, longest, m, noun_phrase, phrases, simple
 from rpg.steer.phrases import fresh, plural_kind, subjects, things
 from rpg.steer.places import place
 
@@ -30,16 +30,36 @@ def replace_with(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for old, k in (*subjects(p, j), *_colors_alone(p, j)) if j else ():
             links: tuple[str, ...] = ("with", "by") if phrase == "substitute" else ("with", "by", "for", "out for")
             if n := longest(p, k, links):
+                yield from _by_symbol(p, i, n, old)
                 for new, end in things(p, n):
                     if fresh(new) or plural_kind(new):
                         yield r.Replace(old=old, new=new, span=p.span(i, end)), end
                     elif _only_a_color(new):
+                        if _only_a_color(old):
+                            old = replace(old, det="all", plural=True)
                         yield (r.Replace(old=old, new=replace(new, det="a"), span=p.span(i, end), cost=2), end)
         if j and phrase == "substitute":
             for new, k in noun_phrase(p, j):
                 if n := p.one(k, "for"):
                     for old, end in noun_phrase(p, n):
                         yield r.Replace(old=old, new=new, span=p.span(i, end)), end
+
+
+def _by_symbol(p: Parser, i: int, n: int, old: m.Meaning) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "by the digit 4", "with the letter A", "with C": another symbol, or a cube that shows it."""
+    said = longest(p, n, "the letter | the digit | the number | the symbol | letter | digit | number")
+    for (labels, _), end in label_list(p, said or n, True):
+        if len(labels) != 1 or p.lex(end, lexicon.BLOCK) is not None:
+            continue
+        if said:
+            kind = "digit" if labels[0].isdigit() else "letter" if labels[0].isalpha() else "symbol"
+            amount = m.Amount(1, 1)
+            new = m.Noun(
+                head="block", det="a", amount=amount, traits=m.Traits(labels=labels, kind=kind), span=p.span(n, end)
+            )
+            yield r.Replace(old=old, new=new, span=p.span(i, end)), end
+        else:
+            yield r.Restyle(theme=old, traits=m.Traits(labels=labels), plainly=False, span=p.span(i, end), cost=2), end
 
 
 def _in_place_of(old: m.Meaning | None, new: m.Meaning, span: Span) -> r.Request:

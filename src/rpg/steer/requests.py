@@ -88,13 +88,15 @@ class Recount(Request):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reorder(Request):
     """A line or a figure is ordered anew. `how`: "reverse", "mirror", "label", "number", "color", "size", "given",
-    "alternating", "mirrored", "together", "any". `keep`: blocks that stay where they are."""
+    "alternating", "mirrored", "together", "any", "steps". `of_doing`: the words are of the order in which things are
+    done, where the task has one."""
 
     how: str
     theme: m.Meaning | None = None
     items: m.Meaning | None = None
     descending: bool = False
     first: str | None = None
+    of_doing: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -178,6 +180,14 @@ class Some(Request):
 
     bound: str
     amount: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Enough(Request):
+    """Fewer blocks will do: in what is built, or of those that something is asked of. `of_them`: of those there."""
+
+    amount: int
+    of_them: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -22,6 +22,25 @@ def conjuncts(goal: g.Goal) -> tuple[g.Goal, ...]:
     return tuple(part for each in goal.goals for part in conjuncts(each)) if isinstance(goal, g.All) else (goal,)
 
 
+_LASTING = frozenset({"on_patch", "in_region", "facing", "turned", "stayed", "empty"})
+
+
+def lasts(part: g.Goal) -> bool:
+    """Whether a condition is about where blocks are on the table and how they are turned, whatever they form."""
+    return all(atom.kind in _LASTING for atom in atoms(part)) and not isinstance(part, g.Sequence)
+
+
+def gives_up_places(old: g.Goal, new: g.Goal) -> bool:
+    """Whether blocks that form something have to be at a place, and those of another goal form something anywhere."""
+    placed = any(
+        atom.kind in ("on_patch", "in_region") or getattr(atom, "patch", None) is not None for atom in atoms(new)
+    )
+    told = [lasts(part) for part in conjuncts(old)]
+    return not placed and (
+        (any(told) and not all(told)) or any(getattr(a, "patch", None) for a in atoms(old) if a.kind in STRUCTURES)
+    )
+
+
 def shape(goal: g.Goal) -> Any:
     """Nested kinds and qualities; numbers, names and repetitions are left out."""
     match goal:

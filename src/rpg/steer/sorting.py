@@ -63,6 +63,7 @@ def reorder(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from _reverse(p, i)
     yield from _mirror(p, i)
     yield from _listed(p, i)
+    yield from _in_turn(p, i)
     yield from _sort(p, i)
     yield from _no_matter(p, i)
     yield from _swap_them(p, i)
@@ -79,7 +80,7 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for plain in _PLAIN:
             if k := p.seq(j, plain):
                 k = longest(p, k, ("around", "upside down")) or k
-                yield r.Reorder(how="reverse", span=p.span(i, k)), k
+                yield r.Reorder(how="reverse", of_doing="color" not in plain, span=p.span(i, k)), k
         yield from _upside(p, i, j, "reverse", list(subjects(p, j)), wanted=phrase == "turn")
         if phrase != "turn" and (k := longest(p, j, ("everything", "things", "all"))):
             yield r.Reorder(how="reverse", span=p.span(i, k)), k
@@ -87,8 +88,11 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for theme, k in [(None, j), *subjects(p, j)]:
             if theme is not None and not old(theme):
                 continue
-            if end := longest(p, k, "backwards | backward | in reverse | in reverse order | the other way round"):
-                yield r.Reorder(how="reverse", theme=theme, span=p.span(i, end)), end
+            if end := longest(p, k, _BACKWARDS):
+                doing = "order" in p.words[k:end] or p.words[i] == "do"
+                yield r.Reorder(how="reverse", theme=theme, of_doing=doing, span=p.span(i, end)), end
+    if j := longest(p, i, _STEPS):
+        yield r.Reorder(how="steps", span=p.span(i, j)), j
     if j := longest(
             p,
             i,
@@ -101,7 +105,23 @@ def _reverse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             "use the opposite order | "
             "use the reverse order | backwards | reversed | turned around | in the other order",
         ):  # fmt: skip
-        yield r.Reorder(how="reverse", span=p.span(i, j)), j
+        doing = "order" in p.words[i:j] or "do" in p.words[i:j]
+        yield r.Reorder(how="reverse", of_doing=doing, span=p.span(i, j)), j
+
+
+_BACKWARDS = phrases(
+    "backwards | backward | in reverse | in reverse order | the other way round | the other way around | "
+    "in the reverse order | in the opposite order | in opposite order"
+)
+_STEPS = tuple(
+    f"{verb} {what}"
+    for verb in ("swap", "switch", "exchange", "reverse", "interchange", "turn around")
+    for what in (
+        "the steps", "the two steps", "both steps", "the stages", "the two stages", "the order of the steps",
+        "the order of the two steps", "the order of the stages", "the first and the second step", "step 1 and step 2",
+        "steps 1 and 2", "the two moves", "the order of the moves",
+    )
+)  # fmt: skip
 
 
 def _upside(
@@ -230,6 +250,38 @@ def _listed(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield (r.Reorder(how="given", items=listed, first=first, span=p.span(i, end)), end)
 
 
+_ENDS = {
+    "at the bottom": "bottom", "on the bottom": "bottom", "at the very bottom": "bottom", "on top": "top",
+    "at the top": "top", "on the left": "left", "at the left": "left", "at the left end": "left",
+    "on the right": "right", "at the right": "right", "at the right end": "right", "in front": "front",
+    "at the front": "front", "at the back": "back", "on the far left": "left", "on the far right": "right",
+}  # fmt: skip
+_THEN = phrases(", then | , and then | then | and then | , on it | , next | , followed by | followed by | , and on it")
+
+
+def _in_turn(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "black at the bottom, then white, then red on top": every block, from one end to the other."""
+    for lowest, j in noun_phrase(p, longest(p, i, "with") or i):
+        first = next(((end, k) for phrase, end in _ENDS.items() if (k := p.seq(j, phrase))), None)
+        if first is None or isinstance(lowest, m.Coord | m.Structure):
+            continue
+        items, j = [lowest], first[1]
+        while n := longest(p, j, _THEN):
+            listed, j = max(noun_phrase(p, n), key=lambda found: found[1], default=(None, 0))
+            if listed is None:
+                break
+            items += listed.items if isinstance(listed, m.Coord) and listed.op in ("and", "then") else (listed,)
+        if len(items) < 2 or not j:
+            continue
+        other = (k for phrase, end in _ENDS.items() if end == _OTHER[first[0]] and (k := p.seq(j, phrase)))
+        end = next(other, j)
+        every = m.Coord(op="and", items=tuple(items), span=p.span(i, end))
+        yield r.Reorder(how="given", items=every, first=first[0], span=p.span(i, end)), end
+
+
+_OTHER = {"bottom": "top", "top": "bottom", "left": "right", "right": "left", "front": "back", "back": "front"}
+
+
 def _direction(p: Parser, i: int) -> Iterator[tuple[str, int]]:
     for phrase, first in _DIRECTIONS.items():
         if j := p.seq(i, phrase):
@@ -258,12 +310,18 @@ def _two(both: m.Noun) -> bool:
     return counted and not both.traits.labels and len(both.traits.colors) < 2
 
 
+_SWAPPED = phrases(
+    "around | over | round | places | in the stack | in the tower | in the row | in the line | in the column | "
+    "in the pile | of the tower | of the stack | of the row | with each other"
+)
+
+
 def _swap_them(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap them", "exchange the two": for two blocks, the reverse order."""
     j = longest(p, i, "swap | exchange | switch | interchange | swap around | swap round")
     for both, k in noun_phrase(p, j) if j else ():
         if isinstance(both, m.Noun) and _two(both):
-            end = longest(p, k, ("around", "over", "round")) or k
+            end = longest(p, k, _SWAPPED) or k
             yield r.Reorder(how="swap", theme=both, span=p.span(i, end), cost=1), end
     k = (
         longest(p, j, "them | the two | the two blocks | both | both blocks | them around | the blocks | those two")
@@ -271,7 +329,7 @@ def _swap_them(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         else 0
     )
     if k:
-        k = longest(p, k, ("around", "over", "round")) or k
+        k = longest(p, k, _SWAPPED) or k
         yield r.Reorder(how="swap", span=p.span(i, k)), k
 
 

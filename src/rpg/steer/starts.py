@@ -23,6 +23,15 @@ _SCATTERED = (
     "unstacked | on the table | each on the table | lying around | anywhere | anywhere on the table | lying about | "
     "at random places | in random places | randomly"
 )
+_HEAPED = (
+    "in a heap | in a pile | in one heap | in one pile | as a heap | as a pile | heaped up | in a messy heap | "
+    "in a messy pile | in a jumbled heap | in a jumbled pile | jumbled in a heap | all in a heap | all in a pile | "
+    "in a big heap | in a big pile | lying in a heap | lying in a pile | already in a heap | piled up in a heap"
+)
+_FROM_HEAP = (
+    "start from a heap | start from a pile | start with a heap | start out from a heap | start in a heap | "
+    "start in a pile | begin from a heap | begin with a heap | begin in a heap | start out in a heap"
+)
 _TURNED = (
     "stacked the other way round | stacked the other way around | stacked upside down | stacked in reverse | "
     "stacked in reverse order | stacked in the opposite order | the other way round | the other way around | "
@@ -35,19 +44,28 @@ _NOT_STACKED = "instead of stacked | rather than stacked | not stacked | , not s
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Begin(r.Request):
-    """How the episode begins. `how`: "scattered", "reverse"; `told`: the blocks of a stack from its top, again."""
+    """How the episode begins: "scattered", "heap", "reverse". `told`: the blocks of a stack from its top, again."""
 
     how: str
     told: tuple[m.Meaning, ...] = ()
 
 
 def starts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """How the blocks begin, in a sentence of its own."""
+    if j := longest(p, i, _FROM_HEAP):
+        yield Begin(how="heap", span=p.span(i, j)), j
+    yield from _starts(p, i)
+
+
+def _starts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "let them start scattered", "the two start out stacked the other way round, white on red"."""
     for j in _subject(p, i):
         j = p.opt(j, "all", "out", "off", "both")
         if k := longest(p, j, _SCATTERED):
             k = longest(p, k, _NOT_STACKED) or k
             yield Begin(how="scattered", span=p.span(i, k)), k
+        if k := longest(p, j, _HEAPED):
+            yield Begin(how="heap", span=p.span(i, k)), k
         if k := longest(p, j, _TURNED):
             yield Begin(how="reverse", span=p.span(i, k)), k
             for told, end in _pile(p, p.opt(k, ",", ":")):
@@ -56,7 +74,9 @@ def starts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 def _subject(p: Parser, i: int) -> Iterator[int]:
     """The position after "they start", "let them start", "start with all of them", "at the start they are"."""
-    if j := longest(p, i, "start | begin | start out | start them | begin with them | start with them"):
+    if j := longest(
+        p, i, "start | begin | start out | start them | start them all | start all of them | begin with them"
+    ):
         yield j
     lead = longest(p, i, "let | have | make") or i
     if (j := longest(p, lead, _WHO)) and (k := longest(p, j, _STARTS)):

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from rpg.language.grammar.equations import equation
 from rpg.language.grammar.labels import symbol
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, longest
+from rpg.steer.language import Parser, literal, longest
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -16,6 +16,13 @@ class Equate(r.Request):
     """The equation is another one."""
 
     text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Respell(r.Request):
+    """The word is another one; whatever else the task asks for stays."""
+
+    word: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,8 +47,30 @@ _CONTINUE = (
 )
 
 
+_RESPELL = (
+    "spell | spell out | write | write out | read | say | it should spell | it should say | it should read | "
+    "it must spell | let it spell | have it spell | make it spell | make it say | make it read | make them spell | "
+    "let them spell | have them spell | they should spell | the word should be | the word must be | the word is | "
+    "change the word to | the blocks should spell | the cubes should spell"
+)
+
+
+def _respelt(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "spell FUN instead", "write the word DOG"."""
+    j = longest(p, i, _RESPELL)
+    j = longest(p, j, "the word | the name") or j if j else 0
+    text = literal(p, j) if j else None
+    if text is not None and len(text) > 1 and text.isalpha():
+        end = j + 1
+        end = longest(p, end, "instead of that | instead of it") or end
+        if n := longest(p, end, "instead of | rather than | and not | , not | not"):
+            end = n + 1 if literal(p, n) is not None else end
+        yield Respell(word=text.upper(), span=p.span(i, end), cost=1), end
+
+
 def symbols(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
-    """Phrases such as "change it to 2 + 3 = 5", "continue up to E"."""
+    """Phrases such as "change it to 2 + 3 = 5", "spell FUN instead", "continue up to E"."""
+    yield from _respelt(p, i)
     start = longest(p, i, _EQUATE) or i
     for text, j in equation(p, start):
         if "=" in text and not text.endswith("="):

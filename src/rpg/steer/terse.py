@@ -7,7 +7,19 @@ from dataclasses import dataclass, replace
 
 from rpg.steer import requests as r
 from rpg.steer.changing import becomes
-from rpg.steer.language import Parser, colors, count, dimensions, literal, longest, m, noun_phrase
+from rpg.steer.language import (
+    Parser,
+    colors,
+    count,
+    dimensions,
+    lexicon,
+    literal,
+    longest,
+    m,
+    noun_phrase,
+    phrases,
+    region_name,
+)
 from rpg.steer.phrases import fresh
 from rpg.steer.places import place
 
@@ -48,9 +60,17 @@ class Bring(r.Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Shift(r.Request):
-    """A place alone: the only relation, or the only region, of the goal is another one."""
+    """A place alone: the only relation, or the only region, of the goal is another one. `former`: what it is so far."""
 
     place: r.Place
+    former: m.In | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class More(r.Request):
+    """One more, and nothing else said: "another red cube", "and one more"."""
+
+    theme: m.Noun
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,10 +82,11 @@ def terse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Every such request; what else it could be comes first."""
     yield from _on(p, i)
     yield from _rather(p, i)
-    if not (i and p.words[i - 1] == "and"):
+    if i < 2 or p.words[i - 1] != "and":
         yield from _alone(p, i)
         yield from _shifted(p, i)
     yield from _stacked(p, i)
+    yield from _tinted(p, i)
 
 
 def _on(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -119,6 +140,11 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         k = longest(p, j, "more | more of them | more block | more blocks | more cube | more cubes")
         if k and (k == p.end or p.words[k] in (",", ".", "please")):
             yield r.Recount(theme=None, by=n, what="number", span=p.span(i, k), cost=4), k
+    more = longest(p, i, "another | one more | a further | an additional | two more | three more | one extra")
+    ranked = p.one(i, "a") and p.lex(i + 1, lexicon.ORDINAL)
+    for theme, j in noun_phrase(p, i) if more or ranked else ():
+        if isinstance(theme, m.Noun) and fresh(theme) and theme.head != "patch" and not theme.conditions:
+            yield More(theme=theme, span=p.span(i, j), cost=5), j
     for dims, j in dimensions(p, start):
         yield r.Recount(theme=None, dims=dims, span=p.span(i, j), cost=4), j
     for n, j in count(p, start):
@@ -144,7 +170,26 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         yield r.Reshape(structure=word, span=p.span(i, i + 1), cost=5), i + 1
 
 
-_WHERE = "i meant | rather | should be | now | better"
+_COLOR = phrases(
+    "the color | its color | their color | the colors | their colors | the color of it | the color of them | "
+    "the color of all blocks | the color of the blocks | the colors of the blocks | the color of the cubes"
+)
+
+
+def _tinted(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "change the colour to green", "the colour should be pink"."""
+    lead = longest(p, i, "change | set | switch | turn | make | alter | modify") or i
+    j = longest(p, lead, _COLOR)
+    k = longest(p, j, "to | into | should be | must be | be | has to be | to be | is now | shall be") if j else 0
+    for (listed, _), end in colors(p, k) if k else ():
+        if len(listed) == 1:
+            yield Tint(color=listed[0], span=p.span(i, end)), end
+
+
+_WHERE = (
+    "i meant | rather | should be | now | better | make it | make that | have it | let it be | it should be | "
+    "it must be | i want it | it has to be | it goes | it should go | i mean | i meant to say | make them"
+)
 _SIDES = {
     "to the left": "left", "on the left": "left", "left of it": "left", "left": "left", "to its left": "left",
     "to the right": "right", "on the right": "right", "right of it": "right", "right": "right", "to its right": "right",
@@ -165,6 +210,20 @@ def _shifted(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for place_, j in place(p, start):
         if isinstance(place_, m.In) or (isinstance(place_, m.Loc) and isinstance(place_.landmark, m.Noun)):
             yield Shift(place=place_, span=p.span(i, j), cost=3), j
+    for name, j in region_name(p, p.opt(start, "the")):
+        yield Shift(place=m.In(region=name, span=p.span(i, j)), span=p.span(i, j), cost=3), j
+        n = longest(p, j, ", not | not | instead of | rather than | and not | , and not")
+        for lost, end in region_name(p, longest(p, n, "in the | the | in") or n) if n else ():
+            former = m.In(region=lost, span=p.span(n, end))
+            there = m.In(region=name, span=p.span(i, j))
+            yield Shift(place=there, former=former, span=p.span(i, end), cost=3), end
+    n = longest(p, i, "not in the | not the | not in | not")
+    for lost, j in region_name(p, n) if n else ():
+        former = m.In(region=lost, span=p.span(n, j))
+        k = longest(p, j, ", but in the | , but the | but in the | but the | , in the | , the | ,")
+        for name, end in region_name(p, k) if k else ():
+            there = m.In(region=name, span=p.span(k, end))
+            yield Shift(place=there, former=former, span=p.span(i, end), cost=3), end
     j = longest(p, i, "to right | to left | in right | in left | to the")
     half = f"{p.words[j - 1]}_half" if j and p.words[j : j + 1] == ["half"] else ""
     if half in ("left_half", "right_half"):

@@ -14,7 +14,7 @@ from rpg.ir.structures import Equation, Spells
 from rpg.steer.language import Parser, longest, m, noun_phrase, tokenize
 from rpg.steer.refer import matches
 from rpg.steer.shape import conjuncts
-from rpg.steer.view import View
+from rpg.steer.view import BEGINS, ENDS, View
 
 _GOES = "goes | go | should go | belongs | comes | must be | should be | is | lies | has to be | will be"
 
@@ -26,12 +26,33 @@ _READS = re.compile(
 )
 
 
+_FIRST = re.compile(r"\s*first\b", re.IGNORECASE)
+"""What is said again are steps, one after the other."""
+
+
+_ENDS = {
+    "on the left": "left", "to the left": "left", "on the right": "right", "to the right": "right", "on top": "top",
+    "at the top": "top", "at the bottom": "bottom", "in front": "front", "at the front": "front", "behind": "back",
+    "at the back": "back", "on the far left": "left", "on the far right": "right", "underneath": "bottom",
+}  # fmt: skip
+_ENDS_UP = re.compile(
+    r"[\s,]+so(?: that)? (?P<who>[\w\s]+?)(?: now| then)? "
+    r"(?:is|are|goes|comes|sits|stands|ends up|will be|should be)(?: now| then)? "
+    rf"(?P<where>{'|'.join(_ENDS)})\s*[.!]*$",
+    re.IGNORECASE,
+)
+
+
 def divided(request: str) -> tuple[str, int] | None:
     """The request before what it says again, and where that begins."""
     if found := _READS.search(request):
         return request[: found.start()], found.start("text")
+    if found := _ENDS_UP.search(request):
+        return request[: found.start()], found.start("who")
     before, colon, after = request.partition(":")
     if not colon or not before.strip() or not after.strip() or _pairs(after, 0) is None:
+        return None
+    if _FIRST.match(after) and not re.search(r"\b(?:other way|order|reverse|opposite|swap|switch)\b", before, re.I):
         return None
     return re.sub(r"\b(swap|switch|exchange) it\b", r"\1 them", before), len(before) + 1
 
@@ -44,10 +65,33 @@ def check(request: str, begin: int, task: TaskSchema) -> None:
         if not any(_reads(part) == text for part in conjuncts(task.goal)):
             raise _not_so(found.span("text"))
         return
+    if found := _ENDS_UP.search(request):
+        if not _at_end(found["who"], _ENDS[found["where"].lower()], view):
+            raise _not_so((found.start("who"), found.end("where")))
+        return
     pairs = _pairs(request[begin:], begin)
+    steps = isinstance(task.goal, g.Sequence)
+    stages = [stage.goal for stage in task.goal.stages] if isinstance(task.goal, g.Sequence) else [task.goal]
+    at = -1
     for upper, lower, span in pairs or ():
-        if not any(_is_on(part, upper, lower, view) for part in conjuncts(task.goal)):
+        there = [
+            k for k, stage in enumerate(stages) if any(_is_on(part, upper, lower, view) for part in conjuncts(stage))
+        ]
+        in_turn = bool(_FIRST.match(request[begin:]))
+        if not there or in_turn != steps or (in_turn and there[0] <= at):
             raise _not_so(span)
+        at = there[0]
+
+
+def _at_end(who: str, end: str, view: View) -> bool:
+    """Whether a block, as a phrase names it, is at an end of its line."""
+    p = Parser(tokenize(who)[0])
+    named = [noun for noun, j in noun_phrase(p, 0) if j == p.end and isinstance(noun, m.Noun) and _plain(noun)]
+    names = [name for name in view.world.blocks if named and matches(view, name, named[0].traits)]
+    line = view.line_of(names) if len(names) == 1 else None
+    if line is None or not line.ordered or end not in (BEGINS[line.kind], ENDS[BEGINS[line.kind]]):
+        return False
+    return line.members[0 if end == BEGINS[line.kind] else -1] == names[0]
 
 
 def _not_so(span: Span) -> Refusal:
@@ -86,7 +130,7 @@ def _pairs(text: str, begin: int) -> list[tuple[m.Noun, m.Noun, Span]] | None:
     while p.end and p.words[p.end - 1] in (".", "!"):
         p = Parser(p.tokens[: p.end - 1])
     found: list[tuple[m.Noun, m.Noun, Span]] = []
-    i = 0
+    i = longest(p, 0, "first , | first")
     while i < p.end:
         one = max(_pair(p, i), key=lambda each: each[2], default=None)
         if one is None:
@@ -94,7 +138,7 @@ def _pairs(text: str, begin: int) -> list[tuple[m.Noun, m.Noun, Span]] | None:
         upper, lower, j = one
         start, end = p.span(i, j)
         found.append((upper, lower, (start + begin, end + begin)))
-        i = longest(p, j, ", and | and | , | ;") or j
+        i = longest(p, j, ", and | and | , | ; | , then | then | , and then | and then") or j
         if i == j and j < p.end:
             return None
     return found or None

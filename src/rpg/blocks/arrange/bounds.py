@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from itertools import product
 from typing import NamedTuple
 
 from rpg.blocks.arrange.pieces import Assembly, Piece
@@ -30,6 +31,7 @@ from rpg.ir.relations import (
     Near,
     OnPatch,
     RightOf,
+    Touching,
 )
 
 WORKSPACE = (WORKSPACE_X, WORKSPACE_Y)
@@ -69,6 +71,13 @@ class Bounds:
         self.pieces = assembly.pieces()
         self.index = {id(piece): k + 1 for k, piece in enumerate(self.pieces)}
         kept = list(atoms)
+        self.touching = {
+            frozenset(pair)
+            for atom in kept
+            if isinstance(atom, Touching)
+            for pair in product(members(atom.a), members(atom.b))
+        }
+        """Pairs that are to touch, which leaves directions no room beyond what they ask for."""
         self.tight: Contradiction | None = None
         """Why the conditions leave no room to spare, where they do not."""
         self.longest: list[list[list[float]]] = []
@@ -142,7 +151,7 @@ class Bounds:
             for b in self._known(atom.b):
                 edge = edge_between(empty, a, b)
                 if direction[axis] != 0.0:
-                    least = least_offset(atom, a, b, empty) + spare
+                    least = least_offset(atom, a, b, empty) + (0.0 if frozenset((a, b)) in self.touching else spare)
                     high, low = (a, b) if direction[axis] > 0 else (b, a)
                     yield from self._beyond(low, high, least, axis, atom)
                     if atom.immediate and a in self.world.edge and b in self.world.edge:

@@ -98,8 +98,10 @@ class TouchingPredicate(Predicate[Touching]):
 
     def propose(self, node: Touching, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         for x, y, other in _others(node, block, state):
-            far = (state.world.edge[block] + state.world.edge[other]) / 2
-            yield from ((x + dx * far, y + dy * far) for dx, dy in _shuffled(SIDES, rng))
+            close = (state.world.edge[block] + state.world.edge[other]) / 2
+            # "in front of" asks for a whole edge, so that exactly that far is on the brink
+            for far in (close + node.gap / 2, close):
+                yield from ((x + dx * far, y + dy * far) for dx, dy in _shuffled(SIDES, rng))
 
     def near_misses(self, node: Touching, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         pair = single_pair(node, state)

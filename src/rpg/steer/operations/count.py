@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
@@ -111,6 +113,8 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
     if wanted == now:
         raise draft.refusal("nothing-to-do", f"it has {now} blocks already", request.span)
     looks = {draft.view.world.look[name] for name in line.members}
+    if _by_turns(draft, line, wanted, request):
+        return
     if not line.ordered and 1 < len(looks) < now:
         told, hint = (
             "it is not said which of the blocks are to be more or fewer",
@@ -125,6 +129,18 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
             same = draft.view.line_of(line.members)
             assert same is not None
             join_line(draft, same, asset.name, request.span)
+
+
+def _by_turns(draft: Draft, line: Line, wanted: int, request: r.Recount) -> bool:
+    """A line that alternates between looks, of each of which it has as many, gets as many more (or fewer) of each."""
+    counts = Counter(draft.view.world.look[name] for name in line.members)
+    alternates = isinstance(line.node, Stack | Row) and line.node.order.by == "alternating"
+    if not alternates or len(set(counts.values())) != 1 or wanted % len(counts):
+        return False
+    if set(line.members) != set(draft.view.busy):
+        return False
+    of_each_look(draft, replace(request, amount=wanted // len(counts), by=None, times=None, what="each"))
+    return True
 
 
 def join_line(draft: Draft, line: Line, name: str, span: Span) -> None:

@@ -25,23 +25,23 @@ def insert(draft: Draft, line: Line, index: int, name: str, span: Span | None = 
     """Put the new block `name` at `index` of `line`; what is said of the whole line is said of it with the block."""
     _insert(draft, line, index, name, span)
     if line.node is not None and len(line.members) > 1:
-        goal = transform(draft.schema.goal, lambda node: _of_all(node, line.members, name))
+        goal = transform(draft.schema.goal, lambda node: of_all(node, line.members, (name,)))
         if goal != draft.schema.goal:
             draft.do(SetGoal(goal=goal), span)
 
 
-def _of_all(node: g.Goal, members: Sequence[str], name: str) -> g.Goal:
-    """A relation of the whole line, with the new block among its own."""
+def of_all(node: g.Goal, members: Sequence[str], new: tuple[str, ...]) -> g.Goal:
+    """A relation of the whole line, with new blocks among its own."""
     update: dict[str, object] = {}
     for field in ("a", "b", "c"):
         value = getattr(node, field, None)
         whole = value is not None and not isinstance(value, str) and set(operand_members(value)) == set(members)
         if whole and isinstance(value, Lowest):
-            update[field] = Lowest(lowest=(*value.lowest, name))
+            update[field] = Lowest(lowest=(*value.lowest, *new))
         elif whole and isinstance(value, Highest):
-            update[field] = Highest(highest=(*value.highest, name))
+            update[field] = Highest(highest=(*value.highest, *new))
         elif whole and isinstance(value, tuple):
-            update[field] = (*value, name)
+            update[field] = (*value, *new)
     return node.model_copy(update=update) if update else node
 
 

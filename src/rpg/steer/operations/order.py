@@ -21,6 +21,7 @@ from rpg.steer.operations.kinds import convert
 from rpg.steer.operations.lines import arranged, pin
 from rpg.steer.operations.mirror import mirrored
 from rpg.steer.operations.sort import BY, color_pattern, ranks_by_class, sorted_members
+from rpg.steer.operations.steps import of_steps, turn_steps
 from rpg.steer.refer import Found, resolve
 from rpg.steer.shape import conjuncts
 from rpg.steer.view import BEGINS, ENDS, Line, Shape
@@ -28,6 +29,9 @@ from rpg.steer.view import BEGINS, ENDS, Line, Shape
 
 def reorder(draft: Draft, request: r.Reorder) -> None:
     """Another order for a line or a figure: the one named, else the one mentioned last."""
+    if of_steps(draft, request):
+        turn_steps(draft, request)
+        return
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     line, figure = _target(draft, found)
     draft.note("order", {"how": request.how, "descending": request.descending, "first": request.first})

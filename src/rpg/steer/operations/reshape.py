@@ -9,6 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.edits import ChangeCondition, SetGoal
 from rpg.ir.order import Order
+from rpg.ir.relations import OnPatch
 from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase, Towers
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
@@ -18,6 +19,7 @@ from rpg.steer.operations.guard import check_shape
 from rpg.steer.operations.kinds import listed
 from rpg.steer.operations.words import ALONG, plain, respell, run_along
 from rpg.steer.refer import resolve
+from rpg.steer.shape import conjuncts, lasts
 from rpg.steer.view import Line, View
 
 FIGURES = ("circle", "square", "rectangle", "triangle", "plus", "L", "T", "V", "U", "X")
@@ -67,9 +69,13 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
 
 
 def _part(draft: Draft, line: Line | None, goal: g.Goal, names: Sequence[str], span: Span) -> None:
-    """The new structure takes the place of the line, or of the whole goal where it has no other blocks."""
+    """The new structure takes the place of the line, or of the whole goal where it has no other blocks; what is asked
+    of the blocks besides what they form stays."""
     if set(names) >= set(draft.view.busy) or line is None or line.node is None:
-        draft.do(SetGoal(goal=goal), span)
+        kept = [part for part in conjuncts(draft.schema.goal) if lasts(part)]
+        patch = getattr(line.node, "patch", None) if line is not None else None
+        kept += [OnPatch(a=tuple(names), patch=patch)] if patch else []
+        draft.do(SetGoal(goal=g.All(goals=(goal, *kept)) if kept else goal), span)
     else:
         draft.do(ChangeCondition(at=line.path, to=goal), span)
 

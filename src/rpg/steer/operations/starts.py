@@ -12,10 +12,16 @@ from rpg.steer.starts import Begin
 
 
 def begin(draft: Draft, request: Begin) -> None:
-    """Another start: all blocks scattered, or the tower of the goal turned round."""
+    """Another start: all blocks scattered, in a heap, or the tower of the goal turned round."""
     draft.aim("TWEAK")
     draft.note("start", request.how)
     init = InitialState(vacant=draft.schema.init.vacant)
+    if request.how == "heap":
+        view = draft.view
+        names = view.busy if view.idle else tuple(view.world.blocks)
+        if len(names) < 2:
+            raise draft.refusal("edit-unclear", "one block is no heap", request.span, "say where it starts")
+        init = init.model_copy(update={"heaps": (names,)})
     if request.how == "reverse":
         init = init.model_copy(update={"arranged": (_turned(draft, request),)})
     if init == draft.schema.init:

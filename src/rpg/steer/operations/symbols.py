@@ -8,13 +8,14 @@ from itertools import pairwise
 from rpg.blocks.equations import is_true, value_of
 from rpg.blocks.traits import Traits
 from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset
-from rpg.ir.structures import Equation
+from rpg.ir.structures import Equation, Spells
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import describe, free_name
-from rpg.steer.symbols import Continue, Equate
+from rpg.steer.operations.words import respell
+from rpg.steer.symbols import Continue, Equate, Respell
 
 
 def equate(draft: Draft, request: Equate) -> None:
@@ -59,6 +60,20 @@ def equate(draft: Draft, request: Equate) -> None:
     final = tuple(name for name in places if name is not None)
     draft.do(ChangeCondition(at=line.path, to=node.model_copy(update={"blocks": final, "text": text})), request.span)
     draft.look_at(final)
+
+
+def other_word(draft: Draft, request: Respell) -> None:
+    """The only word of the task is another one."""
+    lines = [line for line in draft.view.lines if isinstance(line.node, Spells)]
+    if len(lines) != 1:
+        told = "the task spells more than one word" if lines else "the task spells no word"
+        raise draft.refusal("edit-unclear", told, request.span, "say it as an instruction of its own: spell CAT")
+    node = lines[0].node
+    assert isinstance(node, Spells)
+    if node.word == request.word and not node.reverse:
+        raise draft.refusal("nothing-to-do", "it spells this already", request.span)
+    draft.note("structure", {"to": "word", "dims": []})
+    respell(draft, lines[0], lines[0].members, request.word, request.span)
 
 
 def _cube(draft: Draft, symbol: str, model: str) -> str:

@@ -18,7 +18,7 @@ from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.vary import some
 from rpg.steer.refer import matches, resolve
-from rpg.steer.terse import Bound, Bring, PileUp, Shift, Tint
+from rpg.steer.terse import Bound, Bring, More, PileUp, Shift, Tint
 
 
 def tint(draft: Draft, request: Tint) -> None:
@@ -75,6 +75,15 @@ def bring(draft: Draft, request: Bring) -> None:
     add(draft, r.Add(theme=request.theme, places=(request.place,), span=request.span))
 
 
+def more(draft: Draft, request: More) -> None:
+    """One more of what was spoken of last, or of blocks of the look that is said."""
+    view, plain = draft.view, request.theme.traits == m.Traits() and request.theme.head in ("any", "block")
+    if plain and not set(view.focus) & set(view.world.blocks) and len({view.world.look[n] for n in view.busy}) > 1:
+        told, hint = "these blocks do not all look alike, so that it is not said which", "say its colour"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    add(draft, r.Add(theme=request.theme, span=request.span))
+
+
 def shift(draft: Draft, request: Shift) -> None:
     """What the goal says of where one thing is gives way to the place that is named."""
     place, view = request.place, draft.view
@@ -83,6 +92,9 @@ def shift(draft: Draft, request: Shift) -> None:
         if len(regions) != 1 or place.negated:
             raise _unclear(draft, request)
         path, region = regions[0]
+        if request.former is not None and region.region != request.former.region:
+            told, hint = "it is not there so far", "say only where it is to be"
+            raise draft.refusal("edit-unclear", told, request.former.span, hint)
         _put(draft, path, InRegion.model_validate({"a": region.a, "region": place.region}), request)
         return
     found = [(path, atom) for path, atom in view.atoms if isinstance(atom, PLACED)]

@@ -6,7 +6,8 @@ from typing import Any
 
 from rpg.ir import goal as g
 from rpg.ir import relations as rel
-from rpg.ir.edits import AddAsset, ChangeCondition, Path, SetField, SetStart
+from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, Path, SetField, SetStart
+from rpg.ir.node import members
 from rpg.ir.schema import InitialState
 from rpg.ir.structures import Cells, GroupBy, Row
 from rpg.steer import requests as r
@@ -104,7 +105,32 @@ def _touching(draft: Draft, request: r.Loosen) -> bool:
             for field in ("gap", "spacing"):
                 _set(draft, path, field, None)
             done |= _set(draft, path, "touching", True)
-    return done
+    return done or _touching_pair(draft, request)
+
+
+def _touching_pair(draft: Draft, request: r.Loosen) -> bool:
+    """Two blocks of which the goal has one relation side by side touch, besides being on that side."""
+    found = [(path, atom) for path, atom in draft.view.atoms if isinstance(atom, _SIDE_BY_SIDE)]
+    if len(found) != 1 or any(isinstance(atom, rel.Touching) for _, atom in draft.view.atoms):
+        return False
+    path, atom = found[0]
+    if (
+        len(members(atom.a)) != 1
+        or len(members(atom.b)) != 1
+        or not {*members(atom.a), *members(atom.b)} <= set(draft.view.world.blocks)
+    ):
+        return False
+    touching = rel.Touching(a=atom.a, b=atom.b)
+    if isinstance(atom, rel.Directional):
+        draft.aim("EXTEND")
+        draft.do(AddCondition(goal=touching), request.span)
+    else:
+        draft.aim("MODIFY")
+        draft.do(ChangeCondition(at=path, to=touching), request.span)
+    return True
+
+
+_SIDE_BY_SIDE = (rel.Directional, rel.Near, rel.Beside, rel.Adjacent)
 
 
 def _gaps(draft: Draft, request: r.Loosen, only: g.Goal | None = None) -> bool:

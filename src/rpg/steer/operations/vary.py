@@ -6,12 +6,13 @@ from rpg.blocks.traits import Traits
 from rpg.ir import goal as g
 from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, SetField, SetGoal
 from rpg.ir.goal import Count
-from rpg.ir.node import EACH
+from rpg.ir.node import EACH, members
 from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf
 from rpg.ir.structures import Row, Stack, Staircase
 from rpg.ir.walk import rename, transform
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
+from rpg.steer.operations.count import recount
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.make import named
 from rpg.steer.shape import conjuncts
@@ -42,6 +43,20 @@ def some(draft: Draft, request: r.Some) -> None:
     draft.aim("MODIFY")
     draft.note("some", {request.bound: request.amount})
     draft.do(ChangeCondition(at=path, to=goal), request.span)
+
+
+def enough(draft: Draft, request: r.Enough) -> None:
+    """So many blocks will do: at least so many of those that a place is asked of, else a smaller structure."""
+    placed = [a for _, a in draft.view.atoms if isinstance(a, OnPatch | OnTable | InRegion) and len(members(a.a)) > 1]
+    built = draft.view.lines or draft.view.figures
+    if placed and (built or not request.of_them):
+        told = "this may be how many blocks there are, or how many of them have to be there"
+        hint = "say 'use two blocks', or 'at least two of them'"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    if placed:
+        some(draft, r.Some(bound="at_least", amount=request.amount, span=request.span))
+        return
+    recount(draft, r.Recount(theme=None, amount=request.amount, what="blocks", span=request.span))
 
 
 def copies(draft: Draft, request: r.Copies) -> None:

@@ -9,11 +9,13 @@ from rpg.core.diagnostics import Span
 from rpg.ir.assets import SemanticCube
 from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetField, SetGoal
 from rpg.ir.structures import Equation, Spells
+from rpg.ir.walk import transform
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.count import like
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.kinds import listed
+from rpg.steer.operations.lines import of_all
 from rpg.steer.operations.make import new_assets
 from rpg.steer.view import Line
 
@@ -64,6 +66,7 @@ def _other_letters(draft: Draft, line: Line, node: Spells, span: Span) -> None:
         for k, name in changed.items():
             places[k] = renamed[name]
     new = [k for k, name in enumerate(places) if name is None]
+    added: tuple[str, ...] = ()
     if new:
         traits = m.Traits(labels=tuple(symbols[k] for k in new), colors=body)
         added = draft.add(new_assets(draft, m.Noun(head="block", plural=True, traits=traits, span=span)), span)
@@ -71,6 +74,10 @@ def _other_letters(draft: Draft, line: Line, node: Spells, span: Span) -> None:
             places[k] = name
     final = tuple(name for name in places if name is not None)
     draft.do(ChangeCondition(at=line.path, to=node.model_copy(update={"blocks": final})), span)
+    old, more = [name for name in final if name not in added], tuple(name for name in final if name in added)
+    goal = transform(draft.schema.goal, lambda part: of_all(part, old, more)) if more else draft.schema.goal
+    if goal != draft.schema.goal:
+        draft.do(SetGoal(goal=goal), span)
     draft.look_at(final)
 
 

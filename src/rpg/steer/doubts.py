@@ -1,0 +1,57 @@
+"""Requests that could be about the task at hand or another one: what decides, and what is refused as it is open."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.ir import goal as g
+from rpg.ir.schema import TaskSchema
+from rpg.steer.afresh import by_itself, one_more, only_a_number
+from rpg.steer.history import History
+from rpg.steer.identity import look
+from rpg.steer.shape import STRUCTURES, gives_up_places, structures
+
+Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
+"""The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
+
+
+def not_of_what_is_built(request: str, history: History, read: Reader) -> None:
+    """Refuse "three towers" where there are two: as an instruction of its own it would make up the blocks."""
+    if not only_a_number(request):
+        return
+    schema, _ = read(by_itself(request))
+    built = structures(history.current.schema.goal) & STRUCTURES
+    if schema is not None and structures(schema.goal) & built:
+        message = "this may be about what is there, or an instruction of its own"
+        hint = "say 'add ...' or 'remove ...' for what is there, or 'build ...' for another task"
+        span = (0, len(request))
+        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
+
+
+def not_half(request: str, goal: g.Goal, history: History) -> None:
+    """Refuse "build a tower instead" of a row on a mat: this leaves open whether the tower is to be on the mat."""
+    if by_itself(request) != request and gives_up_places(history.current.schema.goal, goal):
+        message = "this leaves open whether the blocks still have to be where they are now"
+        hint = "say where they go, or 'forget that' first; or say only what they become: 'make it a tower'"
+        span = (0, len(request))
+        raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
+
+
+def about_new_things(request: str, history: History, read: Reader) -> bool:
+    """Whether a request that failed as an edit is an instruction of its own, about blocks the task does not have."""
+    schema, _ = read(by_itself(request))
+    if schema is None or one_more(request):
+        return False
+    known = [look(asset) for asset in history.current.schema.blocks]
+    shared = [look(asset) in known for asset in schema.blocks]
+    return not any(shared)
+
+
+def about_all_there(request: str, history: History, read: Reader) -> bool:
+    """Whether a request, as an instruction of its own, is about the very blocks that the task has."""
+    schema, _ = read(by_itself(request))
+    if schema is None:
+        return False
+    looks = [sorted(repr(look(asset)) for asset in each.blocks) for each in (schema, history.current.schema)]
+    return looks[0] == looks[1]

@@ -247,9 +247,18 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
 
 def _adds(tokens: list[Token]) -> bool:
     """Whether there are brackets, and what they hold adds something instead of telling which thing is meant."""
-    inside = [tokens[n + 1].word for n, t in enumerate(tokens[:-1]) if t.word in ("(", "[")]
+    inside = [
+        "" if _of_it([t.word for t in tokens[n + 1 : n + 4]]) else tokens[n + 1].word
+        for n, t in enumerate(tokens[:-1])
+        if t.word in ("(", "[")
+    ]
     begins = any(token.word in _BEGINS for token in tokens)
     return bool(inside) and (begins or not any(word in _TELLING for word in inside))
+
+
+def _of_it(words: list[str]) -> bool:
+    """ "(it is a distractor)": said of what comes before, not telling which thing is meant."""
+    return words[:2] == ["it", "is"] and words[2:] != ["the"]
 
 
 def _unbracketed(tokens: list[Token]) -> list[Token]:

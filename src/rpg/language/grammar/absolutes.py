@@ -10,6 +10,7 @@ from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.parts import part_statement, unit_of
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import SIDES, at
+from rpg.language.grammar.standby import AS_EXTRAS
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -274,23 +275,5 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             yield (At(side=side, span=p.span(i, k)),), k
     if p.words[i : i + 1] in (["first"], ["last"]):
         yield (At(side="first", index=1 if p.words[i] == "first" else -1, span=p.span(i, i + 1)),), p.reach(i + 1)
-    if k := p.any_of(
-        i,
-        (
-            "lying around",
-            "lying around as distractors",
-            "around as distractors",
-            "as distractors",
-            "as a distractor",
-            "as distractors on the table",
-            "as a distractor on the table",
-            "lying on the table",
-            "on the side as distractors",
-            "on the table as distractors",
-            "on the table as a distractor",
-            "there as distractors",
-            "for distraction",
-            "as distraction",
-        ),
-    ):
+    for k in {p.any_of(i, ("lying around", "lying on the table")), *AS_EXTRAS.matches(p, i)} - {0}:
         yield (Manner(kind="extra", span=p.span(i, k)),), k

@@ -18,6 +18,7 @@ from rpg.language.grammar.orders import READABLE, order
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
 from rpg.language.grammar.sizes import rising_steps, size_phrase
+from rpg.language.grammar.standby import all_extra
 from rpg.language.grammar.wholes import wholes
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import (
@@ -232,6 +233,9 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if not any(isinstance(part, Structure) for part in parts_of(members)):
                 yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
+    if k := p.any_of(i, _PLUS):
+        yield from ((Using(members=found, lead="with", span=p.span(i, e)), e) for found, e in noun_phrase(p, k)
+                    if all_extra(found))  # fmt: skip
     if comma := p.one(i, ","):
         for members, k in noun_phrase(p, p.opt(comma, "all")):
             if k >= p.end and isinstance(members, Noun) and members.head == "block" and _coloured(members):
@@ -248,6 +252,8 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 yield Using(members=members, span=p.span(i, k), cost=1), k
 
 
+_PLUS = ("plus", ", plus", "and", ", and", "along with", "together with", ", along with", "besides", ", besides")
+"""Before distractors that come with what is to be done."""
 _STARTS = ("starts", "start", "begins", "begin", "is at the start", "are at the start", "lies at the start",
            "is at the beginning", "starts out", "is now", "lies now", "is standing now")  # fmt: skip
 

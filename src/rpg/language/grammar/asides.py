@@ -100,6 +100,8 @@ _BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "t
 
 _STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between", "near", "touching", "at", "beside"})
 """After these "its" was meant as "it is"."""
+_NAMED = frozenset({"a", "an", "not", "only", "just", "there"})
+"""Before these "its" was meant as "it is" wherever it stands."""
 _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
 
 
@@ -175,6 +177,8 @@ def _meant(tokens: list[Token], at: int) -> list[Token]:
     token = tokens[at]
     after = tokens[at + 1].word if at + 1 < len(tokens) else ""
     if token.word == "its" and at and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING:
+        return [replace(token, word=word) for word in ("it", "is")]
+    if token.word == "its" and after in _NAMED:
         return [replace(token, word=word) for word in ("it", "is")]
     if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
         return [replace(token, word="you")]

@@ -12,6 +12,7 @@ from rpg.language.grammar.chatter import CHATTER
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.denials import denied_of_all
 from rpg.language.grammar.details import part_clause
+from rpg.language.grammar.each_color import of_each_color
 from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG
 from rpg.language.grammar.gaps import gap
 from rpg.language.grammar.having import having, structure_is
@@ -21,13 +22,13 @@ from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.offsets import centering
 from rpg.language.grammar.piled import piled
 from rpg.language.grammar.spare import spare
+from rpg.language.grammar.standby import leads
 from rpg.language.grammar.states import state
 from rpg.language.grammar.stock import stock
 from rpg.language.grammar.terse import about, said_of, terse
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
 from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, START_WISHES, STATE_WISHES, TAGS
 from rpg.language.meaning import (
-    Absolute,
     At,
     Chain,
     Clause,
@@ -40,7 +41,6 @@ from rpg.language.meaning import (
     Noun,
     OrderBy,
     Pronoun,
-    Size,
     Structure,
     That,
     Toward,
@@ -94,6 +94,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from inventory(p, i)
     yield from stock(p, i)
     yield from spare(p, i)
+    yield from of_each_color(p, i)
     yield from all_alike(p, i)
     yield from terse(p, i, when)
     for (theme, start), _ in about(p, i):
@@ -140,8 +141,7 @@ def _for_each(p: Parser, i: int) -> Results[Meaning]:
 def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
     for first, j in adjunct(p, i):
-        told = isinstance(first, Coord) and first.op == "absolutes"
-        if told or isinstance(first, Absolute | Size) or p.words[i] == "there":
+        if not leads(p, j, first) or p.words[i] == "there":
             continue
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")

@@ -70,9 +70,19 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
             yield given(p, i, j, theme, (), 0), j
     if i == 0 or p.follows(i, _OPENERS):
         for theme, told, j in contents(p, i):
-            yield given(p, i, j, theme, told, 2), j
+            if not _goes_on(p, j, theme):
+                yield given(p, i, j, theme, told, 2), j
     yield from _numbered(p, i)
     yield from _at_hand(p, i)
+
+
+def _goes_on(p: Parser, j: int, theme: Meaning | None) -> bool:
+    """Whether more is added to a list that nothing leads: "a red, a green and a blue cube, stacked" are all stacked."""
+    comma = p.opt(j, ",")
+    joined = p.any_of(comma, ("and", "&"))
+    last = theme.items[-1] if isinstance(theme, Coord) else theme
+    open_ = comma > j and isinstance(last, Noun) and last.head == "any" and bool(last.traits.colors)
+    return bool(joined or open_) and any(True for _ in _item(p, joined or comma, False))
 
 
 _AT_HAND = (

@@ -9,6 +9,7 @@ from rpg.language.grammar.adjectives import adjectives, color
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.retold import (
     bare_color,
+    extra_alike,
     mere_size,
     named_together,
     part_after,
@@ -203,9 +204,9 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             continue
         if not joined and isinstance(item, Noun) and mere_size(item):
             continue
-        if isinstance(item, Noun) and item.traits.extra and not any(_is_extra(x) for x in items):
-            item = replace(item, cost=item.cost + 3)
-        whole = sized_alike((*items, item))
+        whole = extra_alike(sized_alike((*items, item)))
+        if isinstance(item, Noun) and item.traits.extra and not any(_is_extra(x) for x in whole[:-1]):
+            whole = (*whole[:-1], replace(item, cost=item.cost + 3))
         if joined and now == "and" and (named := named_together(whole)) is not None:
             yield replace(named, span=p.span(i, j)), j
             continue

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.standby import AS_EXTRAS
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Manner, Meaning
 
@@ -60,6 +61,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last
     if j := max((k for at in {i, comma} for k in _STREWN.matches(p, at)), default=0):
         yield Manner(kind="strewn", span=p.span(i, j)), j
+    if j := max((k for at in {i, comma} for k in AS_EXTRAS.matches(p, at)), default=0):
+        yield Manner(kind="extra", span=p.span(i, j)), j
     for phrase, j in p.standing(i, _LITTLE):
         kind, value = _LITTLE[phrase]
         yield Manner(kind=kind, value=value, span=p.span(i, j)), j

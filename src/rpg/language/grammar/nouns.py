@@ -10,11 +10,13 @@ from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import Marks, adjectives, clash, color, merge, of_quality
 from rpg.language.grammar.amounts import Quantity
+from rpg.language.grammar.brackets import bracketed
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.edges import of_edges
 from rpg.language.grammar.joined import all_but, apposed, more, of_each
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.pronouns import pronoun
+from rpg.language.grammar.standby import further_extras
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
 
 _APART = frozenset({"own", "separate", "distinct"})
@@ -27,6 +29,8 @@ _PRESENT = ("present", "in the scene", "lying around", "around", "in view", "als
 """What may be said of where distractors are, which is nowhere in particular."""
 _EVERYTHING = ("everything", "everything that is", "everything which is", "all that is", "anything that is")
 _LISTING = frozenset({"bare", "the", "all", "both"})
+_EVERY = frozenset({"each", "all", "both"})
+"""These speak of several: "red on blue, both 5 cm" says nothing of the blue one alone."""
 _SYMBOLS = (lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)
 """Nouns with which symbols are read as what they tell apart, not as blocks of their own."""
 
@@ -214,8 +218,9 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
         if j := p.one(i, frozenset({words, words + "s"})):
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
-    if j := p.one(i, frozenset({"distractor", "distractors"})):
-        yield ("block", p.words[i] == "distractors", {"extra": True}), j
+    start = p.one(i, frozenset({"random", "arbitrary", "other"})) or i
+    if j := p.one(start, frozenset({"distractor", "distractors"})):
+        yield ("block", p.words[start] == "distractors", {"extra": True}), j
     if j := p.one(i, frozenset({"one", "ones"})):
         yield ("any", p.words[i] == "ones", {}), j
     if several := p.peek(i, lexicon.COLOR_PLURAL):
@@ -326,8 +331,14 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         yield told, k
         tried.append((told, k))
     yield from of_edges(p, i, j, noun)
+    yield from bracketed(p, i, j, noun)
+    for update, k in further_extras(p, j, noun):
+        if (told := _with(noun, update, p.span(i, k))) is not None:
+            yield told, k
     for update, k in of_quality(p, j, noun.head):
         if noun.head == "patch" and noun.det == "the" and noun.amount is None and update == {"scheme": "same"}:
+            continue
+        if "edge" in update and not noun.plural and not _EVERY.isdisjoint(p.words[j : j + 2]):
             continue
         changed = _numbered(p, i, j, noun) if k == j + 1 else None
         changed = changed or _with(noun, update, p.span(i, k))

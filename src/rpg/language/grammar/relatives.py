@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import label_list
+from rpg.language.grammar.standby import THAT_EXTRAS
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Loc, Meaning, Traits
 
@@ -45,7 +46,7 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
     that = p.one(comma, _THAT)
     that = p.seq(that, "in turn") or that if that else 0
     if that:
-        if j := max(_EXTRAS.matches(p, that), default=0):
+        if j := max((k for told in (_EXTRAS, THAT_EXTRAS) for k in told.matches(p, that)), default=0):
             yield Traits(extra=True), j
         if j := p.one(that, _SHOW):
             yield from _shown(p, j)

@@ -131,6 +131,22 @@ def sized_alike(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
     return (*found, last)
 
 
+def extra_alike(items: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "one gray and one pink distractor": the noun stands for both."""
+    last = items[-1]
+    if not (isinstance(last, Noun) and last.traits.extra and last.head == "block" and len(last.traits.colors) == 1):
+        return items
+    found: list[Meaning] = []
+    for item in items[:-1]:
+        colored = isinstance(item, Noun) and item.head == "any" and len(item.traits.colors) == 1
+        if not (colored and isinstance(item, Noun) and item.traits == Traits(colors=item.traits.colors)):
+            return items
+        if item.amount is None or item.det not in ("a", "bare"):
+            return items
+        found.append(replace(item, head="block", traits=replace(item.traits, extra=True)))
+    return (*found, last)
+
+
 def shares_head(before: Meaning, item: Meaning) -> bool:
     """ "the red and blue blocks": the plural noun stands for both, it is not "the red one and several blue blocks"."""
     if isinstance(before, Structure) and isinstance(own := before.members, Noun) and isinstance(item, Noun):

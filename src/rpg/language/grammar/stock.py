@@ -28,7 +28,7 @@ _THERE = Patterns(
     "on_the_table|in_the_scene|in_the_box|in_the_picture|before_you|in_front_of_you|here|lying_on_the_table "
     "there|you|we|i? are|is|lie|lies|have|will_find|find|see|will_see|can_be_found|can_find|stand only|just|exactly?",
     "the|this|your|our task|set|kit|box|puzzle|game|inventory|scene|table|workspace|exercise|heap|pile "
-    "contains|has|holds|includes|consists_of|comes_with|offers|uses|needs only|exactly|just|also?",
+    "also|too|now? contains|has|holds|includes|consists_of|comes_with|offers|uses|needs only|exactly|just|also?",
     "it gives|it_has|there_exist|there_exists only|just?",
 )
 """What says that there is what follows."""

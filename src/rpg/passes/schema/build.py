@@ -52,7 +52,7 @@ from rpg.passes.schema.resolve.of_each import each_later
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.sized import sized
 from rpg.passes.schema.resolve.spare import definite, none_ignored, without_spare
-from rpg.passes.schema.resolve.things import matching
+from rpg.passes.schema.resolve.things import fits, matching
 from rpg.passes.schema.resolve.tidy import once, tidy
 from rpg.passes.schema.resolve.world import Scene, refuse, said
 
@@ -234,7 +234,7 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
     none_ignored(goal, scene)
     for traits, count, span in scene.closed:
         there = len(matching(traits, scene, False))
-        if there != count:
+        if there != count and there + _passed_over(traits, scene) != count:
             raise refuse(
                 "count-mismatch",
                 f"there are only {count} of these, but {there} are needed",
@@ -280,6 +280,12 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
 
 
 _SELECTING = ("all", "each")
+
+
+def _passed_over(traits: Traits, scene: Scene) -> int:
+    """How many blocks of these looks were said to be distractors after they were counted."""
+    things = [scene.things[name] for name in scene.ignored]
+    return sum(not thing.patch and fits(thing, traits) for thing in things)
 
 
 def _selects(part: Meaning) -> bool:

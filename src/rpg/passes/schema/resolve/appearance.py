@@ -65,6 +65,8 @@ def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
             "misplaced", "this is understood, but is no look that can be given", quality.span, "say it as a place"
         )
     things = [scene.things[n] for n in theme.names]
+    if traits == Traits(scheme="some"):
+        raise refuse("misplaced", "it is not said what colour these have", quality.span, "name the colour")
     if traits.extra:
         for thing in things:
             thing.extra = True

@@ -8,7 +8,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Manner, Meaning, Noun, OrderBy, TableTop
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop
 from rpg.passes.schema.resolve.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.conflicts import required, undoes
 from rpg.passes.schema.resolve.logic import conj, disj
@@ -23,7 +23,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
-    chain = _earlier_first(in_that_order(chain))
+    chain = _earlier_first(in_that_order(_told_of_the_end(chain)))
     stages: list[Goals] = [[]]
     towers = Towers.of(scene)
     pairs = _given_first(chain)
@@ -59,6 +59,27 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if both:
             stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
+
+
+def _told_of_the_end(chain: Chain) -> Chain:
+    """ "A, B and C in a row, and there is a red block on B": what is told beside how it should be is so as well."""
+    told: list[Meaning] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        before = told[-1] if told else None
+        ends = isinstance(before, Clause) and before.mode == "goal" and before.verb not in ("exist", "ignore")
+        here = isinstance(clause, Clause) and (clause.verb, clause.mode, clause.lemma) == ("exist", "given", "")
+        if link == "and" and ends and here and isinstance(clause, Clause) and _placed(clause):
+            clause = replace(clause, verb="be", mode="goal")
+        told.append(clause)
+    return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
+
+
+def _placed(clause: Clause) -> bool:
+    """Whether a clause says where something is, and not that it is so at the start."""
+    spots = [x for x in clause.adjuncts if isinstance(x, Loc | In)]
+    return (
+        bool(spots) and len(spots) == len(clause.adjuncts) and all("start" not in getattr(x, "mods", ()) for x in spots)
+    )
 
 
 def _earlier_first(chain: Chain) -> Chain:

@@ -48,7 +48,8 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
                 spec.manner("extra")
     for item in list(spec.absolutes):
         table = all(isinstance(a, Manner) or isinstance(getattr(a, "landmark", None), TableTop) for a in item.adjuncts)
-        if table and any(isinstance(a, Manner) and a.kind == "extra" for a in item.adjuncts):
+        told = is_extra(item.theme) or any(isinstance(a, Manner) and a.kind == "extra" for a in item.adjuncts)
+        if table and told:
             refer(as_extra(item.theme), scene, Scope())
             scene.mentions.pop()
             spec.absolutes.remove(item)
@@ -62,15 +63,15 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
             refer(place_.landmark, scene, Scope())
             scene.mentions.pop()
             spec.places.remove(place_)
-    if (
-        clause.verb not in ("be", "exist")
-        or clause.theme is None
-        or is_shape(clause.theme)
-        or (marked := spec.manner("extra")) is None
-    ):
+    if clause.verb not in ("be", "exist") or clause.theme is None or is_shape(clause.theme):
+        return False
+    marked = spec.manner("extra")
+    lying = _on_the_table(spec) and not clause.negated and is_extra(clause.theme) and not definite(clause.theme)
+    if marked is None and not lying:
         return False
     if (
-        marked.value == "around"
+        marked is not None
+        and marked.value == "around"
         and not is_extra(clause.theme)
         and not definite(clause.theme)
         and not further(clause.theme)
@@ -86,6 +87,12 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
     scene.mentions.pop()
     spec.places = [p for p in spec.places if not isinstance(getattr(p, "landmark", None), TableTop)]
     return True
+
+
+def _on_the_table(spec: Spec) -> bool:
+    """ "A green distractor lies on the table": where it is anyway, and nothing else is said of it."""
+    spots = [x for x in spec.places if isinstance(x, Loc) and x.rel == "on" and isinstance(x.landmark, TableTop)]
+    return bool(spots) and len(spots) == len(spec.places) and not any(x.negated for x in spots)
 
 
 def is_extra(meaning: Meaning) -> bool:

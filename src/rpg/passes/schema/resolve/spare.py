@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Coord, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse, said
 
@@ -21,11 +21,19 @@ def without_spare(chain: Chain) -> Chain:
             theme = _without(clause.theme, extras)
             if isinstance(theme, Structure) and theme.members is not None:
                 theme = replace(theme, members=_without(theme.members, extras))
-            clause = replace(clause, theme=theme) if extras else clause
+            places = tuple(_without_place(a, extras) for a in clause.adjuncts)
+            clause = replace(clause, theme=theme, adjuncts=places) if extras else clause
         clauses.append(clause)
         clauses += [Clause(verb="ignore", lemma="spare", theme=x, mode="goal", span=x.span) for x in extras]
         links += [link, *("and" for _ in extras)]
     return replace(chain, clauses=tuple(clauses), links=tuple(links)) if len(clauses) > len(chain.clauses) else chain
+
+
+def _without_place(place: Meaning, extras: list[Noun]) -> Meaning:
+    """ "on the blue block and a green distractor": on the blue block."""
+    if not isinstance(place, Loc) or place.landmark is None or place.rel == "between":
+        return place
+    return replace(place, landmark=_without(place.landmark, extras))
 
 
 def _without(meaning: Meaning, extras: list[Noun]) -> Meaning:

@@ -15,7 +15,7 @@ EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
 VOWELS = "AEIOU"
 
 
-def _fits(thing: Thing, traits: Traits) -> bool:
+def fits(thing: Thing, traits: Traits) -> bool:
     """Whether everything that `traits` says is known to hold of `thing`."""
     if traits.colors and thing.color not in traits.colors:
         return False
@@ -58,7 +58,7 @@ def quality_fits(thing: Thing, quality: str) -> bool:
 
 def matching(traits: Traits, scene: Scene, patch: bool) -> list[Thing]:
     """The objects that a description fits, distractors left out."""
-    return [t for t in scene.things.values() if t.patch == patch and not t.extra and _fits(t, traits)]
+    return [t for t in scene.things.values() if t.patch == patch and not t.extra and fits(t, traits)]
 
 
 def create(traits: Traits, scene: Scene, patch: bool) -> Thing:

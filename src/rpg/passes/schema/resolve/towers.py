@@ -23,13 +23,18 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     if any(z.what == "heights" for z in shape.sizes):
         return _of_heights(shape, spec, theme, scene)
     shape = _told_apart(shape, spec)
+    sorted_by = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
+    spec.orders = [o for o in spec.orders if o.by != "attribute"]
     patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
     spec.patterns = [p for p in spec.patterns if p.unit not in ("stack", "pile")]
     by_color = (
         bool(patterns)
+        or sorted_by == "color"
         or shape.traits.scheme == "same"
         or any(_matching(p) for p in (*spec.places, *(x for a in spec.absolutes for x in a.adjuncts)))
     )
+    if sorted_by not in (None, "color"):
+        raise refuse("misplaced", "several towers are told apart by colour only", shape.span, "say what is in each")
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
     per = shape.extent("size", "high", "layers") or (scene.each[0] if scene.each else None)
     equal = spec.manner("equal") is not None

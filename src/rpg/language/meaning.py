@@ -178,10 +178,11 @@ class Loc(Meaning):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class In(Meaning):
-    """A region of the table."""
+    """A region of the table. `vague`: it is not said of what this is a corner or an edge."""
 
     region: str
     negated: bool = False
+    vague: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -206,11 +207,15 @@ class Toward(Meaning):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class At(Meaning):
-    """A place inside the structure spoken of: "at the bottom", "in the middle", "third from the left"."""
+    """A place inside the structure spoken of: "at the bottom", "in the middle", "third from the left".
+
+    `own`: that of a block of it, "the top one red", and never of a further one.
+    """
 
     side: str
     index: int | None = None
     whole: str | None = None
+    own: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -122,10 +122,8 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         k = p.opt(k, "be")
         for theme, end in simple(p, k):
             if isinstance(theme, Noun):
-                yield (
-                    Absolute(theme=theme, adjuncts=(At(side=side, span=p.span(j, k)),), span=p.span(j, end), cost=1),
-                    end,
-                )
+                place = At(side=side, own=the > j, span=p.span(j, k))
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(j, end), cost=1), end
 
 
 def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Results[Meaning]:

@@ -132,7 +132,7 @@ def color(p: Parser, i: int) -> Results[str]:
 def colors(p: Parser, i: int) -> Results[tuple[tuple[str, ...], bool]]:
     """A colour or a list of them, longest first; True for alternatives ("red or blue")."""
     for first, j in color(p, i):
-        listed, at, either = [first], j, False
+        listed, at, either, mixed = [first], j, False, ""
         readings: list[tuple[tuple[tuple[str, ...], bool], int]] = [(((first,), False), j)]
         while True:
             k = p.opt(at, ",", "/")
@@ -140,9 +140,11 @@ def colors(p: Parser, i: int) -> Results[tuple[tuple[str, ...], bool]]:
             if k == at and not joined:
                 break
             more = list(color(p, joined or k))
-            if not more:
+            word = p.words[k] if joined else ""
+            if not more or (word and mixed and (word == "or") != (mixed == "or")):
                 break
-            either = either or bool(joined and p.words[k] == "or")
+            mixed = word or mixed
+            either = either or word == "or"
             listed.append(more[0][0])
             at = more[0][1]
             readings.append(((tuple(listed), either), at))

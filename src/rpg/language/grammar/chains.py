@@ -89,20 +89,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
     if len(had) > 16:
         return
     if colon := p.one(at, ":"):
-        for item, k in clause(p, colon):
-            if isinstance(had[-1], Clause) and isinstance(had[-1].theme, Structure) and _mere_colors(item):
-                continue
-            told = isinstance(had[-1], Clause) and (had[-1].adjuncts or had[-1].lemma in ("tally", "size"))
-            if isinstance(item, Clause) and told and item.verb != "exist":
-                whole = (*had, replace(item, cost=item.cost + 3))
-                yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
-        if isinstance(had[-1], Clause) and had[-1].adjuncts and had[-1].verb != "exist":
-            for item, k in looks_told(p, colon):
-                yield Chain(clauses=(*had, item), links=(*links, "and"), span=p.span(i, k)), k
-        for item, k in (*inventory(p, colon), *stock(p, colon)):
-            whole = (*had, item)
-            yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
-            yield from _more(p, i, whole, (*links, "and"), k)
+        yield from _behind_colon(p, i, had, links, colon)
     if isinstance(had[-1], Clause) and had[-1].negated:
         yield from _not_until(p, i, had, links, at)
     for link, j in _link(p, at):
@@ -120,9 +107,9 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         bare = bare and (link == "then" or (link == "and" and p.words[j - 1] in (",", ";")))
         denies = previous is not None and previous.negated and previous.mode == "command" and link == "or"
         for item, k in items:
-            if previous is not None and p.words[j - 1] == "," and (_apposed(previous, item) or _mere_time(item)):
+            if previous is not None and _no_clause(p, j, k, previous, item):
                 continue
-            if denies and isinstance(item, Clause) and item.mode == "command" and not item.negated:
+            if denies and _plain_command(item):
                 continue
             if previous is not None and (more := _told_again(previous, item)) is not None:
                 yield Chain(clauses=(*had[:-1], more), links=links, span=p.span(i, k)), k
@@ -134,7 +121,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, link), k)
         if previous is not None:
-            denied = p.words[p.opt(at, ",")] == "but" if p.opt(at, ",") < p.end else False
+            denied = p.stands(p.opt(at, ","), ("but",))
             if link in ("before", "after"):
                 for theme, k in noun_phrase(p, j):
                     whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
@@ -150,6 +137,46 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 whole = (*_shared(had, item), item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
+
+
+def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], colon: int) -> Results[Chain]:
+    """What is said in more detail: a clause, or what there is."""
+    for item, k in clause(p, colon):
+        if isinstance(had[-1], Clause) and isinstance(had[-1].theme, Structure) and _mere_colors(item):
+            continue
+        told = isinstance(had[-1], Clause) and (had[-1].adjuncts or had[-1].lemma in ("tally", "size"))
+        if isinstance(item, Clause) and told and item.verb != "exist":
+            whole = (*had, replace(item, cost=item.cost + 3))
+            yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
+    if isinstance(had[-1], Clause) and had[-1].adjuncts and had[-1].verb != "exist":
+        for item, k in looks_told(p, colon):
+            yield Chain(clauses=(*had, item), links=(*links, "and"), span=p.span(i, k)), k
+    for item, k in (*inventory(p, colon), *stock(p, colon)):
+        whole = (*had, item)
+        yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
+        yield from _more(p, i, whole, (*links, "and"), k)
+
+
+def _plain_command(item: Meaning) -> bool:
+    return isinstance(item, Clause) and item.mode == "command" and not item.negated
+
+
+def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
+    """Whether what looks like a clause belongs to the one before it."""
+    if p.words[j - 1] == "," and (_apposed(previous, item) or _mere_time(item)):
+        return True
+    return previous.lemma == "tally" and _of_the_list(p, j, k, item)
+
+
+def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:
+    """ "a red, a green and a blue cube, stacked in that order": what ends a list is no clause of its own."""
+    theme = item.theme if isinstance(item, Clause) and item.mode == "goal" else None
+    counted = isinstance(theme, Coord | Noun) and getattr(getattr(theme, "items", (theme,))[0], "amount", None)
+    return bool(counted) and p.words[j - 1] in (",", "and") and _FINITE.isdisjoint(p.words[j:k])
+
+
+_FINITES = "is are must should shall has have goes go lies lie stands stand sits sit"
+_FINITE = frozenset(_FINITES.split())
 
 
 def _in_list(p: Parser, j: int) -> bool:

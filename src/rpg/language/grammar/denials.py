@@ -21,9 +21,15 @@ def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
         return found
     skipped = p.words[denial + 1 : denial + 2] in (["be"], *([word] for word in _verbs(found)))
     at = denial + 1 + skipped
-    if p.words[at : at + 1] not in _ALL:
+    if p.words[at : at + 1] not in _ALL and not _of_both(p, at, found):
         return found
     return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
+
+
+def _of_both(p: Parser, at: int, found: Clause) -> bool:
+    """ "is not left of both red and blue", "is not on both patches"."""
+    end = next((k for k in range(at, p.end) if p.tokens[k].span[0] >= found.span[1]), p.end)
+    return "both" in p.words[at:end] and any(isinstance(a, Loc) and a.landmark is not None for a in found.adjuncts)
 
 
 def _verbs(clause: Clause) -> tuple[str, ...]:

@@ -19,6 +19,7 @@ from rpg.language.grammar.retold import (
     shares_head,
     sized_alike,
     tally,
+    the_other,
     universal,
 )
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
@@ -203,6 +204,9 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         if not joined and isinstance(items[-1], Structure) and isinstance(item, Noun) and bare_color(item):
             continue
         if not joined and isinstance(item, Noun) and mere_size(item):
+            continue
+        if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
+            yield from ((replace(again, span=p.span(i, j)), end) for end in {j: None, p.opt(j, ","): None})
             continue
         whole = extra_alike(sized_alike((*items, item)))
         if isinstance(item, Noun) and item.traits.extra and not any(_is_extra(x) for x in whole[:-1]):

@@ -189,7 +189,7 @@ def _place(p: Parser, i: int, j: int, side: str, unit: str, several: int | None,
         and several in (None, 1)
         and side in ("top", "bottom", "left", "right", "front", "back", "middle")
     ):
-        return At(side=side, span=p.span(i, j))
+        return At(side=side, own=p.words[j - 1] in _ONE_OR_MORE, span=p.span(i, j))
     if index is not None:
         side = "first"
     return Places(side=side, unit=unit, index=index, several=several, each=each, span=p.span(i, j))
@@ -209,7 +209,9 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
     """ "the first row is red", "white on both ends", "black corners", "red in between"."""
     for place, j in part(p, i, unit):
         j = p.any_of(j, _OF_IT) or j
-        for theme, k in _looks(p, p.any_of(j, IS) or j):
+        if isinstance(place, At) and p.words[j : j + 1] == ["one"]:  # "the top one red" is no top of one red block
+            continue
+        for theme, k in _looks(p, p.any_of(j, (", which is", "which is")) or p.any_of(j, IS) or j):
             yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
         for word, k in _word(p, j) if isinstance(place, Places) else ():
             yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k

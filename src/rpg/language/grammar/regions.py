@@ -74,7 +74,7 @@ def region(p: Parser, i: int) -> Results[In]:
         if end:
             yield In(region=name, span=p.span(i, end)), end
         elif plain:
-            yield In(region=name, span=p.span(i, k)), k
+            yield In(region=name, vague=name in ("corner", "edge"), span=p.span(i, k)), k
     if k := p.any_of(exact, _EACH_CORNER):
         end = _of_table(p, k)
         yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k

@@ -25,7 +25,17 @@ def retold(items: tuple[Meaning, ...]) -> bool:
         return any(isinstance(x, Noun) and x.amount and x.traits.colors == last.traits.colors for x in items[:-1])
     if not isinstance(whole, Noun) or whole.traits != Traits() or whole.amount is None:
         return False
-    return tally(items[1:]) > 1
+    mere = isinstance(last, Noun) and bare_color(last) and last.det == "bare"
+    return tally(items[1:]) > 1 or (len(items) == 2 and mere)
+
+
+def the_other(first: Meaning, item: Meaning) -> Noun | None:
+    """ "the other patch, the red one": one thing told twice."""
+    if not (isinstance(first, Noun) and isinstance(item, Noun)) or first.det != "other" or item.det != "the":
+        return None
+    plain = first.traits == Traits() and not first.plural and not item.plural and first.amount == item.amount
+    same = plain and item.head in ("any", first.head) and item.traits != Traits() and item.part_of is None
+    return replace(item, head=first.head if first.head != "any" else item.head) if same else None
 
 
 def universal(item: Meaning) -> bool:

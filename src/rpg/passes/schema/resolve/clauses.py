@@ -30,7 +30,7 @@ from rpg.passes.schema.resolve.alone import told_alone
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.centred import centred
-from rpg.passes.schema.resolve.denials import denied
+from rpg.passes.schema.resolve.denials import denied, denied_once
 from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
 from rpg.passes.schema.resolve.leftovers import nothing_left
 from rpg.passes.schema.resolve.logic import conj
@@ -57,6 +57,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     scene.clause += 1
     number = scene.clause
     scope = Scope(start=start, given=clause.mode == "given" or start)
+    clause = denied_once(clause)
     spec = sort_adjuncts(clause.adjuncts)
     if distractors(clause, spec, scene):
         nothing_left(spec, clause)

@@ -59,6 +59,9 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return a.patch == b.patch
         case (r.Empty(), r.OnPatch()):
             return a.patch == b.patch
+        case (r.OnPatch(), r.Directional() | r.Beside()) | (r.Directional() | r.Beside(), r.OnPatch()):
+            there, beside = (a, b) if isinstance(a, r.OnPatch) else (b, a)
+            return isinstance(beside, r.Directional | r.Beside) and isinstance(there, r.OnPatch) and _of(beside, there)
         case (r.On(), r.Clear()):
             return a.b == b.a
         case (r.Clear(), r.On()):
@@ -74,6 +77,11 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     if _flat_and_upright(a, b) or _flat_and_upright(b, a):
         return True
     return _opposite(a, b) if isinstance(a, r.Directional) and isinstance(b, r.Directional) else False
+
+
+def _of(beside: r.Directional | r.Beside, there: r.OnPatch) -> bool:
+    """Whether a block beside a patch would have to be on it."""
+    return beside.b == (there.patch,) and bool(set(members(beside.a)) & set(members(there.a)))
 
 
 def _opposite(a: r.Directional, b: r.Directional) -> bool:

@@ -2,15 +2,35 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.ir import goal as g
-from rpg.language.meaning import Clause, Coord, In, Loc
+from rpg.language.meaning import Clause, Coord, In, Loc, Noun
 from rpg.passes.schema.resolve.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.world import Scene, refuse, wholes
 
 
+def denied_once(clause: Clause) -> Clause:
+    """ "is not on red and not on blue": both are denied, and neither twice."""
+    again = [a for a in clause.adjuncts if isinstance(a, Loc | In) and a.negated]
+    if not clause.negated or not again:
+        return clause
+    if len(again) == len(clause.adjuncts):
+        raise refuse("ambiguous", "it is not clear what is denied here", clause.span, "say 'not' once")
+    placed = tuple(replace(a, negated=False) for a in clause.adjuncts if isinstance(a, Loc | In))
+    rest = (a for a in clause.adjuncts if not isinstance(a, Loc | In))
+    return replace(clause, adjuncts=(Coord(op="and", items=placed, span=clause.span), *rest))
+
+
+def of_the_same(clause: Clause) -> bool:
+    """ "are not on the same patch": one of them may be there."""
+    marks = (a.landmark for a in clause.adjuncts if isinstance(a, Loc))
+    return any(isinstance(mark, Noun) and mark.traits.scheme == "same" for mark in marks)
+
+
 def denied(goals: Atoms, clause: Clause, scene: Scene, together: bool) -> Atoms:
     """The opposite of what a clause states. `together`: "not both", "not all", where some of it may be so."""
-    if together:
+    if together or of_the_same(clause):
         return [g.Not(goal=conj(goals, clause.span), span=clause.span)] if goals else []
     places = [place for place in clause.adjuncts if isinstance(place, Loc | In) and not place.negated]
     open_ = any(isinstance(place, Loc) and isinstance(place.landmark, Coord) for place in places)

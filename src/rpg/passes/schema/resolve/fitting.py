@@ -13,6 +13,7 @@ from rpg.core.diagnostics import Span
 from rpg.language.grammar.retold import tally
 from rpg.language.meaning import (
     Absolute,
+    At,
     Chain,
     Clause,
     Coord,
@@ -59,6 +60,7 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                     _structure(part)
                 case Clause():
                     _clause(part)
+                    _own_parts(part)
                 case Using() | OrderBy() | Absolute():
                     _certain(part)
                 case Manner(kind="idle", value=str(said)):
@@ -204,12 +206,30 @@ def _tallied(whole: Noun, adjuncts: tuple[Meaning, ...]) -> None:
                 )
 
 
+def _own_parts(clause: Clause) -> None:
+    """Refuse "a tower of four blue blocks with the top one red": then only three of the four are blue."""
+    shape = clause.theme
+    blocks = shape.members if isinstance(shape, Structure) else None
+    if not isinstance(shape, Structure) or not isinstance(blocks, Noun) or blocks.amount is None:
+        return
+    parts = [x for x in parts_of((*shape.details, *clause.adjuncts)) if isinstance(x, Absolute)]
+    for part in parts if len(blocks.traits.colors) == 1 else ():
+        own = isinstance(part.adjuncts[0], At) and part.adjuncts[0].own and shape.kind == "stack"
+        looks = part.theme.traits.colors if isinstance(part.theme, Noun) else ()
+        if own and looks and looks != blocks.traits.colors:
+            raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", part.span,
+                         f"say how many are {blocks.traits.colors[0]}, and how many {looks[0]}")  # fmt: skip
+
+
 def _structure(shape: Structure) -> None:
     traits = shape.traits
     if _open(shape.members):
         raise _either(shape.span)
     if shape.det == "no" or _none(shape.members):
         raise _unfit("what should not be there is no goal to build", shape.span, "say what should be there")
+    if traits.scheme == "different" and shape.kind == "stack" and shape.det == "bare" and shape.amount is None:
+        raise _unfit("this says only which tower a block is not in", shape.span,
+                     "say what each tower is made of, or 'not in one tower'")  # fmt: skip
     if traits.empty:
         raise _unfit("only patches can be empty", shape.span, "leave the word out")
     if isinstance(shape.members, Noun):

@@ -24,9 +24,15 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     if theme.patch:
         raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
     if mark.op == "or" or (mark.quant is not None and mark.quant.low == 1):
+        if theme.each and not theme.built:
+            return _on_any(theme, patches, span)
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
+    if scene.denying and mark.det == "both":
+        return conj([_on_patch(theme, p, span) for p in patches], span)
+    if (len(theme.names) == 1 and not mark.each and not scene.denying) or theme.op not in ("and", "except"):
+        raise refuse("ambiguous", "a block cannot be on several patches at once", span, "name one of them, or say 'or'")
     if mark.each and theme.quant is not None and _known(theme, scene):
         return conj([_on_patch(theme, p, span) for p in patches], span)
     if mark.each and theme.quant is not None and not _just_these(theme, scene):
@@ -46,10 +52,17 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         )
     if mark.each and (theme.built or len(theme.names) < len(patches)):
         raise refuse("ambiguous", "this cannot be on each of several patches at once", span, "name what each one gets")
+    if theme.quant is not None and not mark.each:
+        return _on_any(theme, patches, span)
     if len(theme.names) == len(patches):
         pairs = zip(theme.names, patches, strict=True)
         return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
-    return conj([disj([r.OnPatch(a=(a,), patch=p, span=span) for p in patches], span) for a in theme.names], span)
+    return _on_any(replace(theme, built=()), patches, span)
+
+
+def _on_any(theme: Ref, patches: tuple[str, ...], span: Span) -> g.Goal:
+    """Each of the blocks, or so many of them, on any of the patches."""
+    return spread(theme, lambda a: disj([r.OnPatch(a=a, patch=p, span=span) for p in patches], span), span)
 
 
 def _unnamed(lots: list[tuple[str, ...]], scene: Scene) -> bool:

@@ -60,6 +60,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if retold(meaning.items):
         raise refuse("ambiguous", "these could be further blocks, or what was counted before told apart", meaning.span,
                      "say 'and' between further blocks, or leave the number out")  # fmt: skip
+    _unmixed(meaning)
     parts: list[Ref] = []
     seen: list[Traits] = []
     last = meaning.items[-1]
@@ -108,6 +109,18 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     )
 
 
+def _unmixed(meaning: Coord) -> None:
+    """Refuse "red and blue or green", where nothing says which belong together."""
+    for item in meaning.items:
+        bare = isinstance(item, Noun) and item.det == "bare" and len(item.traits.colors) > 1
+        if bare and isinstance(item, Noun) and item.traits.either is (meaning.op == "and") and meaning.op in _BOTH_WAYS:
+            raise refuse("ambiguous", "it is not clear what 'and' joins here, and what 'or'", meaning.span,
+                         "say 'either ... or ...', or use two sentences")  # fmt: skip
+
+
+_BOTH_WAYS = ("and", "or")
+
+
 def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     """ "all blocks except the red one", "the red but not the blue block"."""
     out = refer(meaning.items[-1], scene, scope)
@@ -117,6 +130,9 @@ def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if scope.role == "landmark" and not {n for part in whole for n in part.names} & set(out.names):
         raise refuse("ambiguous", "this is an exception to something said before it", meaning.items[-1].span,
                      "say 'all blocks except ...', or say this part in a sentence of its own")  # fmt: skip
+    if _new(meaning.items[0]) and not {n for part in whole for n in part.names} & set(out.names):
+        raise refuse("misplaced", "this is none of the blocks that it is an exception to", meaning.items[-1].span,
+                     "say how many blocks of each look there are")  # fmt: skip
     names = tuple(dict.fromkeys(n for part in whole for n in part.names if n not in out.names))
     if not names and _everything(meaning.items[0]) and not out.patch:
         scene.new_batch()
@@ -127,6 +143,12 @@ def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     return Ref(
         names=names, patch=whole[0].patch, op="except", parts=(Ref(names=names), out), plural=True, span=meaning.span
     )
+
+
+def _new(meaning: Meaning) -> bool:
+    """ "a circle of eight red blocks", "eight red blocks": what is called for in just this way."""
+    counted = isinstance(meaning, Noun) and meaning.amount is not None and meaning.det == "bare"
+    return isinstance(meaning, Structure) or (counted and isinstance(meaning, Noun) and bool(meaning.traits.colors))
 
 
 def _everything(meaning: Meaning) -> bool:
@@ -362,6 +384,8 @@ def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
 
 def _alternatives(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     parts = []
+    if (noun.head, noun.det) == ("any", "any"):
+        noun = replace(noun, det="bare")
     for color in noun.traits.colors:
         one = replace(
             noun, traits=replace(noun.traits, colors=(color,), either=False), plural=noun.plural and noun.head != "any"

@@ -14,6 +14,7 @@ from rpg.ir.order import Order
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.alone import none_beyond, none_there, only_here, only_on
 from rpg.passes.schema.resolve.corners import corners
+from rpg.passes.schema.resolve.ends import two_ends
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import none_another, reciprocal
 from rpg.passes.schema.resolve.operands import (
@@ -44,6 +45,8 @@ from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse, wholes
 
 HALFWAY_GAP = 10.0
 """How far apart two blocks with one halfway between them may be, in edges: as far as the workspace allows."""
+WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
+"""Structures that no corner is told of."""
 PATCH_MIDDLE = 0.02
 """How far from a patch's centre a block in its middle may be, in metres."""
 
@@ -61,14 +64,25 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
     match meaning:
         case In(region="each_corner" | "each_corner?"):
             return corners(theme, meaning, scene, span)
+        case In(vague=True) if any(built.kind not in WITHOUT_CORNERS for built in scene.built):
+            raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region}", meaning.span,
+                         f"say 'in the {meaning.region} of the table', or name the structure's blocks")  # fmt: skip
         case In():
             return [negate(_region(theme, meaning.region, span), meaning.negated, span, wholes(scene))]
         case Coord():
+            if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
+                apart = [Ref(names=(n,)) for n in theme.names]
+                return [x for one in apart for x in place(one, meaning, scene, scope, span)]
             if meaning.op == "or":
                 return [disj([_alternative(theme, x, scene, scope, span) for x in meaning.items], span)]
             return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
+        case Loc(landmark=Coord(op=op, items=marks)) if any(getattr(x, "word", "") == "each other" for x in marks):
+            both = tuple(replace(meaning, landmark=x) for x in marks)
+            return place(theme, Coord(op=op, items=both, span=meaning.span), scene, scope, span)
         case Loc():
             goals = _loc(theme, meaning, scene, scope, span)
+            if meaning.negated and getattr(getattr(meaning.landmark, "traits", None), "scheme", "") == "same":
+                return [g.Not(goal=conj(goals, span), span=span)]
             return negation(goals, span, wholes(scene)) if meaning.negated else goals
         case _:
             raise refuse("misplaced", "this does not say where something is", meaning.span)
@@ -227,6 +241,8 @@ def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:
 
 def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
     """One relation, over alternatives, each-to-each pairs and counts of the landmark."""
+    if mark.op == "or" and theme.each and not theme.built and len(theme.names) > 1:
+        return conj([_landmarks(Ref(names=(n,)), mark, loc, scene, span) for n in theme.names], span)
     if mark.op == "or":
         return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
     if mark.quant is not None:
@@ -349,19 +365,7 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
 
 
 def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
-    ends = mark.parts if len(mark.parts) == 2 else tuple(Ref(names=(n,)) for n in mark.names)
-    if len(mark.built) == 2 and len(mark.parts) != 2:
-        ends = tuple(Ref(names=b.members, built=(b,)) for b in mark.built)
-    elif len(mark.built) == 1 and mark.built[0].kind == "towers":
-        ends = _two_towers(mark, scene)
-    if mark.op == "or" or len(ends) != 2:
-        raise refuse(
-            "between-two",
-            "'between' wants two ends",
-            loc.span,
-            "say 'between the red block and the blue block'",
-            ends=len(ends),
-        )
+    ends = two_ends(mark, loc, scene)
     b, c = (foot(e) for e in ends)
     if loc.rel == "sandwiched":
         if len(theme.names) != 1 or any(len(e.names) != 1 for e in ends):
@@ -381,18 +385,3 @@ def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         order = Order(by="given", ranks=(b, theme.names, c))
         return s.Row(blocks=(*b, *theme.names, *c), order=order, evenly=True, gap_edges=HALFWAY_GAP, span=span)
     return spread(theme, lambda a: r.Between(a=a, b=b, c=c, span=span), span)
-
-
-def _two_towers(mark: Ref, scene: Scene) -> tuple[Ref, ...]:
-    """Two towers of look-alike blocks, told apart by fixing which block is in which."""
-    names = mark.names
-    looks = {(scene.things[n].color, scene.things[n].label) for n in names}
-    if len(looks) > 1 or len(names) % 2 or None in {c for c, _ in looks}:
-        return (mark,)
-    half = len(names) // 2
-    ends = []
-    for part in (names[:half], names[half:]):
-        built = scene.add_built("stack", part, False, mark.span)
-        scene.goals.setdefault(scene.clause, []).append(s.Stack(blocks=part, exact=True, span=mark.span))
-        ends.append(Ref(names=part, built=(built,)))
-    return tuple(ends)

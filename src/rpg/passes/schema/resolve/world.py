@@ -95,8 +95,8 @@ class Ref:
 
     @property
     def mixed(self) -> bool:
-        """ "one of the red blocks and two of the blue ones": so many of each part."""
-        return self.op == "and" and any(part.quant is not None for part in self.parts)
+        """ "one of the red blocks and two of the blue ones", "red and either blue or green": so many of each part."""
+        return self.op == "and" and any(part.quant is not None or part.op in ("or", "xor") for part in self.parts)
 
 
 @dataclass

@@ -84,7 +84,7 @@ VERBS = {
     "place": "put place add move set position lay bring transfer relocate drop push slide shift carry get deliver "
     "locate seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich "
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
-    "heave hoist install wedge fit slot squeeze",
+    "heave hoist install wedge fit slot squeeze center",
     "pick": "pick grab grasp lift take",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape",
@@ -121,7 +121,7 @@ DOUBLED = {
 }  # fmt: skip
 POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "
-    "stays stay staying remains remain remaining seen shown visible "
+    "stays stay stayed staying remains remain remained remaining seen shown visible "
     "come comes coming serve serves ends end goes go located positioned placed put found situated ending resides "
     "reside belong belongs appear appears hidden act acts finish finishes finished"
 )

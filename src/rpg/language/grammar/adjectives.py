@@ -278,7 +278,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         for (listed, _either), k in colors(p, j):
             if len(listed) == 1:
                 yield Marks({"colors": listed}), k
-    if head == "patch" and (j := p.any_of(i, _OWN)):
+    if head in ("patch", "block") and (j := p.any_of(i, _OWN)):
         yield Marks({"scheme": "different"}), j
     if head == "patch" and (j := p.any_of(i, _MARKED)):
         yield Marks({"target": True}), j

@@ -71,6 +71,7 @@ def amount(p: Parser, i: int) -> Results[Amount]:
             for n, k in count(p, j):
                 bounds = {"exact": (n, n), "low": (n, None), "high": (0, n)}[kind]
                 yield Amount(bounds[0], bounds[1], True), k
+    yield from _both_bounds(p, i)
     if j := p.seq(i, "more than"):
         yield from ((Amount(n + 1, None, True), k) for n, k in count(p, j))
     if j := p.any_of(i, ("fewer than", "less than")):
@@ -79,6 +80,22 @@ def amount(p: Parser, i: int) -> Results[Amount]:
         for n, k in count(p, j):
             if k := p.one(k, "and"):
                 yield from ((Amount(n, m, True), after) for m, after in count(p, k) if m > n)
+
+
+@choice
+def _both_bounds(p: Parser, i: int) -> Results[Amount]:
+    """ "at least one, but no more than two,", "some, but at most two": both ends of a range."""
+    low = [(n, k) for n, k in count(p, p.any_of(i, _LOW))] if p.any_of(i, _LOW) else []
+    if some := p.one(i, "some"):
+        low.append((1, some))
+    for n, j in low:
+        but = p.any_of(j, (", but", "but", "and", ", and", ","))
+        high = p.any_of(but, _HIGH) if but else 0
+        for m, k in count(p, high) if high else ():
+            if m > n:
+                yield Amount(n, m, True), k
+                if p.words[j] == "," and (closed := p.one(k, ",")):
+                    yield Amount(n, m, True), closed
 
 
 @rule
@@ -166,6 +183,8 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
         of = p.one(j, "of")
         if of:
             yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
+        if word == "any" and (of := next((p.one(k, "of") for _, k in count(p, j)), 0)):
+            yield from ((Quantity("some", Amount(n, n), True, partitive=True), of) for n, _ in count(p, j) if n > 1)
         if word in ("each", "every", "any") and (of := p.seq(j, "one of")):
             yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
         if word in ("none", "one"):
@@ -181,7 +200,7 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
             j = k
         if det in ("all", "any", "no"):
             for found, k in amount(p, j):
-                yield Quantity(det, found, found.high != 1), k
+                yield Quantity("bare" if det == "any" and found.low > 1 else det, found, found.high != 1), k
                 if det == "no" and (of := p.one(k, "of")):
                     yield Quantity(det, found, True, partitive=True), of
 

@@ -13,7 +13,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.denials import denied_of_all
 from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.each_color import of_each_color
-from rpg.language.grammar.frames import COMMAND_FRAMES, FIRST, START_FRAMES, STATE_FRAMES, TAG
+from rpg.language.grammar.frames import COMMAND_FRAMES, DONT, FIRST, START_FRAMES, STATE_FRAMES, TAG
 from rpg.language.grammar.gaps import gap
 from rpg.language.grammar.having import having, structure_is
 from rpg.language.grammar.inventory import inventory
@@ -251,7 +251,7 @@ _AGENTS = (
 def _command(p: Parser, i: int) -> Results[Meaning]:
     """ "stack the red block on ...", "do not move ...", "never touch ..."."""
     j, negated = i, False
-    if k := p.any_of(i, ("do not", "never", "avoid", "do n't", "not")):
+    if k := p.any_of(i, DONT):
         j, negated = k, True
         j = p.opt(j, "ever")
     never = p.words[i : i + 1] == ["never"] or p.follows(j, ("ever",))

@@ -20,6 +20,11 @@ _GAPS = (
 )
 
 
+_IS = (
+    "is", "be", "comes to", "amounts to", "measures",
+    *(f"{must} {be}" for must in ("should", "must", "has to", "shall", "ought to", "needs to", "is to", "will")
+      for be in ("be", "come to", "amount to", "measure")),
+)  # fmt: skip
 _ARE = ("are", "should be", "must be", "have to be", "are to be", "shall be", "lie", "stay", "being")
 
 
@@ -71,7 +76,7 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
             measure = "faces" if p.words[k - 2] == "faces" else measure
             for theme, end in noun_phrase(p, k):
                 made = end if p.words[i] in ("make", "keep") else 0
-                end = p.any_of(end, ("is", "should be", "must be", "has to be", "shall be", "be")) or made
+                end = p.any_of(end, _IS) or made
                 for (low, high), last in bounds(p, end) if end else ():
                     yield _far_apart(p, i, last, theme, low, high, measure), last
     spans += [(b, e, "faces") for b, e in bounds(p, j)]

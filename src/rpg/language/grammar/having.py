@@ -11,7 +11,7 @@ from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.along import listed_along
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.lists import listed
-from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.onto import one_on_another
 from rpg.language.grammar.pronouns import pronoun
 from rpg.language.grammar.sides import toward
@@ -43,6 +43,7 @@ _HAS = (
     "ends up with", "gets",
     "get", "should get", "needs", "should end up with", "must end up with", "should be left with",
 )  # fmt: skip
+_SHARE = ("share", "shares", "should share", "must share", "have to share", "are to share", "shall share")
 _CARRIES = (
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
@@ -58,6 +59,10 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
         if isinstance(owner, Pronoun | TableTop):
             continue
         yield from _made_up(p, i, j, owner, mode)
+        for mark, end in simple(p, k) if (k := p.any_of(j, _SHARE)) else ():
+            if isinstance(mark, Noun) and mark.head == "patch" and not mark.plural:
+                on = Loc(rel="on", landmark=mark, span=p.span(j, end))
+                yield _stated(p, i, end, owner, (on,), mode), end
         if k := p.any_of(j, _HAS):
             for theme, start in noun_phrase(p, k):
                 if (lying := _on_patch(owner, theme, p.span(i, start))) is not None:

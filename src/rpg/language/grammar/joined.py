@@ -240,6 +240,15 @@ def _mere_number(item: Noun) -> bool:
     return item.head == "any" and item.det == "bare" and item.amount is not None and item.traits == Traits()
 
 
+def _of_another_kind(whole: Meaning, out: Meaning) -> bool:
+    """ "the letters apart from the digits": these are no exception, for they are none of those."""
+    if not isinstance(whole, Noun) or not isinstance(out, Noun):
+        return False
+    one, two = whole.traits, out.traits
+    told = [(one.kind, two.kind), (one.colors, two.colors), (one.quality, two.quality)]
+    return any(a and b and a != b for a, b in told)
+
+
 def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord]:
     """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B"."""
     from rpg.language.grammar.nouns import noun_phrase, simple
@@ -253,6 +262,8 @@ def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Result
     if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
         for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
+            if p.words[comma] == "apart" and _of_another_kind(items[0], item):
+                continue
             yield from (
                 (Coord(op="except", items=(*items, item), span=p.span(i, j)), e) for e in {j: None, closed: None}
             )

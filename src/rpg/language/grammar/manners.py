@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
-from rpg.language.grammar import amounts
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.standby import AS_EXTRAS
+from rpg.language.grammar.strangers import strangers
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Manner, Meaning
 
@@ -16,12 +16,17 @@ _FACE_WORDS = {"up": "up", "upward": "up", "upwards": "up", "down": "down", "dow
                "robot": "front", "us": "viewer"}  # fmt: skip
 
 
+_AWAY = ("away from me", "away from us", "away from the camera", "away from the viewer", "away from the robot")
+
+
 @rule
 def direction(p: Parser, i: int) -> Results[str]:
     """ "up", "to the left", "towards the camera"."""
     j = p.any_of(i, ("to the", "toward the", "towards the", "to", "towards", "toward", "the")) or i
     if side := p.peek(j, _FACE_WORDS):
         yield side, p.reach(j + 1)
+    if j := p.any_of(i, _AWAY):
+        yield "back", j
 
 
 _ANY_WAY = Patterns(
@@ -55,10 +60,7 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     yield from ((Manner(kind="idle", value="any way", span=p.span(i, j)), j) for j in _ANY_WAY.matches(p, i))
     for n, j in _degrees(p, p.opt(i, "turned", "rotated", "twisted", "spun")):
         yield from _spun(p, i, j, n)
-    yield from _strangers(p, i, comma)
-    for many, k in amounts.amount(p, p.any_of(comma, _SO_THAT)) if p.any_of(comma, _SO_THAT) else ():
-        if many.low == many.high and (last := max(_OF_OTHERS.matches(p, k), default=0)):
-            yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last
+    yield from strangers(p, i)
     if j := max((k for at in {i, comma} for k in _STREWN.matches(p, at)), default=0):
         yield Manner(kind="strewn", span=p.span(i, j)), j
     if j := max((k for at in {i, comma} for k in AS_EXTRAS.matches(p, at)), default=0):
@@ -68,25 +70,6 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         yield Manner(kind=kind, value=value, span=p.span(i, j)), j
 
 
-def _strangers(p: Parser, i: int, comma: int) -> Results[Meaning]:
-    """ "but with exactly one wrong block in each group": so many strangers in each."""
-    j = p.any_of(comma, ("with", "but with", "and with", "each with", "but", "so that each has", "so each has"))
-    for many, k in amounts.amount(p, j) if j else ():
-        end = p.any_of(k, _STRANGERS)
-        last = (
-            p.any_of(end, ("in each group", "in each pile", "in each", "per group", "each", "in every group"))
-            if end
-            else 0
-        )
-        if last and many.low == many.high:
-            yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last
-
-
-_STRANGERS = (
-    "outlier", "outliers", "stranger", "strangers", "wrong block", "wrong blocks", "wrong one", "wrong ones",
-    "wrong cube", "wrong cubes", "odd one out", "misfit", "misfits", "intruder", "intruders",
-    "block that does not belong",
-)  # fmt: skip
 _STREWN = Patterns(
     "randomly|loosely|all|freely? scattered|strewn|spread_randomly|distributed_randomly|randomly_placed|"
     "randomly_distributed|placed_randomly|placed_at_random randomly|at_random|loosely? "
@@ -95,12 +78,6 @@ _STREWN = Patterns(
     "at_random|randomly over|around|on|across the table|tabletop|workspace",
 )
 """Of things that lie about: so they begin wherever nothing else is said of it."""
-_SO_THAT = ("so that", "such that", "so", "where", "in such a way that")
-_OF_OTHERS = Patterns(
-    "block|cube|blocks|cubes|one|ones of the|another other? color|kind|group|colors is|are in|inside each|every "
-    "bunch|group|pile|heap|one|of_them",
-)
-"""So many blocks of another colour in each group."""
 _DOWN = (
     "upside down", "flipped upside down", "inverted", "in an inverted orientation", "turned upside down",
     "rotated upside down",
@@ -161,24 +138,29 @@ def _rising(p: Parser, i: int, j: int) -> Results[Meaning]:
         yield Manner(kind="rising", value=p.words[j], span=p.span(i, j + 1)), p.reach(j + 1)
 
 
+_EVENTS = ("episode", "task", "run", "game", "process", "procedure", "exercise", "operation", "trial", "simulation")
 _LITTLE: dict[str, tuple[str, float | str | None]] = {
+    **{f"{lead} {whole} {event}": ("always", None)
+       for lead in ("during", "throughout", "for", "over")
+       for whole in ("the", "the whole", "the entire", "all of the", "the complete", "this", "this whole")
+       for event in _EVENTS},
+    **{f"{lead}{whole} time": ("always", None)
+       for lead in ("", "during ", "for ") for whole in ("the whole", "the entire", "all of the", "all that")},
+    **dict.fromkeys((
+        "all along", "at every moment", "at each moment", "at every point", "at every step", "from beginning to end",
+        "from the beginning to the end", "from the start to the end", "from start to end", "until the end",
+        "until the very end", "up to the end", "till the end", "all the way through", "the whole way through"), ("always", None)),
+    **{f"{at} of {the}{event}": (kind, None)
+       for kind, places in (("start", ("at the start", "at the beginning", "at the very start", "in the beginning")),
+                            ("finally", ("at the end", "by the end", "at the very end", "in the end")))
+       for at in places for the in ("the ", "this ") for event in _EVENTS},
+    **{f"{at} the {first} {state}": ("start", None)
+       for at in ("in", "at") for first in ("initial", "starting", "start", "original", "opening")
+       for state in ("state", "situation", "configuration", "scene", "setup", "arrangement", "layout", "picture")},
     "before that": ("time", 0.0), "beforehand": ("time", 0.0), "before this": ("time", 0.0),
     "right where it is": ("stay", None), "exactly where it is": ("stay", None), "where it stands": ("stay", None),
     "please": ("idle", None), ", please ,": ("idle", None), "if possible": ("idle", None),
     "from where i stand": ("idle", None), "as i see it": ("idle", None), "from my side": ("idle", None),
-    "with exactly one outlier in each pile": ("outliers", 1.0),
-    "with exactly one outlier in each group": ("outliers", 1.0),
-    "so that each group has exactly one stranger": ("outliers", 1.0),
-    "so that each pile has exactly one outlier": ("outliers", 1.0),
-    "so that each group has exactly one outlier": ("outliers", 1.0),
-    "with one outlier in each pile": ("outliers", 1.0), "with one outlier in each group": ("outliers", 1.0),
-    "with one outlier each": ("outliers", 1.0), "with exactly one outlier each": ("outliers", 1.0),
-    "so that each pile has one outlier": ("outliers", 1.0),
-    "with exactly one stranger in each group": ("outliers", 1.0),
-    "with exactly one stranger in each pile": ("outliers", 1.0), "so each has one outlier": ("outliers", 1.0),
-    ", with exactly one outlier in each pile": ("outliers", 1.0),
-    ", with exactly one outlier in each group": ("outliers", 1.0),
-    "with exactly two outliers in each group": ("outliers", 2.0), "with two outliers in each group": ("outliers", 2.0),
     "but not both": ("xor", None), ", but not both": ("xor", None), ", not both": ("xor", None),
     "but not on both": ("xor", None),
     "first": ("time", 1.0), "second": ("time", 2.0), "third": ("time", 3.0), "last": ("time", 99.0),
@@ -213,8 +195,13 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "while doing so": ("always", None), "while doing this": ("always", None), "while you do so": ("always", None),
     "while you do that": ("always", None), "while you do this": ("always", None), "in the process": ("always", None),
     "at any moment": ("always", None), "at any stage": ("always", None), "in the meantime": ("always", None),
-    ", where it starts": ("begun", None), ", where they start": ("begun", None), "where it starts": ("begun", None),
-    ", where it begins": ("begun", None), ", where they begin": ("begun", None), ", as at the start": ("begun", None),
+    **{f"{where} {it} {start}": ("begun", None)
+       for where in ("where", ", where", "which is where", ", which is where", ", on which", "on which", ", in which")
+       for it in ("it", "they", "it all", "they all", "they both", "both", "both of them", "all of them", "these")
+       for start in ("starts", "start", "begins", "begin", "started", "began", "is at the start", "are at the start",
+                     "is initially", "are initially", "lies at the start", "lie at the start", "starts out",
+                     "start out", "is at the beginning", "are at the beginning", "initially lie", "initially lies")},
+    ", as at the start": ("begun", None),
     "any more": ("gone", None), "anymore": ("gone", None), "any longer": ("gone", None),
     "all the time": ("always", None), "from start to finish": ("always", None),
     "during the whole task": ("always", None),
@@ -223,6 +210,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "at any point": ("always", None), "ever": ("always", None),
     "the other way round": ("backwards", None), "the other way around": ("backwards", None),
     "later": ("time", 50.0), "later on": ("time", 50.0),
+    **{f"{lead}{wholly}": ("idle", "whole " + wholly)
+       for lead in ("", ", ") for wholly in ("completely", "entirely", "fully", "totally", "altogether", "all the way")},
     "respectively": ("respectively", None), "backwards": ("backwards", None), "in reverse": ("backwards", None),
     "backward": ("backwards", None),
     "at the end": ("finally", None), "in the end": ("finally", None), "at once": ("idle", "pace at once"),
@@ -251,6 +240,17 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "back to its original place": ("stay", None), "back to its original position": ("stay", None),
     "to their original places": ("stay", None), "to their original positions": ("stay", None),
     "to its starting position": ("stay", None), "back to its starting position": ("stay", None),
+    **{f"{at} {its} {same} {place}": ("stay", None)
+       for at in ("in", "at", "on") for its in ("its", "their", "the")
+       for same in ("current", "original", "initial", "starting", "present", "old", "same", "own", "exact same")
+       for place in ("position", "place", "spot", "positions", "places", "location", "locations")},
+    **{f"{exactly}where {it} {was}": ("stay", None)
+       for exactly in ("", "right ", "exactly ", "just ", "precisely ", "to ", "back to ")
+       for it in ("it", "they") for was in (
+           "is", "are", "was", "were", "stands", "stand", "lies", "lie", "sits", "sit", "is now", "are now", "starts",
+           "is standing", "are standing", "is lying", "are lying", "started", "began", "currently is", "begins",
+           "currently are",
+           "is right now", "are right now", "was at the start", "were at the start", "happens to be", "happen to be")},
     "where it started": ("stay", None), "as is": ("stay", None),
     "in the same place": ("stay", None), "where it currently is": ("stay", None),
     "in their current positions": ("stay", None), "in the same position": ("stay", None),

@@ -59,7 +59,9 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
 
 _GIVE = (
     "plus or minus", "plus minus", "+ / -", "+ -", "give or take", "with a tolerance of", "tolerance", "tolerance of",
-    "to within", "with tolerance", "tolerance :",
+    "to within", "with tolerance", "tolerance :", "with an accuracy of", "with a precision of", "to an accuracy of",
+    "with an error of at most", "accurate to", "accurate to within", "with a tolerance of at most",
+    "with a margin of", "within a tolerance of", "to a tolerance of", "+ or -",
 )  # fmt: skip
 
 
@@ -106,7 +108,8 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
             if name not in ("left", "right", "front", "behind"):
                 continue
             for landmark, end in noun_phrase(p, k):
-                yield Loc(rel=name, landmark=landmark, mods=mods, low=low, high=high, span=p.span(i, end)), end
+                far = Loc(rel=name, landmark=landmark, mods=mods, low=low, high=high, span=p.span(i, end))
+                yield from _measured_so(p, far, i, end)
     if j := p.any_of(i, ("with a gap of", "leaving a gap of", "a gap of")):
         for (low, high), k in bounds(p, j):
             if k := p.any_of(k, ("from", "to")):
@@ -149,7 +152,7 @@ def _bound(p: Parser, i: int, end: int, landmark: Meaning, metres: float, least:
 
 _BETWEEN_CENTERS = (
     "apart from each other", "from each other", "away from each other", "apart", "from one another", "of each other",
-    "of one another", "center to center", "from center to center", "between centers", "apart from one another",
+    "of one another", "away", "center to center", "from center to center", "between centers", "apart from one another",
 )  # fmt: skip
 _BETWEEN_FACES = (
     "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
@@ -218,6 +221,14 @@ _FROM_HERE = Patterns(
 """From where a block is found."""
 
 
+_ELSEWHERE = Patterns(
+    "to|at|in|on? somewhere|someplace|anywhere else on? the? table?",
+    "to? elsewhere on? the? table?",
+    "to|at|in|on another|a_different|some_other|a_new|a_different|any_other place|spot|position|location on? the? table?",
+)
+"""Not where a block is found."""
+
+
 @choice
 def _spaced(p: Parser, i: int) -> Results[Meaning]:
     """ "leaving a 2 cm gap between them", "with gaps of 2 cm"."""
@@ -251,8 +262,14 @@ def _moved(p: Parser, i: int) -> Results[Meaning]:
     if away := max(_FROM_HERE.matches(p, i), default=0):
         yield Loc(rel="moved", low=0.05, mods=("here",), span=p.span(i, away)), away
         for (low, high), j in bounds(p, p.opt(away, ",")):
+            again = max(_FROM_HERE.matches(p, j), default=j)
             if high is None:
-                yield Loc(rel="moved", low=low, high=high, span=p.span(i, j)), j
+                yield Loc(rel="moved", low=low, high=high, span=p.span(i, again)), again
+    if other := max(_ELSEWHERE.matches(p, i), default=0):
+        yield Loc(rel="moved", low=0.05, mods=("else",), span=p.span(i, other)), other
+        for (low, high), j in bounds(p, p.opt(other, ",")):
+            if high is None and (here := max(_FROM_HERE.matches(p, j), default=0)):
+                yield Loc(rel="moved", low=low, mods=("else",), span=p.span(i, here)), here
     far = p.one(i, "by") or i
     for (low, high), j in bounds(p, far):
         if (here := max(_FROM_HERE.matches(p, j), default=0)) and high is None:

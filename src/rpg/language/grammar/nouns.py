@@ -17,6 +17,7 @@ from rpg.language.grammar.joined import all_but, apposed, more, of_each
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.pronouns import pronoun
 from rpg.language.grammar.standby import further_extras
+from rpg.language.grammar.strangers import STRANGERS
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
 
 _APART = frozenset({"own", "separate", "distinct"})
@@ -89,6 +90,12 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
             if marks.keys() & {"colors", "kind", "size"}:
                 yield Noun(head="block", det="all", plural=True, traits=Traits(**marks), span=p.span(i, k)), k
     for found, j in amounts.quantity(p, i):
+        if found.det == "its" and (own := p.one(j, "own")):
+            yield from (
+                (replace(block, det="a", amount=Amount(1, 1), traits=replace(block.traits, scheme="different")), k)
+                for block, k in _noun(p, i, own, Quantity("a", Amount(1, 1), False))
+                if isinstance(block, Noun) and block.head != "patch" and block.traits.scheme is None
+            )
         if found.partitive:
             yield from _partitive(p, i, j, found)
         else:
@@ -221,6 +228,8 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     start = p.one(i, frozenset({"random", "arbitrary", "other"})) or i
     if j := p.one(start, frozenset({"distractor", "distractors"})):
         yield ("block", p.words[start] == "distractors", {"extra": True}), j
+    if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS)):
+        yield ("block", p.words[i].endswith("s"), {}), j
     if j := p.one(i, frozenset({"one", "ones"})):
         yield ("any", p.words[i] == "ones", {}), j
     if several := p.peek(i, lexicon.COLOR_PLURAL):

@@ -7,7 +7,8 @@ from dataclasses import replace
 from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.measures import bounds
-from rpg.language.meaning import Clause, Loc
+from rpg.language.grammar.nouns import simple
+from rpg.language.meaning import Clause, Loc, Noun, PartOf
 
 _CENTERED = ("centered", "well centered", "aligned", "lined up", "concentric", "with its center aligned", "flush")
 _WITHIN = (
@@ -81,6 +82,24 @@ def _limit(p: Parser, i: int, j: int) -> Results[Loc]:
 
 def _loc(p: Parser, i: int, end: int, far: float) -> tuple[Loc, int]:
     return Loc(rel="offset", high=far, span=p.span(i, end)), end
+
+
+_ON = ("on", "on top of", "over", "upon", "atop", "onto", "with respect to")
+
+
+@rule
+def centred_on(p: Parser, i: int) -> Results[Loc]:
+    """ "centred on the blue block to within 5 mm", "in the middle of the mat": what lies how well on what."""
+    start = p.one(p.opt(i, "well", "exactly", "precisely", "nicely"), frozenset({"centered", "aligned", "center"}))
+    on = p.any_of(start, _ON) if start else 0
+    for mark, j in simple(p, on) if on else ():
+        if isinstance(mark, Noun) and mark.head == "patch":
+            yield Loc(rel="on", landmark=PartOf(part="middle", whole=mark, span=mark.span), span=p.span(i, j)), j
+        lead = p.any_of(p.opt(j, ","), _WITHIN)
+        found = [*_most(p, p.opt(j, ",")), *(_most(p, p.any_of(p.opt(j, ","), ("with", "within", "by")) or j))]
+        found += length(p, lead) if lead else ()
+        for far, end in dict.fromkeys(found):
+            yield Loc(rel="on", landmark=mark, high=far, span=p.span(i, end)), end
 
 
 @rule

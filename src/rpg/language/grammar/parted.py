@@ -23,12 +23,16 @@ _HOMES = Patterns(
     "go|belong|are? all? together? in|into|on|to|in_the|into_the one|first|other|another|a_different|the_other|"
     "a_second|a_separate|second|the_one|the_first|the_second "
     "group|pile|heap|bunch|cluster|side|set|place?",
+    "form|forms|make|makes|build|builds one|another|a|the_other|the_first|the_second group|pile|heap|bunch|cluster",
     "here|there",
 )
 _HEAPS = frozenset({"group", "pile", "heap", "bunch", "cluster"})
 _OWN = Patterns(
     "each|every|same|the_same|one color|kind|letter|sort|type|colors together|be_together|goes|go|is|should_be|"
     "in? in|on|to its_own|one|a_separate|its_own_separate|a|a_single group|pile|heap|bunch|cluster|place of_its_own?",
+    "each|every|the? color|colors|kind|kinds|letter|sort|type should|must|shall? form|forms|make|makes|get|gets|"
+    "has|have|build|is|are|be its|their|a|one|the? own|separate|single? group|groups|pile|heap|bunch|cluster|piles "
+    "of_its_own|for_itself|of_their_own|by_itself?",
 )
 _OWNED = {"color": "color", "colors": "color", "kind": "kind", "sort": "kind", "type": "kind", "letter": "label"}
 

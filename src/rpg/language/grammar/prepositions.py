@@ -12,7 +12,7 @@ _SIMPLE = {
     "on to the top of": "on", "at the top of": "on", "on the surface of": "on", "supported by": "on",
     "carried by": "on", "to rest on": "on", "held up by": "on", "to the above of": "on", "on the upper face of": "on",
     "on the top face of": "on", "on the upper side of": "on", "onto the upper face of": "on",
-    "onto the top face of": "on", "higher than": "above",
+    "onto the top face of": "on", "higher than": "above", "higher up than": "above",
     "in": "in", "inside": "in", "inside of": "in", "into": "in", "within": "in", "at": "in", "to": "in",
     "under": "under", "underneath": "under", "beneath": "under", "below": "under",
     "in front of": "front", "ahead of": "front", "to the front of": "front", "on the front side of": "front",
@@ -37,6 +37,16 @@ _SIMPLE = {
     "far from": "apart", "away from": "apart", "far away from": "apart", "well away from": "apart",
     "apart from": "apart", "off": "off", "off of": "off", "away off": "off",
     "along with": "together", "together with": "together",
+    **{
+        f"{more}{side} than": side
+        for more in ("further ", "farther ", "more ", "further to the ", "farther to the ", "more to the ",
+                     "further on the ")
+        for side in ("left", "right")
+    },
+    "further back than": "behind", "further away than": "behind", "further away from me than": "behind",
+    "further from me than": "behind", "further from the robot than": "behind", "further than": "behind",
+    "further from the camera than": "behind", "further away from the robot than": "behind",
+    "further forward than": "front", "farther forward than": "front", "closer to the viewer than": "front",
 }  # fmt: skip
 """Prepositions with a landmark. "in" and "to" only fit patches and structures; resolution says so where they do not."""
 
@@ -50,6 +60,8 @@ _DIRECT = ("directly", "exactly", "straight", "precisely", "squarely")
 _CLOSE = ("immediately", "right", "just")
 
 
+_LOOSE_TOO = ("front", "behind", "apart")
+"""Relations of which "nearer than" and "apart from" are looser kinds."""
 _LOOSE = ("somewhere", "anywhere", "generally")
 
 
@@ -102,7 +114,7 @@ def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
         for phrase, k in p.standing(j, _SIMPLE):
             loose = mods if not phrase.endswith("than") or phrase == "nearer than" else (*mods, "somewhere")
             loose = (*mods, "besides") if phrase == "apart from" else loose
-            yield (_SIMPLE[phrase], loose if _SIMPLE[phrase] in ("front", "behind", "apart") else mods), k
+            yield (_SIMPLE[phrase], loose if _SIMPLE[phrase] in _LOOSE_TOO or phrase.endswith("than") else mods), k
         for (side, how), k in side_relation(p, j):
             if not side.endswith("?"):
                 extra = {"immediate": ("immediate",), "direct": ("directly",), "side": ("side",)}.get(how, ())

@@ -7,6 +7,8 @@ from dataclasses import replace
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.measures import bounds, limited, measured, measured_bare
 from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.offsets import centred_on
+from rpg.language.grammar.outside import neither, outside
 from rpg.language.grammar.prepositions import relation, side_relation
 from rpg.language.grammar.regions import region
 from rpg.language.meaning import Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
@@ -46,6 +48,9 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from region(p, i)
     yield from measured(p, i)
     yield from limited(p, i)
+    yield from centred_on(p, i)
+    yield from outside(p, i)
+    yield from neither(p, i)
     for (name, mods), j in relation(p, i):
         if p.words[j - 1] == "by" and p.figure(j) is not None:
             continue
@@ -65,14 +70,29 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 + (1 if p.words[i] == "side" and p.words[j - 1] == "with" else 0)
                 + (2 if name == "in" or p.words[i] == "by" else 0)
             )
-            yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost), k
-    if (j := p.one(i, "there")) and (j >= p.end or p.words[j] in _AFTER_THERE):
+            placed = Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost)
+            yield placed, k
+            yield from _by_so_much(p, i, k, placed)
+    there = p.any_of(i, ("in there", "on there", "onto there", "into there", "over there", "right there")) or p.one(
+        i, "there"
+    )
+    if (j := there) and (j >= p.end or p.words[j] in _AFTER_THERE):
         yield Loc(rel="on", landmark=Pronoun(word="there", span=p.span(i, j)), span=p.span(i, j)), j
     yield from _either_relation(p, i)
     yield from _either_place(p, i)
     yield from _between(p, i)
     yield from _possessive(p, i)
     yield from _bare(p, i)
+
+
+_SIDES = ("left", "right", "front", "behind")
+
+
+def _by_so_much(p: Parser, i: int, j: int, placed: Loc) -> Results[Loc]:
+    """ "to the left of the blue block by at least 8 cm": how far it is from it."""
+    by = p.one(p.opt(j, ","), "by") if placed.rel in _SIDES and p.stands(j, (",", "by")) else 0
+    for (low, high), k in bounds(p, by) if by else ():
+        yield replace(placed, low=low, high=high, span=p.span(i, k)), k
 
 
 @choice

@@ -7,11 +7,11 @@ from typing import Any
 
 from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives, color, of_quality
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import label_list
 from rpg.language.grammar.standby import THAT_EXTRAS
 from rpg.language.grammar.wishes import Patterns
-from rpg.language.meaning import Loc, Meaning, Traits
+from rpg.language.meaning import Loc, Meaning, Noun, Traits
 
 _THAT = frozenset({"that", "which", "who", "what"})
 _SHOW = frozenset(
@@ -57,11 +57,32 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
             for marks, k in of_quality(p, j, head):
                 yield Traits(**marks), k
             j = p.opt(j, "currently", "already", "initially")
+        yield from _carrying(p, that, comma > i)
         start = that
         while start < p.end and p.words[start] in lexicon.POSTURE | {"currently", "already", "initially"}:
             start = p.reach(start + 1)
         if start > that or p.words[that : that + 1] == ["touches"]:
             yield from _conditions(p, start, loc, comma > i)
+
+
+_CARRY = (
+    "carries", "carry", "holds up", "hold up", "is carrying", "is holding", "is supporting", "holds", "hold",
+    "supports", "support", "bears", "bear",
+    *(f"{must} {verb}" for must in ("should", "must", "has to", "is to") for verb in ("carry", "hold", "support")),
+)  # fmt: skip
+
+
+@choice
+def _carrying(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
+    """ "(the red block) that carries the pink one": what lies on it."""
+    from rpg.language.grammar.nouns import simple
+
+    j = p.any_of(i, _CARRY)
+    for theme, k in simple(p, j) if j else ():
+        if isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and not theme.traits.labels:
+            wanted = asserted or p.words[i] in ("should", "must") or p.words[i + 1] == "to"
+            mods = ("directly", "asserted") if wanted else ("directly",)
+            yield (Loc(rel="under", landmark=theme, mods=mods, span=p.span(i, k)),), k
 
 
 def _conditions(p: Parser, i: int, loc: Any, asserted: bool) -> Results[tuple[Meaning, ...]]:

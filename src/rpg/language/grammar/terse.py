@@ -9,6 +9,7 @@ from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.alternation import alternation_alone
 from rpg.language.grammar.amounts import count
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.equations import solved
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.orders import order
@@ -19,6 +20,7 @@ from rpg.language.meaning import (
     Clause,
     Coord,
     In,
+    Into,
     Loc,
     Meaning,
     Noun,
@@ -41,7 +43,15 @@ _READ = tuple(
     for word in ("", "the word", "the name")
 )  # fmt: skip
 """What a word follows that is to be there at the end."""
-_SPELT = ("spelled out", "spelt out", "written out", "spelled", "spelt", "written")
+_SPELT = (
+    "spelled out", "spelt out", "written out", "spelled", "spelt", "written", "reads", "appears",
+    *(
+        f"{must} {read}"
+        for must in ("must", "should", "shall", "has to", "is to")
+        for read in ("read", "be read", "be readable", "be spelled", "be spelt", "be written", "appear")
+    ),
+    *(f"{there} {read}" for there in ("is", "can be") for read in ("read", "spelled", "spelt", "written")),
+)  # fmt: skip
 _KINDRED = ("same colors", "the same colors", "same color", "the same color", "blocks of the same color",
             "cubes of the same color", "same colored blocks", "equal colors", "each color", "like colors",
             "same letters", "the same letters", "equal letters", "same numbers", "the same numbers",
@@ -61,6 +71,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """Clauses without a verb."""
     yield from _placed(p, i, mode)
     yield from _spelt(p, i)
+    yield from _solved(p, i)
     yield from kept_clear(p, i)
     yield from _nobody_there(p, i)
     yield from _all_colored(p, i)
@@ -165,11 +176,31 @@ def _spelt(p: Parser, i: int) -> Results[Meaning]:
             yield Clause(verb="spell", theme=word, adjuncts=(*using, *found), span=p.span(i, end), cost=1), end
     text = literal(p, i)
     j = p.any_of(p.opt(i + 1, ","), _SPELT) if text is not None else 0
-    if text is None or not j:
+    if text is None or (not j and (len(text) < 2 or not p.stands(i + 1, ("in", "as", "down", "from", "along")))):
         return
     word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
+    for found, k in adjuncts(p, i + 1) if not j else ():
+        if found and isinstance(found[0], Into | Toward) and k >= p.end:
+            yield Clause(verb="spell", theme=word, adjuncts=found, span=p.span(i, k), cost=2), k
+    if not j:
+        return
     for found, k in adjuncts(p, j):
         yield Clause(verb="spell", theme=word, adjuncts=found, span=p.span(i, k), cost=1), k
+
+
+_WHOLLY = ("as an equation in blocks", "as an equation in cubes", "in cubes", "in blocks", "as an equation",
+           "in an equation", "as a whole equation", "and show the whole equation",
+           "and show the equation", "and build the equation", "and show it", "and build it", "and lay it out",
+           "and build the whole equation", "and show the result", "and write it out")  # fmt: skip
+
+
+@choice
+def _solved(p: Parser, i: int) -> Results[Meaning]:
+    """ "solve 8/2 with blocks": an equation whose result is not said."""
+    for text, k in solved(p, i):
+        found = Structure(kind="equation", det="the", letter=text, span=p.span(i, k))
+        for more, end in adjuncts(p, p.any_of(k, _WHOLLY) or k):
+            yield Clause(verb="build", theme=found, adjuncts=more, span=p.span(i, end), cost=1), end
 
 
 @rule

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Span
+from rpg.language.grammar.adjectives import color
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.labels import literal
-from rpg.language.grammar.nouns import simple
+from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.parts import IS, part
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
 
@@ -12,13 +14,31 @@ _HAVING = (
     "with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of", "has", "of",
     "consists of", "consisting of", "contains", "gets", "built from", "built of", "which has", "made up of",
 )  # fmt: skip
-_UNITS = ("row", "tower", "stack", "column", "line", "group", "pile")
+_UNITS = ("row", "tower", "stack", "column", "line", "group", "pile", "heap", "bunch", "cluster")
 _ONES = (
     "one of them", "one", "the other one", "the other", "other", "another one", "another", "a second one",
-    "a third one", "the first one", "the second one", "the third one",
+    "a third one", "the first one", "the second one", "the third one", "the first", "the second", "the third",
+    *(f"the {nth} {unit}" for nth in ("first", "second", "third") for unit in ("group", "pile", "heap", "bunch")),
     *(f"{one} {unit}" for one in ("one", "the other", "another", "a second", "a third") for unit in _UNITS),
+    *(f"{noun} {n}" for noun in ("tower", "stack") for n in ("one", "two", "three", "four", "1", "2", "3", "4")),
 )  # fmt: skip
-_TURNS = {"the first one": 1, "the second one": 2, "the third one": 3}
+_BY_HEIGHT = {
+    f"the {word}{one}": tall
+    for words, tall in (
+        (("taller", "tallest", "higher", "highest", "bigger", "biggest"), True),
+        (("shorter", "shortest", "lower", "lowest", "smaller", "smallest"), False),
+    )
+    for word in words
+    for one in ("", " one", " tower", " stack")
+}
+"""One of several towers, by whether it is higher than the others or lower than they."""
+_TOWERS = {f"{noun} {n}": k for k, ns in enumerate((("one", "1"), ("two", "2"), ("three", "3"), ("four", "4")), 1)
+           for n in ns for noun in ("tower", "stack")}  # fmt: skip
+_TURNS = _TOWERS | {
+    f"the {nth}{one}": n
+    for n, nth in enumerate(("first", "second", "third"), 1)
+    for one in ("", " one", " group", " pile", " heap", " bunch")
+}
 _WHERE = {
     "behind": "back", "in front": "front", "at the back": "back", "in the back": "back", "at the front": "front",
     "in the front": "front", "on the left": "left", "on the right": "right", "to the left": "left",
@@ -36,15 +56,53 @@ def wholes(p: Parser, i: int) -> Results[Coord]:
     """ ", one red and one blue": how each of several structures looks; "the left one red and the right one blue"."""
     start = p.any_of(i, (",", ":", "with", "where", ", with", ", where", "of which", ", of which"))
     if start:
+        yield from _piles(p, i, start)
         for found, j in _wholes(p, i, start, ()):
-            if len(found.items) > 1:
+            if len(found.items) > 1 and _heights_fit(p, found):
                 yield found, j
+
+
+def _piles(p: Parser, i: int, at: int) -> Results[Coord]:
+    """ ": red on blue, and green on yellow": one pile for each of several towers."""
+    from rpg.language.grammar.onto import one_on_another
+
+    had: list[Absolute] = []
+    while len(had) < 6:
+        piled = max(one_on_another(p, at), key=lambda x: x[1], default=None)
+        if piled is None:
+            return
+        order, end = piled
+        items = order.items if order.first == "top" else order.items[::-1]
+        whole = Coord(op="piled", items=items, span=p.span(at, end))
+        place = Places(side="one", unit="whole", span=whole.span)
+        had.append(Absolute(theme=whole, adjuncts=(place,), span=whole.span))
+        if len(had) > 1:
+            yield Coord(op="absolutes", items=tuple(had), span=p.span(i, end)), end
+        at = p.any_of(end, (", and", ",", "and", ";"))
+        if not at:
+            return
 
 
 @rule
 def wholes_told(p: Parser, i: int) -> Results[Coord]:
     """In a sentence of its own: "one is red", "in the left one red sits on yellow, in the right one blue on green"."""
-    yield from _wholes(p, i, i, ())
+    yield from ((found, j) for found, j in _wholes(p, i, i, ()) if _heights_fit(p, found))
+
+
+def _heights_fit(p: Parser, found: Coord) -> bool:
+    """Whether "the taller one" of several is told to be higher than each of the others, and the shorter one lower."""
+    told = [x for x in found.items if isinstance(x, Absolute)]
+    heights = [x.theme.amount.low if isinstance(x.theme, Noun) and x.theme.amount is not None else None for x in told]
+    for k, one in enumerate(told):
+        at = next((n for n, token in enumerate(p.tokens) if token.span[0] == one.adjuncts[0].span[0]), -1)
+        tall = next((_BY_HEIGHT[phrase] for phrase, _ in p.standing(at, _BY_HEIGHT)), None) if at >= 0 else None
+        others = heights[:k] + heights[k + 1 :]
+        mine = heights[k]
+        if tall is not None and (mine is None or None in others or not others):
+            return False
+        if tall is not None and any((h < mine) != tall or h == mine for h in others if h is not None and mine):
+            return False
+    return True
 
 
 def _whole(place: Meaning) -> Places | None:
@@ -54,10 +112,41 @@ def _whole(place: Meaning) -> Places | None:
     return place if isinstance(place, Places) and place.unit in ("whole", "row", "column") else None
 
 
+_WHOLLY = ("entirely", "completely", "purely", "solely", "wholly", "all", "only", "fully", "exclusively",
+           "made entirely of", "all in")  # fmt: skip
+_TALL = ("high", "tall", "in height")
+
+
+def _colored_and_tall(p: Parser, j: int) -> Results[Noun]:
+    """ "blue and three high", "three blocks high and blue", "three blue blocks high"."""
+    number = p.number(j)
+    if number is not None:
+        k = p.any_of(p.opt(j + 1, "blocks", "cubes", "block"), _TALL)
+        of = p.any_of(p.opt(k, ","), ("and all", "and", "of", "all", "")) or p.opt(k, ",") if k else j + 1
+        for named, end in color(p, of):
+            last = p.opt(end, "blocks", "cubes")
+            last = last if k else p.any_of(last, _TALL) if last > end else 0
+            if last:
+                yield _so_many(number, named, p.span(j, last)), last
+    for named, end in color(p, j):
+        k = p.any_of(end, ("and", ","))
+        tall = p.number(k) if k else None
+        last = p.any_of(p.opt(k + 1, "blocks", "cubes", "block"), _TALL) if tall is not None else 0
+        if tall is not None and last:
+            yield _so_many(tall, named, p.span(j, last)), last
+
+
+def _so_many(number: int, named: str, span: Span) -> Noun:
+    amount = Amount(number, number)
+    return Noun(head="block", amount=amount, plural=number > 1, traits=Traits(colors=(named,)), span=span)
+
+
 def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     """What one of several structures is made of: a colour, a number of blocks, a word, or one block on another."""
     from rpg.language.grammar.onto import one_on_another
 
+    j = p.any_of(j, _WHOLLY) or j
+    yield from _colored_and_tall(p, j)
     piled = list(one_on_another(p, p.opt(j, "with")))
     for order, end in piled:
         items = order.items if order.first == "top" else order.items[::-1]
@@ -83,12 +172,25 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
             yield theme, k
 
 
+def _lot(p: Parser, j: int) -> Results[Coord]:
+    """ "three red blocks and one blue one": blocks of several looks that one of them has."""
+    for theme, k in noun_phrase(p, p.opt(j, "with")):
+        items = theme.items if isinstance(theme, Coord) and theme.op == "and" else ()
+        counted = [x for x in items if isinstance(x, Noun) and x.amount is not None and x.det in ("a", "bare")]
+        looks = {x.traits for x in counted if x.head != "patch" and not x.conditions and x.part_of is None}
+        if len(items) == len(counted) == len(looks) > 1:
+            yield Coord(op="lot", items=items, span=p.span(j, k)), k
+
+
 def _one(p: Parser, at: int) -> Results[Places]:
     """Which of them: "one", "the other", "the left one", "(in) the far row"."""
     for phrase, k in p.standing(at, _ONES):
         turn = _TURNS.get(phrase)
         side = "one" if turn is None else "first"
-        yield Places(side=side, unit="whole", index=turn, span=p.span(at, k)), k
+        unit = "whole stack" if {"tower", "stack"} & {*phrase.split()} else "whole"
+        yield Places(side=side, unit=unit, index=turn, span=p.span(at, k)), k
+    for _, k in p.standing(at, _BY_HEIGHT):
+        yield Places(side="one", unit="whole stack", span=p.span(at, k)), k
     for found, k in part(p, at, "whole"):
         if (one := _whole(found)) is not None:
             yield one, k
@@ -100,13 +202,13 @@ def _told(p: Parser, at: int) -> Results[Absolute]:
     for place, j in _one(p, start):
         made = p.opt(j, ",") if start > at else p.any_of(j, _HAVING) or p.any_of(j, IS) or j
         made = p.any_of(made, ("there is", "there are")) or made if start > at else made
-        for theme, k in _kind_of(p, made):
+        for theme, k in [*_kind_of(p, made), *(_lot(p, made) if made > j or start > at else ())]:
             yield Absolute(theme=theme, adjuncts=(place,), span=p.span(at, k)), k
-    for theme, j in [*_kind_of(p, at), *_word(p, at)]:
+    for theme, j in [*_kind_of(p, at), *_word(p, at), *_lot(p, at)]:
         if (lead := p.one(j, "in")) and p.stands(lead, ("the", "one", "another", "a")):
             for place, k in _one(p, lead):
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(at, k)), k
-        for phrase, k in p.standing(j, _WHERE):
+        for phrase, k in p.standing(j, _WHERE) if not isinstance(theme, Coord) or theme.op == "piled" else ():
             where = Places(side=_WHERE[phrase], unit="whole", span=p.span(j, k))
             told = isinstance(theme, Noun) and (theme.amount is not None or bool(theme.traits.labels))
             if told or not isinstance(theme, Noun):

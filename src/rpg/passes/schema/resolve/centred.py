@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Loc
+from rpg.language.meaning import Clause, In, Loc, Noun, PartOf, TableTop
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Scene, refuse
 
@@ -23,3 +25,21 @@ def centred(spec: Spec, scene: Scene, span: Span, names: tuple[str, ...] | None 
         raise refuse("ambiguous", "it is not said which block lies on which, centred so well", found[0].span,
                      "say it of a block that is put on another one")  # fmt: skip
     return [r.Distance(a=(a,), b=(b,), maximum=found[0].high, span=span) for a, b in pairs]
+
+
+def by_centring(clause: Clause, spec: Spec) -> None:
+    """ "center the red block on the mat": in its middle; on another block it is to be said how well."""
+    if clause.lemma != "center":
+        return
+    told = any(isinstance(p, Loc) and p.rel == "offset" for p in spec.places)
+    for n, place in enumerate(spec.places):
+        if not isinstance(place, Loc) or place.rel not in ("on", "above"):
+            continue
+        mark = place.landmark
+        if isinstance(mark, TableTop):
+            spec.places[n] = In(region="middle", span=place.span)
+        elif isinstance(mark, Noun) and mark.head == "patch" and not told:
+            middle = PartOf(part="middle", whole=mark, span=mark.span)
+            spec.places[n] = replace(place, rel="on", landmark=middle)
+        elif not told and place.high is None:
+            raise refuse("ambiguous", "it is not said how well it is to be centred", place.span, "say 'to within 5 mm'")

@@ -23,13 +23,14 @@ from rpg.language.meaning import (
     Pattern,
     Pronoun,
     Structure,
+    Toward,
 )
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.alone import told_alone
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
-from rpg.passes.schema.resolve.centred import centred
+from rpg.passes.schema.resolve.centred import by_centring, centred
 from rpg.passes.schema.resolve.denials import denied, denied_once
 from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
 from rpg.passes.schema.resolve.leftovers import nothing_left
@@ -37,6 +38,8 @@ from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, parts_alone, places
 from rpg.passes.schema.resolve.rebuilt import once_more
+from rpg.passes.schema.resolve.moved import is_moved
+from rpg.passes.schema.resolve.moved import moved as far_moved
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.reordered import reverse
@@ -157,6 +160,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    by_centring(clause, spec)
     clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)
     if clause.lemma in LEAVING and clause.verb in ("place", "use") and not clause.negated:
         spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
@@ -222,8 +226,8 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
     if clause.verb == "place" and clause.negated and moved and "here" in moved[0].mods and len(spec.places) == 1:
         spec.places = []
         return turning.stay(clause, spec, scene, scope, stays=True)
-    if clause.verb == "place" and moved:
-        return turning.moved(clause, spec, scene, scope)
+    if is_moved(clause, moved):
+        return far_moved(clause, spec, scene, scope)
     if (
         clause.verb == "place"
         and clause.lemma in ("move", "shift", "nudge", "relocate", "push", "drag")
@@ -278,6 +282,7 @@ def _sandwich(clause: Clause, spec: Spec) -> None:
         spec.places = [
             replace(p, rel="sandwiched") if isinstance(p, Loc) and p.rel == "between" else p for p in spec.places
         ]
+        spec.toward = [way for way in spec.toward if way != Toward(axis="z", span=way.span)]
 
 
 def _kind_of_shape(spec: Spec) -> str:

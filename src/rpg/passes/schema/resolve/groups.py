@@ -8,7 +8,8 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Noun, Structure, Traits
-from rpg.passes.schema.resolve.members import members_of, new_members
+from rpg.passes.schema.resolve.grouped import group_size, told_lots
+from rpg.passes.schema.resolve.members import declared, members_of, new_members
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import VOWELS, alike
 from rpg.passes.schema.resolve.towers import STACK_COLORS
@@ -32,20 +33,14 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
     if not several:
         names = members_of(shape, spec, theme, None, 4, scene, scope)
         return [scene.add_built("pile", names, False, shape.span)], [s.GroupBy(groups=(names,), span=shape.span)]
+    if attribute is None and spec.absolutes:
+        return told_lots(shape, spec, theme, scene)
     if attribute is None and theme is not None:
         return share_out(theme, shape, spec, scene, shape.span)
     if attribute is None and group_size(shape) is not None:
         return share_out(_new_lots(shape, spec, scene), shape, spec, scene, shape.span)
     members = theme.names if theme is not None else None
     return sort_into(members, attribute, shape, spec, scene, scope, shape.span)
-
-
-def group_size(shape: Structure) -> int | None:
-    """How many blocks each of several groups has, if it was said."""
-    amount = getattr(shape.members, "amount", None) if shape.each_size else None
-    if amount is not None and amount.low == amount.high:
-        return int(amount.low)
-    return shape.extent("size", "columns")
 
 
 def _new_lots(shape: Structure, spec: Spec, scene: Scene) -> Ref:
@@ -122,13 +117,21 @@ def _to_be_sorted(shape: Structure | None, spec: Spec, scene: Scene) -> tuple[st
     count = shape.amount.low if shape and shape.amount and shape.amount.low > 1 else DEFAULT_GROUPS
     source = shape.members if shape is not None else None
     source = source or (spec.usings.pop(0).members if spec.usings else None)
+    there = declared(Traits(), scene)
+    if there and shape is not None and shape.det == "the":
+        raise refuse("ambiguous", "it is not clear which groups these are", shape.span, "say what is in each of them")
+    if there and (source is None or shape is None or shape.each_size):
+        scene.used.update(there)
+        return there
     if source is not None:
         from rpg.passes.schema.resolve.refer import refer
 
         count = shape.amount.low if shape and shape.amount else DEFAULT_GROUPS
         return refer(source, scene, Scope(need=count * DEFAULT_EACH, need_each=DEFAULT_EACH, role="member")).names
     scene.assume(f"the number of blocks is not said: {count * DEFAULT_EACH}")
-    return new_members(Traits(), count * DEFAULT_EACH, None, scene)
+    made = new_members(Traits(), count * DEFAULT_EACH, None, scene)
+    scene.vague.update(made)
+    return made
 
 
 def sort_into(

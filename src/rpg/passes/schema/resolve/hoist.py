@@ -11,6 +11,7 @@ from rpg.language.meaning import (
     Coord,
     Into,
     Loc,
+    Manner,
     Meaning,
     Noun,
     OrderBy,
@@ -21,9 +22,12 @@ from rpg.language.meaning import (
     TableTop,
     Toward,
     Traits,
+    parts_of,
 )
 from rpg.passes.schema.resolve.hubs import emptied, in_the_middle, outlines, told_inside
+from rpg.passes.schema.resolve.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.overs import in_one_tower
+from rpg.passes.schema.resolve.told_towers import one_more_tower, side_by_side, told_towers
 from rpg.passes.schema.resolve.world import refuse
 
 _VERBS = ("stack", "arrange")
@@ -39,6 +43,10 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(said, Clause):
                 kept.append((link, said))
                 continue
+            said = as_a_grid(said)
+            if parts := in_a_line(said):
+                kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
+                continue
             if (parts := in_one_tower(said)) and not any(found[:-1]) and not kept:
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
                 continue
@@ -46,18 +54,21 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if _asked_again(found, said, link) or _shape_alone(found, said, link) or _looks_listed(found, said, link):
                 continue
             if said.lemma == "listed":
-                raise refuse("misplaced", "it is not clear of which blocks these are the looks", said.span,
-                             "list them where the blocks are counted")  # fmt: skip
+                kept.insert(0, ("and", _there_are(said, _last(found))))
+                continue
             if _in_outline(found, said, link):
                 continue
             if (inside := in_the_middle(said)) is not None and _new(inside[1]):
                 built = replace(said, verb="build", lemma="", theme=inside[1], adjuncts=(inside[0],))
                 kept.append((link, built))
                 continue
+            if link != "then" and one_more_tower(found, clause):
+                continue
             host = _host(found, clause) if clause.verb == "part" and link != "then" else None
             if host is None:
                 alone = isinstance(clause.theme, Structure) and clause.verb == "part"
-                kept.append((link, replace(clause, verb="build") if alone else said))
+                towers = (told_towers(found, clause) if link != "then" else None) or side_by_side(clause)
+                kept.append((link, towers or (replace(clause, verb="build") if alone else said)))
                 continue
             line, place, builder = host
             built = replace(builder, adjuncts=(*builder.adjuncts, *clause.adjuncts))
@@ -112,6 +123,19 @@ def _looks_listed(found: list[list[tuple[str, Meaning]]], said: Clause, link: st
     line = max(n for n, lot in enumerate(found) if lot)
     found[line][-1] = (found[line][-1][0], replace(last, adjuncts=(*last.adjuncts, order, *said.adjuncts)))
     return True
+
+
+def _there_are(said: Clause, last: Clause | None) -> Clause:
+    """ "... in the colours of the rainbow: purple, blue, green": what blocks there are."""
+    items = _bare_looks(said.theme)
+    marks = [x for x in parts_of(last) if isinstance(x, Noun) and x.head == "patch" and not x.traits.matching]
+    if any(not x.traits.colors and (x.plural or x.det == "each") for x in marks):
+        raise refuse("ambiguous", "what is listed could be the patches or the blocks", said.span,
+                     "say 'blocks' or 'patches' where they are listed")  # fmt: skip
+    if said.adjuncts or len(set(items)) < len(items) or len({x.traits for x in items}) < len(items):
+        raise refuse("misplaced", "it is not clear of which blocks these are the looks", said.span,
+                     "list them where the blocks are counted")  # fmt: skip
+    return replace(said, verb="exist", lemma="tally", mode="given")
 
 
 def _bare_looks(theme: Meaning | None) -> tuple[Noun, ...]:
@@ -200,6 +224,8 @@ def _units(clause: Clause) -> set[str]:
     parts = [x for a in clause.adjuncts for x in (a.items if isinstance(a, Coord) else (a,))]
     if all(isinstance(x, OrderBy) and x.by == "each" for x in parts):
         return {"whole"}
+    if all(isinstance(x, Manner) and x.kind == "outliers" for x in parts):
+        return {"pile"}
     return {getattr(x.adjuncts[0], "unit", "") if isinstance(x, Absolute) else "" for x in parts}
 
 
@@ -224,6 +250,8 @@ def _builds(clause: Clause, units: set[str]) -> bool:
     if clause.negated or clause.mode == "start" or len(shapes) > 1:
         return False
     whole = any(unit.startswith("whole") for unit in units)
+    if units == {"pile"} and (clause.verb == "sort" or not shapes):
+        return clause.verb == "sort"
     if not shapes:
         return clause.verb in _VERBS and not whole
     shape = shapes[0]

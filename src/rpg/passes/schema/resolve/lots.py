@@ -34,7 +34,7 @@ def each_made_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, 
     goals: list[g.Goal] = []
     taken: set[str] = set()
     for _ in range(count):
-        names = [_one(item, pool, taken, lot, scene) for item in lot.items if isinstance(item, Noun)]
+        names = [one_of(item, pool, taken, lot, scene) for item in lot.items if isinstance(item, Noun)]
         members = Pronoun(word="=" + " ".join(names), span=lot.span)
         own = copy(spec)
         own.orders, own.usings, own.places = list(spec.orders), [], []
@@ -76,7 +76,7 @@ def _count(shape: Structure, lot: OrderBy, pool: list[Thing] | None) -> int:
     return amount.low
 
 
-def _one(item: Noun, pool: list[Thing] | None, taken: set[str], lot: OrderBy, scene: Scene) -> str:
+def one_of(item: Noun, pool: list[Thing] | None, taken: set[str], lot: OrderBy, scene: Scene) -> str:
     """A block of a look: the next of those that are there, else a new one."""
     if pool is None:
         scene.new_batch()

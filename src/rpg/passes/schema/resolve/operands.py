@@ -136,4 +136,4 @@ def so_far(a: Operand, b: Operand, loc: Loc, span: Span) -> list[g.Goal]:
     """ "10 cm to the left of": how far that is."""
     if loc.low is None and loc.high is None:
         return []
-    return [r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, span=span)]
+    return [r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span)]

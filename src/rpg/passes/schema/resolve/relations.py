@@ -9,14 +9,14 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.ir.node import Highest, Lowest, Operand
-from rpg.ir.order import Order
+from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.alone import none_beyond, none_there, only_here, only_on
+from rpg.passes.schema.resolve.between import between
 from rpg.passes.schema.resolve.corners import corners
-from rpg.passes.schema.resolve.ends import two_ends
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import none_another, reciprocal
+from rpg.passes.schema.resolve.none_of import one_and_all
 from rpg.passes.schema.resolve.operands import (
     DIRECTIONS,
     LEVEL,
@@ -43,8 +43,6 @@ from rpg.passes.schema.resolve.stacking import Towers, vertical
 from rpg.passes.schema.resolve.things import compared, create, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse, wholes
 
-HALFWAY_GAP = 10.0
-"""How far apart two blocks with one halfway between them may be, in edges: as far as the workspace allows."""
 WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
 """Structures that no corner is told of."""
 PATCH_MIDDLE = 0.02
@@ -68,6 +66,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region}", meaning.span,
                          f"say 'in the {meaning.region} of the table', or name the structure's blocks")  # fmt: skip
         case In():
+            scene.region, scene.region_at = meaning.region, meaning.span[0]
             return [negate(_region(theme, meaning.region, span), meaning.negated, span, wholes(scene))]
         case Coord():
             if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
@@ -79,6 +78,8 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
         case Loc(landmark=Coord(op=op, items=marks)) if any(getattr(x, "word", "") == "each other" for x in marks):
             both = tuple(replace(meaning, landmark=x) for x in marks)
             return place(theme, Coord(op=op, items=both, span=meaning.span), scene, scope, span)
+        case Loc(landmark=Pronoun(word="there")) if scene.region_at > scene.last_landmark_at:
+            return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
         case Loc():
             goals = _loc(theme, meaning, scene, scope, span)
             if meaning.negated and getattr(getattr(meaning.landmark, "traits", None), "scheme", "") == "same":
@@ -179,17 +180,23 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if mark.mixed or (theme.mixed and mark.reciprocal):
         raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
     if mark.reciprocal:
-        return reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
+        _groups_or_blocks(theme, loc, scene)
+        found = reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
+        if loc.rel == "together" and not (loc.negated or scene.denying or theme.built):
+            scene.add_built("pile", theme.names, False, span)
+        return found
     if theme.op == "nor":
         return [x for part in theme.parts for x in negation(related(part, mark, loc, scene, span), span)]
     if mark.op == "nor":
         return [x for part in mark.parts for x in negation(related(theme, part, loc, scene, span), span)]
+    if (pairs := one_and_all(theme, mark, loc, scene)) is not None:
+        return [x for one, other in pairs for x in related(one, other, loc, scene, span)]
     if mark.table:
         return [_table(theme, loc, scene, span)]
     if (shared := each_its_own(theme, mark, loc, scene)) is not None:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
     if loc.rel in ("between", "sandwiched"):
-        return [_between(theme, mark, loc, scene, span)]
+        return [between(theme, mark, loc, scene, span)]
     if (
         theme.quant is not None
         and theme.quant.high == 0
@@ -218,6 +225,13 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if mark.patch:
         return _patch(theme, mark, loc, scene, span)
     return [_landmarks(theme, mark, loc, scene, span)]
+
+
+def _groups_or_blocks(theme: Ref, loc: Loc, scene: Scene) -> None:
+    """ "Separate the red and the blue blocks. They are 10 cm apart.": the groups, or every two blocks?"""
+    inside = [b for b in scene.built if b.kind == "pile" and set(b.members) < set(theme.names)]
+    if not theme.built and loc.rel in ("distance", "apart") and len(inside) > 1:
+        raise refuse("ambiguous", "the groups, or every two of the blocks?", loc.span, "say 'the groups'")
 
 
 def _begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
@@ -263,7 +277,7 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         if (len(lots[0]) == 1 or loc.rel != "on") and theme.quant is None:
             return conj([_relate(Ref(names=lot), Ref(names=(b,)), loc, scene, span) for lot, b in pairs], span)
     if loc.rel in ("on", "above", "under"):
-        return vertical(theme, mark, loc, scene, span)
+        return conj([vertical(theme, mark, loc, scene, span), *_centred(theme, mark, loc, span)], span)
     if loc.rel in DIRECTIONS:
         return _directional(theme, mark, loc, scene, span)
     together = bool(theme.built) and not (len(theme.built) == 1 and theme.built[0].kind == "stack")
@@ -287,6 +301,16 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
     if loc.rel == "together":
         return s.GroupBy(groups=((*theme.names, *mark.names),), span=span)
     raise refuse("misplaced", "this relation does not fit here", loc.span)
+
+
+def _centred(theme: Ref, mark: Ref, loc: Loc, span: Span) -> Atoms:
+    """ "centred on the blue block to within 5 mm": how far off its middle at most."""
+    if loc.high is None:
+        return []
+    if len(theme.names) != 1 or len(mark.names) != 1:
+        raise refuse("ambiguous", "it is not said which block lies on which, centred so well", loc.span,
+                     "say it of a block that is put on another one")  # fmt: skip
+    return [r.Distance(a=theme.names, b=mark.names, maximum=loc.high, span=span)]
 
 
 def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
@@ -362,26 +386,3 @@ def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):
         return [_landmarks(theme, mark, loc, scene, span)]
     raise refuse("misplaced", "this relation does not fit a patch", loc.span, "say 'on' or 'next to'")
-
-
-def _between(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
-    ends = two_ends(mark, loc, scene)
-    b, c = (foot(e) for e in ends)
-    if loc.rel == "sandwiched":
-        if len(theme.names) != 1 or any(len(e.names) != 1 for e in ends):
-            raise refuse("misplaced", "one block is sandwiched between two", loc.span)
-        order = Order(by="given", ranks=((ends[0].names[0],), theme.names, (ends[1].names[0],)))
-        members = (ends[0].names[0], theme.names[0], ends[1].names[0])
-        scene.add_built("stack", members, True, span)
-        scene.assume("sandwiched means stacked: one below, one above")
-        return s.Stack(blocks=members, order=order, span=span)
-    if "halfway" in loc.mods:
-        if (
-            isinstance(b, Lowest | Highest)
-            or isinstance(c, Lowest | Highest)
-            or len(theme.names) * len(b) * len(c) != 1
-        ):
-            raise refuse("misplaced", "only one block between two can be halfway", loc.span, "say 'between'")
-        order = Order(by="given", ranks=(b, theme.names, c))
-        return s.Row(blocks=(*b, *theme.names, *c), order=order, evenly=True, gap_edges=HALFWAY_GAP, span=span)
-    return spread(theme, lambda a: r.Between(a=a, b=b, c=c, span=span), span)

@@ -47,7 +47,8 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
         return False
     if shape.kind != "stack":
         return shape.kind not in APART
-    return _sided(spec) is not None or any(map(_whole, spec.absolutes)) or _to_each_other(spec)
+    apart = _to_each_other(spec) or (spec.lined and not spec.patterns)
+    return _sided(spec) is not None or any(map(_whole, spec.absolutes)) or apart
 
 
 def _to_each_other(spec: Spec) -> bool:
@@ -98,7 +99,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
                      f"name each {shape.kind} by itself")  # fmt: skip
     _one_gap(shape, spec)
-    looks, axis = _looks(spec, count)
+    looks, axis = told_looks(spec, count)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     if not any(isinstance(look, Noun) and look.amount is not None for look in looks):
         shape = _fresh(shape, scene)
@@ -206,12 +207,25 @@ def _named_lots(theme: Ref | None, looks: Sequence[Look], scene: Scene) -> list[
 
 def _piled(shape: Structure, look: Coord, own: Spec, scene: Scene) -> Structure:
     """ "the left one red on yellow": a tower of these blocks, which are none of those that another one has."""
+    if look.op != "piled":
+        raise refuse("misplaced", "it is not clear in which order these are", look.span, "name the order of each")
+    shape = _of_so_many(shape, len(look.items))
     if shape.kind != "stack" or shape.members is not None or shape.sizes or shape.traits != Traits() or own.orders:
         raise refuse("misplaced", "this does not fit what is said of all of them", look.span, "say it of towers alone")
     used = {n for b in scene.built for n in b.members}
     items = tuple(_further(item, used, scene) for item in look.items)
     own.orders = [OrderBy(by="named", items=items, first="top", span=look.span)]
     return replace(shape, plural=False, amount=Amount(1, 1), det="a")
+
+
+def _of_so_many(shape: Structure, count: int) -> Structure:
+    """ "two towers of two: red on blue and green on white": as many in each as are named."""
+    members, alone = shape.members, {Amount(count, count)}
+    bare = isinstance(members, Noun) and members.traits == Traits() and members.det == "bare" and shape.each_size
+    if bare and {getattr(members, "amount", None), *(z.amount for z in shape.sizes)} == alone:
+        return replace(shape, members=None, sizes=(), each_size=False)
+    said = {z.amount for z in shape.sizes if z.what in ("size", "high", "layers")}
+    return replace(shape, sizes=()) if said == alone and len(said) == len(shape.sizes) else shape
 
 
 def _further(item: Meaning, used: set[str], scene: Scene) -> Meaning:
@@ -281,9 +295,11 @@ def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Stru
     members = shape.members
     colors = look.traits.colors if look is not None and look.traits.colors else color
     if look is not None and look.amount is not None:
-        if members is not None or shape.sizes:
+        if (members is not None and not _unsized(members)) or shape.sizes:
             raise refuse("contradiction", "two sizes are given", look.span, "keep one of them")
-        shape = replace(shape, sizes=(Size(what="size", amount=look.amount, span=look.span),))
+        if isinstance(members, Noun):
+            members = replace(members, amount=look.amount)
+        shape = shape if members else replace(shape, sizes=(Size(what="size", amount=look.amount, span=look.span),))
     if isinstance(members, Noun):
         own = members.traits.colors
         if look is not None and own and colors and own != colors:
@@ -296,6 +312,11 @@ def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Stru
     if look is not None and colors and shape.traits.colors not in ((), colors):
         raise refuse("contradiction", "two colours are given for the same blocks", look.span, "keep one of them")
     return replace(shape, plural=False, amount=Amount(1, 1), det="a", traits=traits)
+
+
+def _unsized(members: Meaning) -> bool:
+    """ "two towers of purple blocks": of which no number is said."""
+    return isinstance(members, Noun) and members.amount is None and members.det == "bare" and not members.traits.labels
 
 
 def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], scene: Scene) -> tuple[str, ...]:
@@ -317,7 +338,7 @@ def _there(scene: Scene) -> bool:
     return bool(declared(Traits(), scene))
 
 
-def _looks(spec: Spec, count: int) -> tuple[list[Look], str | None]:
+def told_looks(spec: Spec, count: int) -> tuple[list[Look], str | None]:
     """What is said of each, and the axis along which they are then told apart."""
     found: list[Look] = [None] * count
     axis: str | None = None

@@ -8,6 +8,7 @@ from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, OrderB
 from rpg.passes.schema.resolve.arranging import arrange_blocks
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
+from rpg.passes.schema.resolve.lined_towers import line_of, lined_up
 from rpg.passes.schema.resolve.placing import Goals, absolutes, is_extra, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import related
@@ -91,8 +92,9 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
             raise refuse("misplaced", "piles lie on the table", shape.span)
         if shape.det == "the" and clause.verb not in ("build", "arrange"):
             check_built(shape)
-        shape = _laid_in(shape, spec)
+        shape = lined_up(_laid_in(shape, spec), spec)
         built, atoms = make(shape, spec, None, scene, scope)
+        atoms = [*atoms, line_of(built, scene, shape.span)] if spec.lined else atoms
         spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
         return Ref(names=tuple(n for b in built for n in b.members), built=tuple(built), span=shape.span), atoms
     if isinstance(shape, Noun) and shape.det == "each" and shape.head == "any" and shape.traits.colors:
@@ -155,4 +157,6 @@ def _known_already(clause: Clause, scene: Scene) -> bool:
 def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:
     if clause.verb in ("build", "spell") and shape.det in ("a", "bare", "some"):
         return False
-    return shape.det in ("the", "its", "each", "all", "both") and bool(known_ones(shape, scene))
+    groups = shape.kind == "pile" and shape.det == "bare" and shape.plural and clause.verb == "be"
+    again = groups and shape.amount is None and shape.members is None
+    return (again or shape.det in ("the", "its", "each", "all", "both")) and bool(known_ones(shape, scene))

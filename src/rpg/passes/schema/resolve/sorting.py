@@ -9,17 +9,18 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.language.meaning import At, Clause, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
+from rpg.passes.schema.resolve.grouped import group_size
 from rpg.passes.schema.resolve.groups import (
     DEFAULT_EACH,
     DEFAULT_GROUPS,
     attribute_of,
     fill,
-    group_size,
     share_out,
     sort_into,
 )
 from rpg.passes.schema.resolve.members import certain
 from rpg.passes.schema.resolve.mutual import reciprocal
+from rpg.passes.schema.resolve.operands import measure
 from rpg.passes.schema.resolve.patches import matching_patches
 from rpg.passes.schema.resolve.placing import Goals, places
 from rpg.passes.schema.resolve.refer import refer
@@ -37,7 +38,7 @@ SIDE = 3
 
 def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
-    divides = clause.lemma in DIVIDES or (clause.lemma == "sort" and _from_others(spec))
+    divides = clause.lemma in DIVIDES or (clause.lemma in ("sort", "group", "cluster") and _from_others(spec))
     line = any(getattr(i.structure, "kind", "") in ("row", "line", "column", "stack", "grid") for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
     _no_order(clause, spec, line)
@@ -69,15 +70,21 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if (patched := _onto_patches(theme, attribute, spec, scene, clause)) is not None:
         return patched
     lots = tuple(part.names for part in theme.parts)
+    if apart is not None and _of_each_other(apart) and len(lots) < 2 and clause.lemma in GATHERS and attribute is None:
+        raise refuse("ambiguous", "these could be a group of their own, or each by itself", apart.span,
+                     "say 'in a group of their own', or 'apart from each other'")  # fmt: skip
     if apart is not None and _of_each_other(apart) and len(lots) > 1 and attribute is None and not spec.intos:
         spec.places.remove(apart)
         return [s.GroupBy(groups=lots, span=clause.span), *places(theme, spec, scene, scope, clause.span)]
-    if clause.lemma in GATHERS and not (apart and _of_each_other(apart)) and attribute is None and _one_pile(spec):
+    into_one = clause.lemma in GATHERS or (bool(spec.intos) and not divides)
+    if into_one and not (apart and (divides or _of_each_other(apart))) and attribute is None and _one_pile(spec):
         spec.intos = []
         spec.places = [p for p in spec.places if not _together(p)]
         node = s.GroupBy(groups=(theme.names,), span=clause.span)
         ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
         return [node, *places(ref, spec, scene, scope, clause.span)]
+    if divides and attribute is None and (far := _by_so_much(theme, spec)) is not None:
+        return [far, *places(theme, spec, scene, scope, clause.span)]
     pair = len(theme.names) == 2 and not theme.parts and not spec.intos and not spec.usings and apart is None
     if divides and attribute is None and pair:
         one, other = theme.names
@@ -96,6 +103,20 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return goals + places(ref, spec, scene, scope, clause.span)
 
 
+def _by_so_much(theme: Ref, spec: Spec) -> r.Distance | None:
+    """ "separate red and blue by 20 cm", "... so that they are 20 cm apart": of two blocks, how far that is."""
+    far = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("moved", "distance") and not p.negated]
+    if len(theme.names) != 2 or len(far) != 1 or far[0].mods:
+        return None
+    moved, mark = far[0].rel == "moved", far[0].landmark
+    if not moved and not (isinstance(mark, Pronoun) and mark.word == "each other"):
+        return None
+    spec.places.remove(far[0])
+    a, b = theme.names
+    low, high = far[0].low, far[0].high
+    return r.Distance(a=(a,), b=(b,), minimum=low, maximum=high, measure=measure(far[0]), span=far[0].span)
+
+
 def _no_order(clause: Clause, spec: Spec, line: bool) -> None:
     """ "group them by letter" puts nothing in order."""
     if clause.lemma in GATHERS | DIVIDES and not line and (by := [o for o in spec.orders if o.by == "label"]):
@@ -108,6 +129,9 @@ def by_kinds(clause: Clause, spec: Spec) -> Clause:
         spec.orders = [replace(o, by="attribute") if o.by == "parted" else o for o in spec.orders]
         kept = isinstance(clause.theme, Structure) or spec.intos or clause.verb == "stack"
         clause = clause if kept else replace(clause, verb="sort")
+    by = [o.by == "attribute" for o in spec.orders]
+    if clause.verb == "be" and len(by) == 1 and all(by) and not (spec.intos or spec.toward or spec.absolutes):
+        return replace(clause, verb="sort", lemma="sort")
     return clause
 
 
@@ -272,4 +296,6 @@ def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Sc
         raise refuse("self-reference", "a block is in both groups", clause.span, "name different blocks")
     if len(groups[0]) == len(groups[1]) == 1:
         return [r.Apart(a=groups[0], b=groups[1], span=clause.span)]
+    for lot in groups:
+        scene.add_built("pile", lot, False, clause.span)
     return [s.GroupBy(groups=groups, span=clause.span)]

@@ -157,6 +157,8 @@ class Scene:
     batch: int = 0
     last_landmark_patch: bool = False
     last_landmark_at: int = 0
+    region: str = ""
+    region_at: int = -1
     told: set[str] = field(default_factory=set)
     on_top: dict[str, str] = field(default_factory=dict)
     begun_on: set[str] = field(default_factory=set)

@@ -1,0 +1,87 @@
+"""Where one of its blocks is in a line, told before the line: "red is at the left end of the row of red and blue"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Absolute, At, Clause, Coord, Into, Loc, Meaning, Noun, PartOf, Structure, Traits
+
+_LINES = {
+    "stack": ("top", "bottom", "middle"),
+    "row": ("left", "right", "middle"),
+    "line": ("left", "right", "front", "back", "middle"),
+    "column": ("front", "back", "middle"),
+}
+
+
+def in_a_line(clause: Clause) -> tuple[Clause, ...]:
+    """The clauses that build the line and say where the block is in it; none where this is not said."""
+    place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    theme = clause.theme
+    if clause.verb not in ("be", "place") or clause.mode == "start" or not isinstance(theme, Noun):
+        return ()
+    if not isinstance(place, Loc) or place.second is not None or place.mods or place.low is not None:
+        return ()
+    line, side = _part(place)
+    if line is None or side not in _LINES.get(line.kind, ()) or line.plural or theme.plural or line.members is None:
+        return ()
+    if _look(theme) is None or _look(theme) not in [_look(item) for item in _items(line.members)]:
+        return ()
+    at_ = At(side=side, span=place.span)
+    line = replace(line, det="a")
+    if not (clause.negated or place.negated):
+        within = Absolute(theme=theme, adjuncts=(at_,), span=clause.span)
+        return (Clause(verb="build", theme=line, adjuncts=(within,), mode="goal", span=clause.span),)
+    said = replace(clause, verb="be", lemma="", theme=replace(theme, det="the"), adjuncts=(at_,), negated=True)
+    return Clause(verb="build", theme=line, mode="goal", span=line.span), said
+
+
+def _part(place: Loc) -> tuple[Structure | None, str]:
+    """The line, and the part of it that is meant."""
+    mark = place.landmark
+    if isinstance(mark, PartOf) and place.rel == "in" and isinstance(mark.whole, Structure):
+        return mark.whole, mark.part
+    if isinstance(mark, Structure) and place.rel == "between":
+        return mark, "middle"
+    if isinstance(mark, Structure) and mark.kind == "stack" and place.rel == "on":
+        return mark, "top"
+    return None, ""
+
+
+def _items(members: Meaning) -> tuple[Meaning, ...]:
+    if isinstance(members, Coord):
+        return members.items if members.op == "and" else ()
+    if isinstance(members, Noun) and len(members.traits.colors) > 1 and not members.traits.either:
+        return tuple(replace(members, traits=Traits(colors=(one,))) for one in members.traits.colors)
+    if isinstance(members, Noun) and len(members.traits.labels) > 1:
+        return tuple(replace(members, traits=Traits(labels=(one,))) for one in members.traits.labels)
+    return ()
+
+
+def _look(item: Meaning) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
+    """A single colour or symbol, and nothing else."""
+    if not isinstance(item, Noun) or (item.amount is not None and item.amount != (1, 1, False)):
+        return None
+    look = (item.traits.colors, item.traits.labels)
+    plain = item.traits == Traits(colors=look[0], labels=look[1]) and sum(map(len, look)) == 1
+    return look if plain and item.part_of is None and not item.conditions else None
+
+
+def as_a_grid(clause: Clause) -> Clause:
+    """ "three columns of two in a grid": a grid of so many by so many."""
+    intos = [a for a in clause.adjuncts if isinstance(a, Into)]
+    into = intos[0].structure if len(intos) == 1 else None
+    lines = clause.theme
+    if not isinstance(lines, Structure) or not isinstance(into, Structure) or into.kind != "grid":
+        return clause
+    if lines.kind not in ("row", "column") or not lines.plural or lines.amount is None or lines.details:
+        return clause
+    size = lines.size if lines.size is not None else getattr(lines.members, "amount", None) if lines.each_size else None
+    plain = not (into.plural or into.members or into.details or into.dims or into.sizes)
+    if not plain or size is None or size.low != size.high or lines.amount.low != lines.amount.high:
+        return clause
+    many, long = lines.amount.low, size.low
+    members = replace(lines.members, amount=None) if isinstance(lines.members, Noun) else lines.members
+    grid = replace(lines, kind="grid", det="a", plural=False, amount=None, sizes=(), members=members, each_size=False,
+                   dims=(many, long) if lines.kind == "row" else (long, many))  # fmt: skip
+    return replace(clause, theme=grid, adjuncts=tuple(a for a in clause.adjuncts if a is not intos[0]))

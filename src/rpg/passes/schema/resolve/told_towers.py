@@ -1,0 +1,70 @@
+"""Towers that nothing builds but what is told of each: "one tower has two blocks, the other three"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meaning, Places, Structure
+
+TOLD = "told"
+Kept = list[list[tuple[str, Meaning]]]
+
+
+def told_towers(found: Kept, clause: Clause) -> Clause | None:
+    """The clause that builds as many towers as are told of, where none was built before."""
+    parts = _parts(clause)
+    units = [x.adjuncts[0].unit for x in parts if isinstance(x.adjuncts[0], Places)]
+    before = [said for kept in found for _, said in kept]
+    if clause.verb != "part" or clause.theme is not None or clause.mode != "goal" or clause.negated:
+        return None
+    if len(units) < len(parts) or "whole stack" not in units or set(units) - {"whole", "whole stack"}:
+        return None
+    if any(not isinstance(said, Clause) or said.mode != "given" for said in before):
+        return None
+    return replace(clause, verb="build", lemma=TOLD, theme=_towers(len(parts), clause))
+
+
+def one_more_tower(found: Kept, clause: Clause) -> bool:
+    """ "Tower 1: red on blue. Tower 2: green on yellow.": the second is one more of those told so."""
+    parts = _parts(clause)
+    last = next((kept for kept in reversed(found) if kept), None)
+    said = last[-1][1] if last is not None else None
+    if not isinstance(said, Clause) or said.lemma != TOLD or not isinstance(said.theme, Structure) or not parts:
+        return False
+    there = len(_parts(said))
+    turns = [x.adjuncts[0].index if isinstance(x.adjuncts[0], Places) else None for x in parts]
+    if clause.verb != "part" or clause.theme is not None or clause.negated or turns[:1] != [there + 1]:
+        return False
+    whole = Coord(op="absolutes", items=(*_parts(said), *parts), span=said.span)
+    assert last is not None
+    last[-1] = (last[-1][0], replace(said, theme=_towers(there + len(parts), said), adjuncts=(whole,)))
+    return True
+
+
+def side_by_side(clause: Clause) -> Clause | None:
+    """ "a red tower on the left and a blue tower on the right": each is built, the one beside the other."""
+    parts = _parts(clause)
+    places = [x.adjuncts[0] for x in parts if isinstance(x.adjuncts[0], At) and x.adjuncts[0].index is None]
+    new = [x.theme for x in parts if isinstance(x.theme, Structure) and x.theme.det in ("a", "bare")]
+    sides = {place.side: shape for place, shape in zip(places, new, strict=False)}
+    if clause.verb != "part" or clause.theme is not None or clause.negated or not len(parts) == len(places) == len(new):
+        return None
+    for one, other in (("left", "right"), ("back", "front")):
+        if len(parts) == 2 and sides.keys() == {one, other} and not any(shape.plural for shape in new):
+            rel = {"left": "left", "back": "behind"}[one]
+            place = Loc(rel=rel, landmark=sides[other], span=places[0].span)
+            return replace(clause, verb="build", theme=sides[one], adjuncts=(place,))
+    return None
+
+
+def _parts(clause: Clause) -> Sequence[Absolute]:
+    one = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    items = one.items if isinstance(one, Coord) and one.op == "absolutes" else (one,)
+    return tuple(x for x in items if isinstance(x, Absolute)) if all(isinstance(x, Absolute) for x in items) else ()
+
+
+def _towers(count: int, clause: Clause) -> Structure:
+    if count == 1:
+        return Structure(kind="stack", det="a", plural=True, span=clause.span)
+    return Structure(kind="stack", det="bare", amount=Amount(count, count), plural=True, span=clause.span)

@@ -112,7 +112,7 @@ START_FRAMES = Phrases(
     "from a start with", "from a state where", "starting from a state where",
 )  # fmt: skip
 FIRST = Phrases(
-    "start by", "begin by", "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :",
+    "start by", "begin by", "phase 1 :", "stage 1 :", "phase one :", "stage one :", "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :",
     "first :", "1 :", "2 :", "3 :", "picture this", "like this", "as follows", "put it all like this",
     "put everything like this",
     "arrange it like this", "do this", "do the following", "it goes like this", "arrange everything like this",
@@ -120,6 +120,13 @@ FIRST = Phrases(
     "first", "firstly", "to begin", "second", "secondly", "third", "thirdly", "step one", "step two", "step three",
     "step 1", "step 2", "step 3", "first of all", "at first", "first ,",
 )  # fmt: skip
+DONT = (
+    "do not", "never", "avoid", "do n't", "not", "you are not allowed to", "you are not permitted to",
+    "you are not supposed to", "it is not allowed to", "it is not permitted to", "it is forbidden to",
+    "it is prohibited to", "nobody may", "no one may", "the robot is not allowed to", "the arm is not allowed to",
+    "the robot must not", "the arm must not", "the robot may not", "the robot should not", "you are forbidden to",
+)  # fmt: skip
+"""What is said behind these must not be done."""
 THEN = (
     "and only then", "only then", "and only after that", "only after that", "and at last", "at last",
     "and at the very end",

@@ -27,7 +27,7 @@ from rpg.language.meaning import (
 
 @dataclass
 class Spec:
-    """What a clause says besides its verb and theme. `left`: what nobody has used yet."""
+    """What a clause says besides its verb and theme. `left`: what nobody has used yet; `lined`: towers in a row."""
 
     orders: list[OrderBy] = field(default_factory=list)
     toward: list[Toward] = field(default_factory=list)
@@ -44,6 +44,7 @@ class Spec:
     qualities: list[Quality] = field(default_factory=list)
     parts: list[Places] = field(default_factory=list)
     listed: bool = False
+    lined: bool = False
     any_way: bool = False
 
     def first(self, *allowed: str) -> str | None:

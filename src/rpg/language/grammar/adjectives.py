@@ -236,6 +236,8 @@ _MATCHING = tuple(
             "that have their color", "in the same color", "in its own color", "of equal color",
             "in the matching color", "in matching color", "with its own color", "that matches it in color",
             "that matches in color", "that match in color", "with that color", "in that color", "in their color",
+            *(f"{of} the same color as {it}" for of in ("of", "with", "in", "that has", "which has", "that have")
+              for it in ("it", "the block", "the cube", "itself", "them", "the blocks", "the cubes")),
         )
         for word in ("color", "colors")
     )

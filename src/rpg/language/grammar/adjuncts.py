@@ -128,7 +128,10 @@ def _not_there(p: Parser, i: int) -> Results[That]:
     for theme, k in simple(p, j):
         for place, end in at(p, k + 1) if isinstance(theme, Noun) and p.stands(k, ("not", "never")) else ():
             denied = Clause(verb="be", theme=theme, adjuncts=(place,), negated=True, mode="goal", span=p.span(j, end))
-            yield That(kind="so", clauses=Chain(clauses=(denied,), links=("and",), span=denied.span), span=denied.span), end
+            yield (
+                That(kind="so", clauses=Chain(clauses=(denied,), links=("and",), span=denied.span), span=denied.span),
+                end,
+            )
 
 
 _COPULAS = frozenset(

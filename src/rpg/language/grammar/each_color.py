@@ -5,9 +5,14 @@ Whatever is said of each colour is said of the blocks of that colour: they are s
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.nouns import simple
+from rpg.language.grammar.relations import loc
+from rpg.language.grammar.theirs import THEIRS
 from rpg.language.grammar.wishes import Patterns
-from rpg.language.meaning import Clause, Noun, OrderBy
+from rpg.language.meaning import Clause, Loc, Noun, OrderBy, Traits
 
 _COLORS = Patterns(
     "each|every single|different? color",
@@ -66,12 +71,20 @@ _ONE = Patterns("a|one|exactly_one|just_one|a_single|one_single|a_separate|its_o
 @choice
 def of_each_color(p: Parser, i: int) -> Results[Clause]:
     """A clause that says of each colour how its blocks are put together."""
+    yield from _on_patches(p, i)
     for verb, j in (*_commanded(p, i), *_stated(p, i), *_one_for_each(p, i)):
         span = p.span(i, j)
         blocks = Noun(head="block", det="the", plural=True, span=span)
         by = OrderBy(by="attribute", span=span)
         word = p.span(i, i + 1)
-        yield Clause(verb=verb, lemma=verb, theme=blocks, adjuncts=(by,), mode="goal", span=span, word=word), j
+        said = Clause(verb=verb, lemma=verb, theme=blocks, adjuncts=(by,), mode="goal", span=span, word=word)
+        yield said, j
+        for found, k in loc(p, j) if verb == "stack" or p.words[j : j + 1] == ["on"] else ():
+            mark = found.landmark if isinstance(found, Loc) else None
+            if isinstance(mark, Noun) and mark.head == "patch" and isinstance(found, Loc) and mark.traits.matching:
+                spot = replace(mark, det="the", amount=None, plural=True)
+                where = replace(found, landmark=spot)
+                yield replace(said, adjuncts=(by, where), span=p.span(i, k)), k
 
 
 def _commanded(p: Parser, i: int) -> Results[str]:
@@ -91,6 +104,40 @@ def _parted(p: Parser, j: int) -> Results[str]:
     """ "into a tower of its own", "in separate groups"."""
     yield from (("stack", end) for end in _TOWERS.matches(p, j))
     yield from (("sort", end) for end in _GROUPS.matches(p, j))
+
+
+def _on_patches(p: Parser, i: int) -> Results[Clause]:
+    """ "each colour goes on its own patch", "match each cube with the mat of its colour"."""
+    for j in _COLORS.matches(p, i):
+        theme = Noun(head="block", det="all", plural=True, span=p.span(i, j))
+        for k in (j, *_GOES.matches(p, j)):
+            yield from _matched(p, i, p.any_of(k, ("on", "onto", "to", "in", "into", "gets", "has")), theme)
+    match = p.any_of(i, ("match", "pair", "pair up", "match up"))
+    for blocks, j in simple(p, match) if match else ():
+        if isinstance(blocks, Noun) and blocks.head == "block" and (blocks.plural or blocks.det == "each"):
+            yield from _matched(p, i, p.any_of(j, ("with", "to", "and", "onto", "up with")), replace(blocks, det="all"))
+
+
+def _matched(p: Parser, i: int, j: int, blocks: Noun) -> Results[Clause]:
+    """Blocks on the patches of their colours, said of a phrase for patches at `j`."""
+    for patch, k in simple(p, j) if j else ():
+        end = p.any_of(k, _BY_COLOR)
+        if not isinstance(patch, Noun) or patch.head != "patch" or patch.traits.colors:
+            continue
+        if end or patch.traits.matching or _own(patch):
+            marks = Traits(matching=True, shape=patch.traits.shape)
+            spot = replace(patch, det="the", amount=None, plural=True, traits=marks, cost=0)
+            on = Loc(rel="on", landmark=spot, span=p.span(j, k))
+            them = replace(blocks, plural=True, amount=blocks.amount if blocks.plural else None)
+            yield Clause(verb="be", theme=them, adjuncts=(on,), mode="goal", span=p.span(i, end or k)), end or k
+
+
+def _own(patch: Noun) -> bool:
+    """ "its own patch", "a patch of its own", "the patch of that colour"."""
+    return patch.det == "its" or patch.traits.scheme in ("different", THEIRS)
+
+
+_BY_COLOR = ("by color", "by their color", "by colors", "according to color", "according to their color", "in color")
 
 
 def _stated(p: Parser, i: int) -> Results[str]:

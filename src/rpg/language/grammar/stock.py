@@ -7,10 +7,11 @@ from dataclasses import replace
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import color
 from rpg.language.grammar.amounts import length
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.inventory import contents, given
 from rpg.language.grammar.labels import label_list
 from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.theirs import THEIRS
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits
 
@@ -52,20 +53,18 @@ def stock(p: Parser, i: int) -> Results[Clause]:
             end = p.any_of(j, _TODAY) or j
             yield replace(given(p, i, end, theme, told, 1), lemma="stock"), end
         for listed, j in noun_phrase(p, start):
-            if (
-                isinstance(listed, Coord)
-                and listed.op == "and"
-                and not listed.cost
-                and all(map(_counted, listed.items))
-            ):
+            plain = isinstance(listed, Coord) and listed.op == "and" and not listed.cost
+            whole = j >= p.end and _several(listed) and mere_looks(listed)
+            if whole or (plain and isinstance(listed, Coord) and all(map(_counted, listed.items))):
                 yield replace(given(p, i, j, listed, (), 1), lemma="stock"), j
-    if i == 0:
+    if i == 0 or p.follows(i, (":",)):
         for listed, j in noun_phrase(p, i):
             if j == p.end and _several(listed) and (mere_looks(listed) or all(map(_counted, _items(listed)))):
                 yield replace(given(p, i, j, listed, (), 3), lemma="stock"), j
     yield from _sized(p, i, lead or p.any_of(i, _USED))
     if lead or i == 0 or p.follows(i, (":",)):
         yield from _with_patches(p, lead or i)
+    yield from _patches_listed(p, i)
     yield from _shown(p, i)
     yield from _parted(p, i)
 
@@ -110,9 +109,31 @@ def _with_patches(p: Parser, i: int) -> Results[Clause]:
     for blocks, j in noun_phrase(p, i):
         joint = p.any_of(j, (", with", "with", "and", ", and", "plus", ","))
         for patches, k in noun_phrase(p, joint) if joint and _told(blocks, "block") else ():
-            if _head(patches) == "patch" and _told(patches, "patch") and (k >= p.end or p.words[k] in (",", ";")):
+            if _head(patches) == "patch" and _told(patches, "patch") and (k >= p.end or p.words[k] in (",", ";", ":")):
                 whole = Coord(op="and", items=(blocks, patches), span=p.span(i, k))
                 yield replace(given(p, i, k, whole, (), 1), lemma=""), k
+
+
+@choice
+def _patches_listed(p: Parser, i: int) -> Results[Clause]:
+    """ "patches: red and blue", "a mat for each of them in the same colour"."""
+    for start in _PATCHES.matches(p, i):
+        for listed, j in noun_phrase(p, start) if p.words[start - 1] in (":", ",", "-", "are", "is") else ():
+            if mere_looks(listed) and (j >= p.end or p.words[j] in (";", ".")):
+                yield replace(given(p, i, j, _as_patches(listed), (), 1), lemma=""), j
+    for theme, j in simple(p, i) if i == 0 else ():
+        if isinstance(theme, Noun) and theme.head == "patch" and theme.traits.scheme == THEIRS and j >= p.end:
+            yield replace(given(p, i, j, theme, (), 1), lemma=""), j
+
+
+_PATCHES = Patterns("the|our|my? patches|mats|zones|targets|spots|areas|pads available|given|colors? are|is? :|,|-?")
+
+
+def _as_patches(theme: Meaning) -> Meaning:
+    """The same looks, of patches."""
+    if isinstance(theme, Coord):
+        return replace(theme, items=tuple(map(_as_patches, theme.items)))
+    return replace(theme, head="patch") if isinstance(theme, Noun) else theme
 
 
 def _told(theme: Meaning, head: str) -> bool:
@@ -120,7 +141,9 @@ def _told(theme: Meaning, head: str) -> bool:
     if isinstance(theme, Coord):
         return theme.op == "and" and all(_told(x, head) for x in theme.items) and _head(theme.items[-1]) == head
     plain = isinstance(theme, Noun) and theme.head in (head, "any") and theme.det in ("bare", "a")
-    return plain and isinstance(theme, Noun) and bool(theme.traits.colors or theme.amount) and not theme.conditions
+    theirs = isinstance(theme, Noun) and head == "patch" and (theme.traits.scheme == THEIRS or theme.traits.matching)
+    told = isinstance(theme, Noun) and (bool(theme.traits.colors or theme.amount) or theirs)
+    return plain and told and isinstance(theme, Noun) and not theme.conditions
 
 
 def _head(item: Meaning) -> str:

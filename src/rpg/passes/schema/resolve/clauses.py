@@ -35,11 +35,11 @@ from rpg.passes.schema.resolve.denials import denied, denied_once
 from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
 from rpg.passes.schema.resolve.leftovers import nothing_left
 from rpg.passes.schema.resolve.logic import conj
+from rpg.passes.schema.resolve.moved import is_moved
+from rpg.passes.schema.resolve.moved import moved as far_moved
 from rpg.passes.schema.resolve.operands import spread
 from rpg.passes.schema.resolve.placing import Goals, distractors, is_shape, parts_alone, places
 from rpg.passes.schema.resolve.rebuilt import once_more
-from rpg.passes.schema.resolve.moved import is_moved
-from rpg.passes.schema.resolve.moved import moved as far_moved
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place
 from rpg.passes.schema.resolve.reordered import reverse

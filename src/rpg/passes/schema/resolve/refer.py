@@ -13,6 +13,7 @@ from rpg.passes.schema.resolve.listing import bounded, fewer_than, listed, quant
 from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
 from rpg.passes.schema.resolve.shares import SHARES, share_of
+from rpg.passes.schema.resolve.theirs import THEIRS, in_their_colors, its_own
 from rpg.passes.schema.resolve.things import Premise, alike, compared, create, looks_said, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -217,7 +218,9 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         raise refuse("misplaced", "blocks are cubes, all of one shape", noun.span, "leave the shape out")
     if not patch and compared(noun):
         raise refuse("ambiguous", "it is not said of what colour", noun.span, "name the colour")
-    if patch and noun.traits.matching:
+    if patch and (noun.traits.scheme == THEIRS or (noun.traits.matching and scope.given)):
+        return in_their_colors(noun, scene, scope)
+    if patch and (noun.traits.matching or its_own(noun, scene)):
         return Ref(patch=True, matching=True, plural=noun.plural, det=noun.det)
     if noun.det in ("other", "another"):
         return _besides(noun, scene, scope, patch)

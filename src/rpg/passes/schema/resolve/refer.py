@@ -331,7 +331,7 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return _some_of(whole, 1, noun, scene)
     if noun.det == "any":
         amount = noun.amount or Amount(1, None, True)
-        return replace(whole, quant=Amount(amount.low, amount.high, True))
+        return replace(whole, quant=Amount(amount.low, amount.high, True), det="any")
     if amount is None:
         return whole
     high = amount.high

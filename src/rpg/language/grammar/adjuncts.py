@@ -128,10 +128,8 @@ def _not_there(p: Parser, i: int) -> Results[That]:
     for theme, k in simple(p, j):
         for place, end in at(p, k + 1) if isinstance(theme, Noun) and p.stands(k, ("not", "never")) else ():
             denied = Clause(verb="be", theme=theme, adjuncts=(place,), negated=True, mode="goal", span=p.span(j, end))
-            yield (
-                That(kind="so", clauses=Chain(clauses=(denied,), links=("and",), span=denied.span), span=denied.span),
-                end,
-            )
+            so = Chain(clauses=(denied,), links=("and",), span=denied.span)
+            yield That(kind="so", clauses=so, span=denied.span), end
 
 
 _COPULAS = frozenset(
@@ -284,7 +282,8 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
         "making sure that", "making sure", "ensuring that", "ensuring",
                      "where", ", where", "in a way that", "and make sure that", "and ensure that",
                      "in which", "on which", "so", ", making sure", ", ensuring that", ", ensuring",
-                     "while making sure", "while ensuring", ", so long as", "so long as", ", provided that",
+                     "while making sure", "while ensuring", ", so long as", "so long as", ", as long as",
+                     "as long as", ", provided that",
                      "provided that"))  # fmt: skip
     if j and not p.any_of(i, READABLE):
         for clauses, k in chain(p, p.opt(j, ",")):

@@ -115,5 +115,6 @@ def _one_and_rest(p: Parser, i: int, j: int) -> Results[Meaning]:
         rest = p.any_of(p.opt(p.opt(k, ","), "and"), _REST)
         rest = p.any_of(rest, ("is", "are", "should be", "must be", "being", "in")) or rest if rest else 0
         for two, end in color(p, rest) if rest else ():
-            items = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=p.span(j, end)) for x in (one, two))
+            both = (two, one) if "second" in p.words[i:j] else (one, two)
+            items = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=p.span(j, end)) for x in both)
             yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end

@@ -70,6 +70,7 @@ _EXTREMES = {
 _NUMBERS = frozenset({"number", "digit", "numeral", "value"})
 _THINGS = ("block", "cube", "one", "brick", "box")
 _IS = ("is", "being", "goes", "comes", "should be", "must be", "to be", "stands", "sits", "should come", "should go")
+_WHERE = ("with", "where", "and", "so", "so that", "such that")
 _AT = ("on the", "at the", "to the", "on", "at", "at the far", "at the very", "on the far", "at the extreme", "in the")
 _HERE = frozenset({"left", "right", "bottom", "top", "front", "back", "leftmost", "rightmost"})
 _COUNTING = {
@@ -90,7 +91,7 @@ def ascent(p: Parser, i: int) -> Results[Meaning]:
 
 def _extreme(p: Parser, i: int) -> Results[Meaning]:
     """ "(with the) biggest number (on the) left": sorted, and from which side on."""
-    j = p.opt(p.opt(p.opt(i, ",", ":"), "with", "where", "and"), "the")
+    j = p.opt(p.any_of(p.opt(i, ",", ":"), _WHERE) or p.opt(i, ",", ":"), "the")
     down = p.lex(j, _EXTREMES)
     if down is None:
         return

@@ -63,12 +63,15 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
     j2 = p.opt(j, "the")
     if first := p.peek(j2, SIDES):
         k = p.reach(j2 + 1)
-        k = p.opt(k, "side", "end")
+        k = p.opt(k, "side", "end", "edge")
         if e := p.one(k, frozenset({"to", "towards"})):
             e = p.opt(e, "the")
             last = SIDES.get(p.words[e]) if e < p.end else None
             if last == OPPOSITE[first]:
-                yield Toward(first=first, axis=AXIS[first], span=p.span(i, e + 1)), p.opt(p.reach(e + 1), "side", "end")
+                yield (
+                    Toward(first=first, axis=AXIS[first], span=p.span(i, e + 1)),
+                    p.opt(p.reach(e + 1), "side", "end", "edge"),
+                )
         if j2 > j > i and first in ("left", "right") and p.words[k] not in ("to", "towards"):
             yield Toward(first=first, axis="y", span=p.span(i, k)), k
         upright = first in ("top", "bottom") and not p.follows(i, _COUNTED)
@@ -103,6 +106,7 @@ _WHOLES = (
 _EXTREMES = {
     "leftmost": "left", "rightmost": "right", "topmost": "top", "bottommost": "bottom", "nearest": "front",
     "frontmost": "front", "farthest": "back", "closest": "front", "furthest": "back", "lowermost": "bottom",
+    "up top": "top", "right up top": "top", "down below": "bottom", "at the summit": "top",
 }  # fmt: skip
 _REACH = Patterns(
     "to the? me|us|you|viewer|robot|camera|observer", "away? from the? me|us|you|viewer|robot|camera|observer", "away"
@@ -127,10 +131,20 @@ def at(p: Parser, i: int) -> Results[Meaning]:
         far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0
         if far or p.words[k] not in ("to", "from"):
             yield At(side=side, span=p.span(i, far or k)), far or k
+    if j := p.any_of(i, _EITHER_END):
+        yield At(side="end", span=p.span(i, j)), j
     ordinal = p.lex(i, lexicon.ORDINAL)
     for side in ("left", "right", "bottom", "top") if ordinal else ():
         if k := p.any_of(i + 1, (f"from the {side}", f"from {side}")):
             yield At(side=side, index=ordinal, span=p.span(i, k)), k
+
+
+_EITHER_END = tuple(
+    f"{at} {end}"
+    for at in ("at", "on")
+    for end in ("an end", "either end", "one end", "any end", "one of the ends", "one of its ends")
+)
+"""No certain end: it can be said that a block is at none of them."""
 
 
 def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:

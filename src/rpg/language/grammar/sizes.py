@@ -194,7 +194,8 @@ def lines_of(p: Parser, i: int, kind: str) -> Results[Size]:
 _OF_HEIGHTS = (
     "of heights", "with heights", "with heights of", "with the heights", "of height", "with steps of height",
     "with steps of heights", "with columns of height", "with columns of heights", ": heights", ", heights",
-    "with columns",
+    "with columns", ": column heights", ", column heights", "with column heights", "with column heights of",
+    ": columns of heights", ": columns of height", ": steps of heights", ": steps of height", ": heights of",
     ", with steps of height", ", with steps of heights", ", with columns of heights", ", with columns of height",
     ", with columns", "with steps", ":", "with the columns", "having heights", ", columns", ", steps of height",
 )  # fmt: skip

@@ -24,6 +24,7 @@ from rpg.language.meaning import (
     Structure,
     Toward,
     Traits,
+    Using,
     parts_of,
 )
 from rpg.passes.schema.resolve.figures import check_built
@@ -185,7 +186,9 @@ def _spelt_later(verb: str, spec: Spec, scene: Scene, theme: Ref) -> bool:
         first = chain.clauses[0] if isinstance(chain, Chain) else None
         if isinstance(chain, Chain) and isinstance(first, Clause) and first.verb in ("spell", "read"):
             along = Toward(axis="z" if upright else "y", span=that.span)
-            said = replace(first, adjuncts=(*first.adjuncts, along))
+            them = Using(members=Pronoun(word="them", span=that.span), span=that.span)
+            told = any(isinstance(a, Using) for a in first.adjuncts) or first.verb == "read"
+            said = replace(first, adjuncts=(*first.adjuncts, along) if told else (them, *first.adjuncts, along))
             spec.thats[index] = replace(that, clauses=replace(chain, clauses=(said, *chain.clauses[1:])))
             spec.intos = []
             return True

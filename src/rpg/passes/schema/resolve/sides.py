@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
@@ -39,8 +40,11 @@ def _denied(goal: g.Goal, item: Loose, scene: Scene) -> g.Goal:
         _of_what(item, goal, scene)
         return _and(goal, g.Not(goal=_region(item), span=span))
     kept = node.model_copy(update={"axis": node.axis or "y"}) if isinstance(node, s.Row) else node
-    so = _refine(node, node, [item], scene)
-    without = conj([kept, g.Not(goal=so, span=span)], span)
+    kind = "stack" if isinstance(node, s.Stack) else "column" if node.axis == "x" else "row"
+    at_ = item[1]
+    both = SIDES[kind][:2] if isinstance(at_, At) and at_.side == "end" else ()
+    items = [(ref, replace(at_, side=side), span) for side in both] if isinstance(at_, At) and both else [item]
+    without = conj([kept, *(g.Not(goal=_refine(node, node, [one], scene), span=span) for one in items)], span)
     return transform(goal, lambda x: without if x == node else x)
 
 

@@ -138,8 +138,8 @@ _SIZES = {
     "grid": {"size", "rows", "columns", "layers", "high", "wide", "long", "deep", "side", "dims"},
     "wall": {"size", "wide", "long", "columns", "high", "layers", "rows", "dims"},
     "pyramid": {"size", "base", "wide", "layers", "high", "dims"}, "staircase": {"size", "steps", "high", "layers"},
-    "cube": {"dims", "side", "size", "wide", "deep", "high", "long"},
-    "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep"},
+    "cube": {"dims", "side", "size", "wide", "deep", "high", "long", "layers"},
+    "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep", "layers", "high"},
     "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
     "triangle": {"size", "side"}, "circle": {"size"}, "checkerboard": {"dims", "rows", "columns", "size", "side"},
     "gradient": {"size", "long"}, "word": {"size"},
@@ -326,7 +326,7 @@ def row_node(
     if axis is None:
         axis = {"left": "y", "right": "y", "front": "x", "back": "x"}.get(order.first or "")
     if axis is None:
-        axis = "y" if (kind == "row" and not spec.any_way) or flat else "x" if kind == "column" else None
+        axis = "x" if kind == "column" else "y" if (kind == "row" and not spec.any_way) or flat else None
     options: dict[str, object] = {}
     for spacing in spec.spacings:
         options["evenly" if spacing.kind == "even" else "touching"] = True

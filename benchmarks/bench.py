@@ -15,6 +15,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
 
 os.environ.setdefault("MUJOCO_GL", "disable")
@@ -22,8 +23,9 @@ os.environ.setdefault("MUJOCO_GL", "disable")
 import mujoco
 import numpy as np
 
+from rpg.benchmark.suites import SUITES, read_suite
 from rpg.blocks.constants import SUBSTEPS
-from rpg.blocks.physics import Physics
+from rpg.blocks.physics import QUIET_STEPS, Physics
 from rpg.blocks.scene import build_spec
 from rpg.blocks.state import World
 from rpg.env import BlockTask
@@ -35,7 +37,7 @@ from rpg.ir.schema import TaskSchema
 from rpg.passes.repair.placing import state_of
 from rpg.passes.validate import Measures
 from rpg.passes.validate.load import load
-from rpg.pipeline import Outcome, compile_instruction, compile_schema
+from rpg.pipeline import CompileOptions, Outcome, compile_instruction, compile_schema
 from rpg.publishing import publish
 from rpg.steering import steer
 from rpg.store import Workspace, Written, dump_schema
@@ -44,6 +46,7 @@ COLORS: tuple[Color, ...] = ("red", "orange", "yellow", "green", "cyan", "blue",
 SIZES = (2, 5, 14, 27)
 STATES = 10_000
 STATES_PER_SECOND = 5_000
+DEMO = "put red on yellow"
 STEERS = (
     ("put the red block on the yellow block", "add a green block on top"),
     ("arrange the red, green, blue and yellow blocks in a row", "make the red block white"),
@@ -122,19 +125,22 @@ def processes_time() -> float:
 
 def mandated(outcome: Outcome) -> Callable[[], None]:
     """The least physics that the gates call for, as raw MuJoCo calls that keep everything awake: the scene compiled, a
-    look at every reset, the smoke steps, the goal settled and held. The process that repeats resets for the gate of
-    determinism works beside this one; it is left out here as it is in the figure."""
+    look at every reset (where blocks start on each other, after they have settled), the smoke steps, the goal settled
+    and held. The process that repeats resets for the gate of determinism works beside this one; it is left out here as
+    it is in the figure."""
     program, measures = outcome.program, Measures()
     assert program is not None
     task = load(program.code, program.goal_code)[0]()
     goal = state_of(program.path[-1], World(program.task.assets))
     starts = [task.reset(seed) for seed in range(measures.resets)]
+    built = program.task.init.arranged or program.task.init.heaps
+    look = 1 + QUIET_STEPS if built else 1
 
     def work() -> None:
         physics = Physics(goal.world, build_spec(program.task.assets).compile())
         for start in starts:
             physics.write(start)
-            mujoco.mj_step(physics.model, physics.data, SUBSTEPS)
+            mujoco.mj_step(physics.model, physics.data, SUBSTEPS * look)
         physics.write(starts[0])
         mujoco.mj_step(physics.model, physics.data, SUBSTEPS * measures.smoke_steps)
         physics.write(goal)
@@ -151,6 +157,25 @@ def compiles() -> Iterator[Figure]:
         warm = median_time(lambda schema=schema: compile_schema(schema), repeats)  # type: ignore[misc]
         floor = median_time(mandated(outcome), repeats)
         yield Figure(f"warm compile, {count} blocks", warm, floor, "MuJoCo's share, awake", most_ratio=1.3)
+
+
+def sentences() -> Iterator[Figure]:
+    """Compiles of what people say: of one sentence, and of all that a suite begins with. Paraphrases are apart: each
+    takes about as long as the sentence to read, and says nothing about whether the task is right."""
+    suites = {f"the {suite} suite": [e.instruction for e in read_suite(suite)] for suite in SUITES}
+    for what, said in {f'"{DEMO}"': [DEMO], **suites}.items():
+        plain, phrased, floor = 0.0, 0.0, 0.0
+        for text in said:
+            raw = mandated(compile_instruction(text))
+            for options in (CompileOptions(paraphrases=0), CompileOptions()):
+                work = partial(compile_instruction, text, options)
+                one, other = alternately(work, raw, 7)
+                if options.paraphrases:
+                    phrased += one / len(said)
+                else:
+                    plain, floor = plain + one / len(said), floor + other / len(said)
+        yield Figure(f"warm compile, {what}", plain, floor, "MuJoCo's share, awake", most_ratio=2.0)
+        yield Figure("… with two paraphrases read back", phrased, floor, "MuJoCo's share, awake")
 
 
 def steers() -> Iterator[Figure]:
@@ -235,7 +260,7 @@ def shown(figure: Figure) -> str:
 def main() -> None:
     """Print every figure as it is measured."""
     found = []
-    for group in (processes, compiles, steers, running):
+    for group in (processes, compiles, sentences, steers, running):
         for figure in group():
             found.append(figure)
             if "--json" not in sys.argv:

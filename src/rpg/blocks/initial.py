@@ -210,7 +210,7 @@ def _put_arranged(init: InitialState, layout: _Layout, draw: str) -> bool:
     goal = All(goals=init.arranged)
     mentioned = set(names(goal))
     assets = [asset for name, asset in layout.world.assets.items() if name in mentioned]
-    found = arrange(goal, World(assets), rng=Random(f"{draw}/arranged"), count=2)[-1]
+    found = arrange(goal, World(assets), rng=Random(f"{draw}/arranged"), natural=False)[0]
     for name in found.position:
         outline = footprint(found, name)
         if not all(polygon_gap(outline, footprint(layout.state(), p)) >= TIGHT for p in _others(layout, mentioned)):

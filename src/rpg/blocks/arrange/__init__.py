@@ -16,19 +16,27 @@ CHANGES = frozenset({"stayed", "moved", "swapped", "turned"})
 
 
 def arrange(
-    goal: g.Goal, world: World, *, rng: Random, start: BlockState | None = None, count: int = 1
+    goal: g.Goal,
+    world: World,
+    *,
+    rng: Random,
+    start: BlockState | None = None,
+    count: int = 1,
+    natural: bool = True,
 ) -> list[BlockState]:
     """`count` states in which `goal` holds, every block settled and well inside of the workspace and of tolerances.
 
-    The first one is the most natural; equal generators give equal states. `start`: where the episode begins, for
-    conditions relative to it (imagined where it is not given); the states carry it. Raises Impossible.
+    The first one is the most natural where `natural`; equal generators give equal states. `start`: where the episode
+    begins, for conditions relative to it (imagined where it is not given); the states carry it. Raises Impossible.
     """
     if start is None and any(atom.kind in CHANGES for atom in atoms(goal)):
         start = imagined_start(world, rng)
     solver = Solver(goal, world, start)
     found: list[BlockState] = []
     for k in range(count):
-        state = solver.solve(rng, vary=k > 0)
+        state = solver.solve(rng, vary=k > 0 or not natural)
+        if state is None and not (found or natural):
+            state = solver.solve(rng)
         if state is None and not found:
             raise Impossible(explain(goal, world, start))
         if state is not None:

@@ -33,6 +33,13 @@ def objects(schema: TaskSchema, say: Speaker) -> list[str]:
     return found
 
 
+def told_by_goal(schema: TaskSchema) -> bool:
+    """Whether what a task asks for tells what there is: no distractors, no patches of unusual sizes or shapes."""
+    told = set(_spoken_of(schema))
+    plain = all(_patch(patch) in (f"a {patch.color} patch", f"an {patch.color} patch") for patch in schema.patches)
+    return plain and all(asset.name in told for asset in schema.assets)
+
+
 def _there(parts: list[str], also: str = "") -> str:
     verb = "is" if len(parts) == 1 and parts[0].startswith(("a ", "an ")) else "are"
     return f"There {verb}{also} {join(parts)}"

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from itertools import product
 
 from rpg.blocks.english.goals import spoken
-from rpg.blocks.english.scene import objects, starts
+from rpg.blocks.english.scene import objects, starts, told_by_goal
 from rpg.blocks.english.speaker import Inexpressible, Speaker
 from rpg.blocks.nouns import join
 from rpg.blocks.state import World
@@ -84,7 +84,7 @@ def variants(schema: TaskSchema) -> Iterator[str]:
     """Texts that should mean what `schema` says, the more natural ones first; not all of them need to compile."""
     world = World(schema.assets)
     numbered: frozenset[str] = frozenset()
-    for brief, turn in product((True, False), (0, 1)):
+    for brief, turn in product((True, False) if told_by_goal(schema) else (False,), (0, 1)):
         for style, (mood, frame, nouns) in enumerate(STYLES):
             while True:
                 try:

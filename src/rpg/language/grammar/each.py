@@ -54,6 +54,10 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
     comma = p.opt(i, ",", ":")
     if j := p.any_of(comma, _LEADS):
         yield from _lot(p, i, j)
+        yield from _layered(p, i, j)
+    if j := p.one(comma, frozenset({"both", "each"})):
+        yield from _layered(p, i, p.opt(j, "one", "tower", "stack"))
+        yield from (x for x in _lot(p, i, p.opt(j, "one", "tower", "stack")) if x[0].first)
     for found, j in _lot(p, i, comma) if comma > i and p.anywhere(_TIMES_WORDS) else ():
         if found.first and (k := p.any_of(j, _TIMES)):
             yield replace(found, span=p.span(i, k)), k
@@ -111,6 +115,33 @@ def _lot(p: Parser, i: int, j: int) -> Results[OrderBy]:
                 if len(two) == 1:
                     pair = (*two, *one) if _ON[phrase] else (*one, *two)
                     yield OrderBy(by="each", items=pair, first="bottom", span=p.span(i, end)), end
+
+
+_AT = {
+    **dict.fromkeys(("at the bottom", "below", "underneath", "at the base", "lowest", "at the very bottom"), "bottom"),
+    **dict.fromkeys(("on top", "at the top", "above", "on the top", "highest", "at the very top"), "top"),
+    **dict.fromkeys(("in the middle", "in between", "between them", "in the center"), "middle"),
+}
+
+
+def _layered(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(both with) red at the bottom and white on top"."""
+    held: dict[str, Noun] = {}
+    while len(held) < 3:
+        for theme, k in simple(p, j):
+            one = _items(theme, theme.span)
+            at, end = next(((_AT[phrase], end) for phrase, end in p.standing(k, _AT)), ("", 0))
+            if len(one) == 1 and end and at not in held:
+                held[at] = one[0]
+                break
+        else:
+            return
+        if {"bottom", "top"} <= held.keys():
+            items = tuple(held[at] for at in ("bottom", "middle", "top") if at in held)
+            yield OrderBy(by="each", items=items, first="bottom", span=p.span(i, end)), end
+        j = p.any_of(end, (", and", ",", "and"))
+        if not j:
+            return
 
 
 def _items(meaning: Meaning, span: Span) -> tuple[Noun, ...]:

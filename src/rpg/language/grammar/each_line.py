@@ -30,7 +30,7 @@ def _openings(unit: str) -> Patterns:
     )
 
 
-_EACH = Patterns(f"each|every being|is|has|having|with? in|of|with? {_ONE} color of_its_own?")
+EACH = Patterns(f"each|every being|is|has|having|with? in|of|with? {_ONE} color of_its_own?")
 """The same behind "three columns"."""
 
 
@@ -61,7 +61,7 @@ def each_line(p: Parser, i: int) -> Results[Meaning]:
             if led or p.one(i, ",") or closed:
                 yield from _colors(p, i, k if p.words[k - 1] == ":" else p.any_of(k, (":", ",", "-")) or k, unit)
     behind = _UNITS.get(p.words[start - 1].removesuffix("s")) if start > 0 and p.words[start] == "each" else None
-    for k in _EACH.matches(p, start) if behind else ():
+    for k in EACH.matches(p, start) if behind else ():
         if end := p.any_of(k, (":", ",", "-")):
             yield from _colors(p, i, end, behind or "")
 

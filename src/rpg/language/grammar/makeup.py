@@ -11,6 +11,7 @@ from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.along import listed_along
 from rpg.language.grammar.ascents import measures
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.each_line import EACH
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.sizes import IN_TOTAL, ends_in_lines, heights_of_steps, lines_of, size_phrase
@@ -18,6 +19,7 @@ from rpg.language.meaning import (
     Absolute,
     Amount,
     Coord,
+    Into,
     Meaning,
     Noun,
     OrderBy,
@@ -130,6 +132,12 @@ def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "two towers ..., one red and one blue", "... the left one red and the right one blue"."""
     from rpg.language.grammar.wholes import wholes
 
+    towers = base.plural and base.kind == "stack" and base.amount is not None
+    for j in EACH.matches(p, p.opt(k, ",")) if towers and p.anywhere(_EACHES) else ():
+        for items, end in listed(p, lead) if (lead := p.any_of(j, (":", ",", "-", ", namely"))) else ():
+            named = tuple(c for x in items if isinstance(x, Noun) and x.amount is None for c in x.traits.colors)
+            if base.amount is not None and len(named) == len(items) == base.amount.low:
+                yield _painted(base, named, Pattern(unit="stack", span=p.span(k, end)), p.span(i, end)), end
     for found, end in wholes(p, k) if base.plural else ():
         places = [x.adjuncts[0] for x in found.items if isinstance(x, Absolute)]
         themes = [x.theme for x in found.items if isinstance(x, Absolute)]
@@ -140,6 +148,9 @@ def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
             yield _painted(base, colors, Pattern(unit="stack", span=found.span), p.span(i, end)), end
         else:
             yield replace(base, details=(*base.details, found), span=p.span(i, end)), end
+
+
+_EACHES = frozenset({"each", "every"})
 
 
 def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: Span) -> Structure:
@@ -268,6 +279,11 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         if not measures(p, end):
             shown = Noun(head="block", plural=True, traits=Traits(labels=labels), span=p.span(k, end))
             yield replace(base, members=shown, span=p.span(i, end)), end
+    if base.kind in ("row", "line") and not (base.plural or base.sizes or base.details) and p.words[k - 1] == "of":
+        for towers, end in noun_phrase(p, k):
+            if isinstance(towers, Structure) and towers.kind == "stack" and towers.plural:
+                into = Into(structure=base, span=base.span)
+                yield replace(towers, details=(*towers.details, into), span=p.span(i, end)), end
     for start in dict.fromkeys((k, p.one(k, "each"))):
         for members, end in noun_phrase(p, start) if start else ():
             if not _are_members(p, j, k, base, members, end):

@@ -18,6 +18,7 @@ from rpg.language.meaning import Absolute, Amount, At, Meaning, Noun, Places, St
 _SIDES = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
     "bottom": "bottom", "lower": "bottom", "lowest": "bottom", "bottommost": "bottom", "lowermost": "bottom",
+    "ground": "bottom", "base": "bottom",
     "middle": "middle", "center": "middle", "central": "middle",
     "left": "left", "leftmost": "left", "right": "right", "rightmost": "right",
     "front": "front", "near": "front", "nearest": "front", "frontmost": "front", "closest": "front",
@@ -116,6 +117,8 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         end = p.opt(p.reach(j + 2), "corner", "block", "one", "cell", "cube")
         yield Places(side=f"{along} {across}", unit="cell", span=p.span(i, end)), end
         return
+    if (line := _UNITS.get(p.words[j])) in _LAYERS and (turn := p.number(j + 1)) and p.number(j + 2) is None:
+        yield Places(side="first", unit=line or "", index=turn, span=p.span(i, j + 2)), p.reach(j + 2)
     several = p.number(j)
     after = j + 1 if several is not None else j
     after = p.opt(after, "very")

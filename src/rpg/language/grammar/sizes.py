@@ -96,7 +96,7 @@ def size_phrase(p: Parser, i: int) -> Results[Size]:
             yield Size(what="base", dims=dims, span=p.span(i, below)), below
         yield (
             Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),
-            p.any_of(k, ("in size", "blocks", "cubes")) or k,
+            p.any_of(k, ("in size", "blocks", "cubes", "per layer", "in each layer", "for each layer")) or k,
         )
     for dims, k in dimensions(p, i + 1) if p.one(i, "of") else ():
         yield Size(what="dims", dims=dims, span=p.span(i, k)), k
@@ -177,20 +177,44 @@ def ends_in_lines(p: Parser, j: int) -> bool:
     return j > 1 and p.words[j - 1] in _ROWS and p.number(j - 2) is not None
 
 
+_LAYERED = frozenset({"layers", "levels", "tiers", "floors"})
+_OF_EACH = ("of", "each", ", each", "each of", "each with", ", each of", ", each with", "with", "on a base of", "on a",
+            "each a", ", each a", "being")  # fmt: skip
+_EACH_LAYER = ("each", "in each layer", "per layer", "in every layer", "in each", "base", "grid", "square", "in size")
+
+
+@rule
+def layers_of(p: Parser, i: int) -> Results[Size]:
+    """ "two layers of 2x2 blocks", "three layers on a 2x2 base": rows, columns and layers."""
+    layers = p.number(i)
+    of = p.any_of(i + 2, _OF_EACH) if layers and p.stands(i + 1, _LAYERED) else 0
+    for dims, j in dimensions(p, of) if of else ():
+        if len(dims) == 2 and layers is not None:
+            j = p.any_of(j, _EACH_LAYER) or j
+            end = p.any_of(p.opt(j, "of"), _EACH_LAYER) or j
+            yield Size(what="dims", dims=(*dims, layers), span=p.span(i, end)), end
+
+
 @rule
 def lines_of(p: Parser, i: int, kind: str) -> Results[Size]:
     """ "with three rows of four": the extents of a grid, or of a wall."""
+    if kind in _THICK and (after := p.any_of(i, ("with", "of", "having", "in", ",", ":", "made of", ", with", "i.e.",
+                                                 ", i.e.", ", that is ,", ", so", "and"))):  # fmt: skip
+        yield from layers_of(p, after)
     j = p.any_of(i, ("with", "of", "having", "in", "made of"))
     lines = p.number(j) if j else None
     what = p.words[j + 1] if lines is not None and j + 3 < p.end else ""
-    each = p.number(j + 3) if what in _ROWS and p.words[j + 2] == "of" else None
+    each = p.number(j + 3) if what in _ROWS and p.words[j + 2] in ("of", "with") else None
     if lines is None or each is None or not (kind in _ROWS[what] or (kind == "wall" and what == "rows")):
         return
     dims = (lines, each) if what == "rows" and kind != "wall" else (each, lines)
-    end = p.any_of(j + 4, tuple(f"{noun}{tail}" for noun in ("blocks", "cubes") for tail in (" each", "")))
+    end = p.any_of(j + 4, _IN_EACH_LINE)
     yield Size(what="dims", dims=dims, span=p.span(i, end or j + 4)), end or j + 4
 
 
+_IN_EACH = ("", " each", *(f" in {a} {line}" for a in ("each", "every") for line in ("row", "layer", "column")))
+_IN_EACH_LINE = tuple(f"{noun}{tail}" for noun in ("blocks", "cubes", "bricks") for tail in _IN_EACH)
+_THICK = ("grid", "cube", "square", "rectangle", "stack")
 _OF_HEIGHTS = (
     "of heights", "with heights", "with heights of", "with the heights", "of height", "with steps of height",
     "with steps of heights", "with columns of height", "with columns of heights", ": heights", ", heights",

@@ -16,7 +16,7 @@ from rpg.language.grammar.lists import listed
 from rpg.language.grammar.makeup import per_color, sized_members
 from rpg.language.grammar.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.shapes import noun
-from rpg.language.grammar.sizes import dimensions
+from rpg.language.grammar.sizes import dimensions, layers_of
 from rpg.language.meaning import (
     Amount,
     Meaning,
@@ -58,6 +58,9 @@ class _Before:
 @rule
 def structure(p: Parser, i: int) -> Results[Meaning]:
     """A structure with its determiner, sizes, members."""
+    for size, j in layers_of(p, i):
+        base = Structure(kind="grid", sizes=(size,), span=p.span(i, j))
+        yield from _tail(p, i, j, base)
     for quantity, j in _quantities(p, i):
         for before, k in _before(p, j):
             yield from _kinds(p, i, k, quantity, before)

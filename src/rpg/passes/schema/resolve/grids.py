@@ -62,6 +62,7 @@ def _two_colors(shape: Structure, spec: Spec) -> Structure:
 
 def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:
     """Rows, columns and layers of a grid."""
+    _said_once(shape)
     if len(shape.dims) == 3:
         return shape.dims[0], shape.dims[1], shape.dims[2]
     layers = shape.extent("layers", "high") or 1
@@ -90,6 +91,16 @@ def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
         scene.assume("the size of the grid is not said: 3 by 3")
         return 3, 3, 1
     return _fill(shape, total, scene)
+
+
+def _said_once(shape: Structure) -> None:
+    """Refuse a second size that is another one: "a 2x2x2 cube, three layers of 2x2"."""
+    for size in shape.sizes:
+        again = size.dims if size.what == "dims" else None
+        if size.what in ("layers", "high") and len(shape.dims) == 3:
+            again = (*shape.dims[:2], size.amount.low if size.amount else 0)
+        if again is not None and again[: len(shape.dims)] != shape.dims[: len(again)]:
+            raise refuse("contradiction", "two sizes are given", size.span, "keep one of them")
 
 
 def _only_side(shape: Structure) -> int | None:

@@ -113,7 +113,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         look = looks[index]
         look = _spelling(shape, look) if isinstance(look, Structure) else look
         if isinstance(look, Noun) and _listed(look):
-            single = _told_in_order(shape, look, lots[index], own)
+            single = _told_in_order(shape, look, lots[index], own, scene)
             more, atoms = maker(single, own, lots[index], scene, scope)
             if isinstance(looks[index], Structure):
                 atoms = [x.model_copy(update={"readable": True}) if isinstance(x, s.Row) else x for x in atoms]
@@ -182,14 +182,22 @@ def _listed(look: Noun) -> bool:
     return look.amount is None and max(len(look.traits.labels), len(look.traits.colors)) > 1
 
 
-def _told_in_order(shape: Structure, look: Noun, lot: Ref | None, own: Spec) -> Structure:
-    """One of several lines whose blocks are listed: in this order, unless another one is said."""
+def _told_in_order(shape: Structure, look: Noun, lot: Ref | None, own: Spec, scene: Scene) -> Structure:
+    """One of several lines whose blocks are listed: in this order, unless another one is said.
+
+    Its blocks are none of those that another line has.
+    """
     marks = look.traits
     looks = [replace(marks, labels=(x,)) for x in marks.labels] or [replace(marks, colors=(c,)) for c in marks.colors]
     if not own.orders and shape.kind in ("row", "line", "column"):
         items = tuple(Noun(head="any", traits=one, span=look.span) for one in looks)
         own.orders = [OrderBy(by="named", items=items, span=look.span)]
-    return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=None if lot is not None else look)
+    used = {n for b in scene.built for n in b.members}
+    others = tuple(_further(Noun(head="any", traits=one, span=look.span), used, scene) for one in looks)
+    members: Meaning = look
+    if any(isinstance(item, Noun) and item.det == "another" for item in others):
+        members = Coord(op="and", items=others, span=look.span)
+    return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=None if lot is not None else members)
 
 
 def _named_lots(theme: Ref | None, looks: Sequence[Look], scene: Scene) -> list[Ref | None]:

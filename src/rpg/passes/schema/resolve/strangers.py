@@ -21,6 +21,8 @@ def _unnamed(scene: Scene) -> None:
     vague += [t for t in scene.blocks() if t.name in scene.vague]
     if not vague and any(a.startswith(_UNCOUNTED) for a in scene.assumptions):
         vague = [t for t in open_ if t.batch == open_[-1].batch]
+    if any(a.startswith("the number of letter blocks") for a in scene.assumptions):
+        vague += [t for t in scene.blocks() if t.kind == "letter" and t.label is None and not t.extra]
     named = [t for t in scene.blocks() if t not in vague and not t.extra]
     if vague and named:
         raise refuse(
@@ -40,8 +42,11 @@ def _apposed(scene: Scene) -> None:
     letters = [t for t in scene.blocks() if t.kind == "letter" and not t.extra]
     spelt = [t for t in letters if t.label]
     looks = [t for t in scene.blocks() if (t.color or t.label) and not t.extra]
-    same = counted and len(counted) > 1 and len(looks) == len(counted)
-    if same or (counted and uncounted) or (spelt and len(letters) == 2 * len(spelt)):
+    lots = [{t.name for t in lot} for lot in (counted, looks)]
+    joint = any(all(lot & {*built.members} for lot in lots) for built in scene.built)
+    same = len(counted) > 1 and len(looks) == len(counted) and not joint
+    stock = [t for t in looks if t.name in scene.stocked]
+    if same or (counted and stock) or (counted and uncounted) or (spelt and len(letters) == 2 * len(spelt)):
         told, hint = "the blocks that are counted may be those that are described", "say 'three red blocks'"
         raise refuse("ambiguous", told, None, hint)
 

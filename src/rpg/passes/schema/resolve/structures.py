@@ -45,6 +45,10 @@ def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
             raise refuse("ambiguous", f"there are {len(known)} of them", shape.span, "say which")
         names = tuple(dict.fromkeys(n for b in known for n in b.members))
         return Ref(names=names, built=tuple(known), plural=len(known) > 1, each=shape.det == "each")
+    several = any(built.kind == "towers" for built in scene.built)
+    if several and shape.kind == "stack" and shape.det in ("each", "the", "both") and shape.members is None:
+        raise refuse("ambiguous", "it is not clear which block is in which tower", shape.span,
+                     "name the towers one by one")  # fmt: skip
     if shape.det == "the" or scope.role == "landmark" or scope.given:
         figures.check_built(shape)
     spec = Spec()

@@ -22,10 +22,19 @@ _AROUND = {"about": 0.25, "around": 0.25, "roughly": 0.25, "approximately": 0.25
 _LIMITS = {
     "at least": "low", "more than": "low", "no less than": "low", "a minimum of": "low", "at most": "high",
     "less than": "high", "no more than": "high", "within": "high", "up to": "high", "not more than": "high",
+    "not less than": "low", "not farther than": "high", "not further than": "high", "not closer than": "low",
     "a maximum of": "high", "closer than": "high", "over": "low", "under": "high",
     "maximum": "high", "minimum": "low",
 }  # fmt: skip
 """What a length that follows bounds."""
+
+
+def _at_most(p: Parser, i: int) -> Results[float]:
+    """ "at least 5 cm but at most 10 cm": the other end of the range."""
+    j = p.any_of(p.opt(i, ","), ("but", "and"))
+    for phrase, k in p.standing(j, _LIMITS) if j else ():
+        if _LIMITS[phrase] == "high":
+            yield from length(p, k)
 
 
 @rule
@@ -34,6 +43,8 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
     for phrase, j in p.standing(i, _LIMITS):
         for metres, k in length(p, j):
             yield ((metres, None) if _LIMITS[phrase] == "low" else (None, metres)), k
+            for most, end in _at_most(p, k) if _LIMITS[phrase] == "low" else ():
+                yield (metres, most), end
     for word, j in p.standing(i, _AROUND):
         for metres, k in length(p, j):
             slack = metres * _AROUND[word] if _AROUND[word] else 0.01

@@ -13,11 +13,16 @@ from rpg.language.grammar.prepositions import relation, side_relation
 from rpg.language.grammar.regions import region
 from rpg.language.meaning import Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
 
+_COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"})
+""" "Not more than 10 cm from" is a measure, and denies no place."""
+
 
 @rule
 def loc(p: Parser, i: int) -> Results[Meaning]:
     """One statement of place, perhaps negated."""
     j = p.one(i, "not")
+    if j and p.stands(j, _COMPARED):
+        j = 0
     for found, k in _loc(p, j or i):
         if j and isinstance(found, Loc | Coord):
             if isinstance(found, Coord):

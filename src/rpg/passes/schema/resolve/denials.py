@@ -7,11 +7,16 @@ from dataclasses import replace
 from rpg.ir import goal as g
 from rpg.language.meaning import Clause, Coord, In, Loc, Noun
 from rpg.passes.schema.resolve.logic import Atoms, conj, negation
+from rpg.passes.schema.resolve.operands import DIRECTIONS
 from rpg.passes.schema.resolve.world import Scene, refuse, wholes
 
 
 def denied_once(clause: Clause) -> Clause:
     """ "is not on red and not on blue": both are denied, and neither twice."""
+    for far in clause.adjuncts if clause.negated else ():
+        if isinstance(far, Loc) and far.rel in DIRECTIONS and (far.low is not None or far.high is not None):
+            raise refuse("ambiguous", "it is not clear whether the side is denied, or how far it is", far.span,
+                         "say 'at most 10 cm to the left of', or 'not to the left of'")  # fmt: skip
     again = [a for a in clause.adjuncts if isinstance(a, Loc | In) and a.negated]
     if not clause.negated or not again:
         return clause

@@ -30,6 +30,7 @@ from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import place, related
 from rpg.passes.schema.resolve.spare import definite, further, pass_over
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.spoken import as_it_stands
 from rpg.passes.schema.resolve.spun import spun
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -133,6 +134,8 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
         goals += _place_one(ref, item, scene, scope, span, respectively)
     spec.places = [*offsets]
     goals += centred(spec, scene, span, ref.names)
+    if ref.built and goals and not scope.start and not scene.denying:
+        goals = [*as_it_stands(ref, scene), *goals]
     return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
 
 

@@ -103,7 +103,21 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
         return _parallel(list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
-    return single[-1].ref
+    return _built_there(word, list(rivals.values()), scene, scope) or single[-1].ref
+
+
+def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
+    """ "Build a tower on the mat. Put a red block next to it": next to the tower; None where the last one is meant.
+
+    "Build a tower next to the blue block. Put a red block on it" is on the tower or on the blue block.
+    """
+    built = [m for m in rivals if m.ref.built and m.role == "theme"]
+    marks = [m for m in rivals if m.role == "landmark"]
+    if len(built) != 1 or not marks or rivals[-1] is built[0]:
+        return None
+    if all(m.ref.patch for m in marks) and scope.rel.removeprefix("not ") not in ("on", "in", "off", ""):
+        return built[0].ref
+    return _decide(word, scene, rivals)
 
 
 def _parallel(rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
@@ -197,6 +211,8 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
         said = [n for m in scene.mentions for n in m.ref.names if not scene.things[n].patch]
         last = list(dict.fromkeys(said))
+    if len(set(last)) == 2 and word.word in ("them", "they", "both", "both of them"):
+        _no_pairs(word, set(last), scene)
     if last:
         return Ref(names=tuple(last), plural=len(last) > 1)
     raise refuse(
@@ -205,6 +221,18 @@ def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         word.span,
         "name the blocks",
     )
+
+
+def _no_pairs(word: Pronoun, last: set[str], scene: Scene) -> None:
+    """Refuse "them" behind "A on B, C on D": the last two, or all of them?"""
+    told = max((m.clause for m in scene.mentions if m.clause < scene.clause), default=0)
+    now = [m for m in scene.mentions if m.clause == told and m.role == "landmark"]
+    before = [m for m in scene.mentions if m.clause == told - 1 and m.role == "landmark"]
+    alike = {m.rel for m in now} & {m.rel for m in before} - {""}
+    apart = not last & {n for m in scene.mentions if m.clause == told - 1 for n in m.ref.names}
+    if alike and apart and now[0].sentence == before[0].sentence:
+        raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
+                     "name the blocks that you mean")  # fmt: skip
 
 
 def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:

@@ -81,7 +81,10 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
         case Loc(landmark=Pronoun(word="there")) if scene.region_at > scene.last_landmark_at:
             return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
         case Loc():
+            towers = Towers.of(scene)
             goals = _loc(theme, meaning, scene, scope, span)
+            if meaning.negated:
+                towers.after(scene, start=False, denied=True)
             if meaning.negated and getattr(getattr(meaning.landmark, "traits", None), "scheme", "") == "same":
                 return [g.Not(goal=conj(goals, span), span=span)]
             return negation(goals, span, wholes(scene)) if meaning.negated else goals

@@ -185,7 +185,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         raise refuse("ambiguous", "this could be a place on the table or in the line", at_.span,
                      "say 'of the table', or name the block among those of the line")  # fmt: skip
     close = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
-    if any(set(ref.names) & {*members(a.a), *members(a.b)} for a in close):
+    among = at_.side == "middle" and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal))
+    if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip
     ends = ("edge", *(("corner",) if at_.side != "middle" else ()))

@@ -2,11 +2,25 @@
 
 from __future__ import annotations
 
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Noun, Structure, Traits
 from rpg.passes.schema.resolve.things import matching
-from rpg.passes.schema.resolve.world import Built, Scene, refuse
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
 
 _FAMILY = {"line": "row", "column": "row"}
+
+
+def as_it_stands(ref: Ref, scene: Scene) -> list[g.Goal]:
+    """ "Move the tower onto the mat": a structure of the start that is put somewhere is one there, too."""
+    wholes = [set(built.members) for built in ref.built]
+    told = [x for x in scene.start_goals if isinstance(x, s.Stack | s.Row | s.Grid | s.Figure | s.Spells)]
+    pairs = [x for x in scene.start_goals if isinstance(x, r.On) and isinstance(x.a, tuple) and isinstance(x.b, tuple)]
+    return [
+        *(x for x in told if set(x.blocks) in wholes),
+        *(x for x in pairs if any(built.kind == "stack" and {*x.a, *x.b} <= {*built.members} for built in ref.built)),
+    ]
 
 
 def known_ones(shape: Structure, scene: Scene) -> list[Built]:

@@ -50,6 +50,7 @@ from rpg.passes.schema.resolve.kept import brought_about
 from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.of_each import each_later
 from rpg.passes.schema.resolve.premises import keep_premises
+from rpg.passes.schema.resolve.rows_told import words_in_rows
 from rpg.passes.schema.resolve.sized import sized
 from rpg.passes.schema.resolve.spare import definite, none_ignored, without_spare
 from rpg.passes.schema.resolve.things import fits, matching
@@ -137,7 +138,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    links, chains = hoisted(links, from_heaps(chains))
+    links, chains = hoisted(*words_in_rows(links, from_heaps(chains)))
     facts, bold = begun(chains, text), begun(chains, text, bold=True)
     try:
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)

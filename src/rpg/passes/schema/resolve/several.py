@@ -7,7 +7,6 @@ from copy import copy
 from dataclasses import replace
 from itertools import pairwise
 
-from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -27,6 +26,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.members import declared
 from rpg.passes.schema.resolve.operands import foot
+from rpg.passes.schema.resolve.rows_apart import close_by, not_one_line
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import amount_of, matching
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse
@@ -123,7 +123,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
             more, atoms = maker(single, own, lots[index], scene, scope)
             own.orders = [] if isinstance(look, Coord) else own.orders
         built += more
-        goals += [_close_by(x, scene) for x in atoms]
+        goals += [close_by(x, scene) for x in atoms]
         if color and not sized:
             scene.vague.update(n for b in more for n in b.members)
     members = [n for b in built for n in b.members]
@@ -134,7 +134,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         own.orders, own.patterns, own.spacings, own.toward, [],
     )  # fmt: skip
     spec.absolutes = own.absolutes
-    goals += _not_one_line(goals, shape.span) if axis is None else []
+    goals += not_one_line(goals, shape.span) if axis is None else []
     if axis is not None:
         ends = ("left", "right") if axis == "y" else ("front", "back")
         scene.sides.update({built[0].key: ends[0], built[-1].key: ends[1]})
@@ -144,27 +144,6 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
         goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
     return built, goals
-
-
-def _not_one_line(rows: list[g.Goal], span: Span) -> list[g.Goal]:
-    """ "Two rows of three": they do not form one row of six."""
-    lines = [row for row in rows if isinstance(row, s.Row)]
-    if len(lines) < len(rows) or len({(row.axis, row.gap, row.spacing) for row in lines}) > 1:
-        return []
-    blocks = tuple(name for row in lines for name in row.blocks)
-    return [g.Not(goal=s.Row(blocks=blocks, axis=lines[0].axis, span=span), span=span)]
-
-
-def _close_by(atom: g.Goal, scene: Scene) -> g.Goal:
-    """One of several rows in order of its symbols: named one by one, for the other rows may adjoin it."""
-    if not isinstance(atom, s.Row) or atom.order.by not in ("label", "number"):
-        return atom
-    labels = [scene.things[n].label or "" for n in atom.blocks]
-    if not all(labels) or len(set(labels)) < len(labels):
-        return atom
-    names = sorted(atom.blocks, key=lambda n: scene.things[n].label or "", reverse=atom.order.descending)
-    order = atom.order.model_copy(update={"by": "given", "ranks": tuple((n,) for n in names), "descending": False})
-    return atom.model_copy(update={"order": order})
 
 
 def _spelling(shape: Structure, look: Structure) -> Noun:

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Coord, Noun, Places, Size, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Places, Size, Structure, Traits
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
@@ -23,6 +23,11 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     shape = _of_lines(shape, spec)
     rows, columns, layers = _dims(shape, spec, theme, scene)
     need = rows * columns * layers
+    for said in [p for p in spec.patterns if p.unit == "diagonal"]:
+        if (rows, columns, layers) != (2, 2, 1):
+            raise refuse("misplaced", "which cells are diagonal to each other is told of a 2x2 grid alone", said.span,
+                         "say 'a checkerboard', or name the rows")  # fmt: skip
+        spec.patterns[spec.patterns.index(said)] = replace(said, unit="checkerboard")
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
     if any(p.unit == "checkerboard" for p in spec.patterns):
@@ -44,7 +49,35 @@ def _of_lines(shape: Structure, spec: Spec) -> Structure:
         if told.get(unit) and not shape.dims and shape.extent(*whats, "side") is None:
             amount = Amount(told[unit] or 0, told[unit])
             shape = replace(shape, sizes=(*shape.sizes, Size(what=whats[0], amount=amount, span=shape.span)))
+    uncounted = shape.members is None or (isinstance(shape.members, Noun) and shape.members.amount is None)
+    if uncounted and not shape.dims and not shape.sizes:
+        shape = replace(shape, sizes=_sides_told(shape, spec))
     return shape
+
+
+_ENDS = (("row", "columns", {"front", "back"}), ("column", "rows", {"left", "right"}))
+
+
+def _sides_told(shape: Structure, spec: Spec) -> tuple[Size, ...]:
+    """ "A B C in the far row, D E F in the near row": two rows of three, for every line is told with its blocks."""
+    places = [(item.theme, place) for item in spec.absolutes if isinstance(place := place_of(item), Places)]
+    for unit, across, ends in _ENDS:
+        told = {place.side: _many(theme) for theme, place in places if place.unit == unit and not place.several}
+        if len(told) == len(places) and set(told) in (ends, ends | {"middle"}) and len(set(told.values())) == 1:
+            sides = {f"{unit}s": len(told), across: max(told.values())}
+            if min(sides.values()) < 2:
+                continue
+            return tuple(Size(what=what, amount=Amount(n, n), span=shape.span) for what, n in sides.items())
+    return ()
+
+
+def _many(told: Meaning) -> int:
+    """How many blocks a description or a list of them is of."""
+    if isinstance(told, Coord):
+        return sum(_many(item) for item in told.items)
+    if not isinstance(told, Noun):
+        return 1
+    return told.amount.low if told.amount else max(1, len(told.traits.colors), len(told.traits.labels))
 
 
 def _two_colors(shape: Structure, spec: Spec) -> Structure:

@@ -43,7 +43,7 @@ DEGREES = "degree degrees deg °"
 
 BLOCK_NOUNS = "block cube brick box"
 LOOSE_BLOCK_NOUNS = "object item piece thing"
-PATCH_NOUNS = "patch target goal mat spot zone area pad marker"
+PATCH_NOUNS = "patch target goal mat spot zone area pad marker mark"
 TABLE_NOUNS = "table tabletop workspace desk surface"
 LETTER_NOUNS = "letter character"
 DIGIT_NOUNS = "number digit numeral"
@@ -77,7 +77,7 @@ SHAPE_ADJECTIVES = {
     "staircase": "staircase",
 }
 
-SIZES = {"big": "big large huge giant", "small": "small little tiny mini", "medium": "medium"}
+SIZES = {"big": "big large huge giant", "small": "small little tiny mini", "medium": "medium standard"}
 BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 
 VERBS = {
@@ -123,7 +123,7 @@ POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "
     "stays stay stayed staying remains remain remained remaining seen shown visible "
     "come comes coming serve serves ends end goes go located positioned placed put found situated ending resides "
-    "reside belong belongs appear appears hidden act acts finish finishes finished"
+    "reside belong belongs live lives appear appears hidden act acts finish finishes finished"
 )
 
 

@@ -9,6 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import label_list, run
+from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Traits
 
 
@@ -206,6 +207,8 @@ def _introduces_a_digit(word: str) -> bool:
 
 _LABELLED = ("labelled", "labeled", "marked", "showing", "named", "called", "bearing", "reading", "saying", "carrying",
              "with", "numbered", "displaying", "lettered")  # fmt: skip
+_SHOWING = frozenset({"marked", "labelled", "labeled", "numbered", "lettered"})
+"""Behind a mere number, what tells the blocks: "two cubes marked X and three marked O"."""
 _LABEL_NOUNS = frozenset({"letter", "letters", "label", "labels", "number", "numbers", "digit", "digits", "symbol",
                           "symbols", "sign"})  # fmt: skip
 _LABEL_PLURALS = frozenset(word for word in _LABEL_NOUNS if word.endswith("s"))
@@ -221,6 +224,13 @@ _SCHEMES = {
     "of various colors": "different", "of all different colors": "different", "all of different colors": "different",
     "of multiple colors": "different", "of varying colors": "different", "in various colors": "different",
     "of assorted colors": "mixed", "of mixed colors": "mixed", "of any color": "mixed", "in assorted colors": "mixed",
+    **{f"{of} {which} {hue}": "mixed" for of in ("of", "in", "with")
+       for which in ("any", "whatever", "whichever", "arbitrary", "random") for hue in ("color", "colors")},
+    **{f"{all_}{alike}": "different" for all_ in (", all ", ", ", ", each ", ", all of them ")
+       for alike in ("different colors", "of different colors", "in different colors", "differently colored",
+                     "of a different color", "in a different color", "in another color", "of another color",
+                     "different in color", "with different colors", "distinct colors", "a different color",
+                     "another color", "in a color of its own")},
 }  # fmt: skip
 """What is said of the colours of several blocks or patches."""
 _MATCHING = tuple(
@@ -243,6 +253,14 @@ _MATCHING = tuple(
     )
 )  # fmt: skip
 """What is said of a patch that has the colour of what goes on it."""
+_LIKE_THE_BLOCK = Patterns(
+    "of|with|in|having|that_has|which_has|that_have|that_is|that_is_of the|a? same|matching|corresponding "
+    "color|colors as the|that|each|its? block|cube|it|them|blocks|cubes|itself|themselves|brick|box",
+    "that|which matches|match it|them|the_block|the_cube|the_blocks|the_cubes in? color?",
+    "whose color matches|equals it|them|the_block|the_cube|the_block_'s|the_cube_'s|that_of_the_block",
+    "colored|painted like|the_same_as it|them|the_block|the_cube|the_blocks",
+)
+"""What is said of a patch that has the colour of what goes on it, naming that."""
 _EDGE_OF = (
     "of size", "of edge", "with edges of", "with sides of", "of edge length", "of", "measuring",
     *(
@@ -274,8 +292,11 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     """What follows a noun directly: "A", "labelled A", "with letters", "of the same colour", "of 5 cm", "in red"."""
     if head == "block":
         yield from _symbols_after(p, i)
+    elif head == "any" and p.stands(i, _SHOWING):
+        yield from _labelled(p, i)
     for phrase, j in p.standing(i, _SCHEMES):
-        yield Marks({"scheme": _SCHEMES[phrase]}), j
+        scheme = Marks({"scheme": _SCHEMES[phrase]})
+        yield from ((scheme, k) for k in ({j, p.opt(j, ",")} if phrase[0] == "," else (j,)))
     for _, j in p.standing(i, _ALL_OF_THEM) if not p.follows(i, _ONE_THING) else ():
         for (listed, _either), k in colors(p, j):
             if len(listed) == 1:
@@ -284,6 +305,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         yield Marks({"scheme": "different"}), j
     if head == "patch" and (j := p.any_of(i, _MARKED)):
         yield Marks({"target": True}), j
+    yield from ((Marks({"matching": True}), j) for j in _LIKE_THE_BLOCK.matches(p, i) if head == "patch")
     for phrase, j in p.standing(i, _MATCHING):
         if head == "patch" or "same" not in phrase:
             yield Marks({"matching": True}), j

@@ -58,6 +58,9 @@ def amount(p: Parser, i: int) -> Results[Amount]:
     if only := p.any_of(i, _SINGLE):
         yield Amount(1, 1, True), only
         return
+    if either := p.one(i, "either"):
+        for n, j in count(p, either):
+            yield from ((Amount(n, m, True), k) for m, k in count(p, p.one(j, "or")) if p.one(j, "or") and m > n)
     for n, j in count(p, i):
         yield Amount(n, n), j
         if k := p.any_of(j, ("or more", "and more")):

@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.measures import bounds, their_ends
-from rpg.language.grammar.nouns import noun_phrase
+from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.sides import at
 from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That
 
@@ -79,6 +79,8 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                 end = p.any_of(end, _IS) or made
                 for (low, high), last in bounds(p, end) if end else ():
                     yield _far_apart(p, i, last, theme, low, high, measure), last
+    for noun, measure in _GAPS:
+        yield from _from_to(p, i, p.any_of(j, (f"{noun} from", f"{noun} of")), measure)
     spans += [(b, e, "faces") for b, e in bounds(p, j)]
     for (low, high), k, measure in spans:
         if m := p.one(k, "between"):
@@ -90,6 +92,17 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                 apart = _far_apart(p, i, end, theme, low, high, measure)
                 yield apart, end
                 yield from _with_side(p, i, end, apart)
+
+
+def _from_to(p: Parser, i: int, j: int, measure: str) -> Results[Clause]:
+    """ "the distance from the red to the blue block must be less than 8 cm"."""
+    for one, k in simple(p, j) if j else ():
+        for two, end in simple(p, p.one(k, "to")) if p.one(k, "to") else ():
+            both = isinstance(one, Noun) and isinstance(two, Noun)
+            told = p.any_of(end, _IS) or (p.one(end, ":") if both else 0)
+            for (low, high), last in bounds(p, told) if both and told else ():
+                theme = Coord(op="and", items=(one, two), span=p.span(j, end))
+                yield _far_apart(p, i, last, theme, low, high, measure), last
 
 
 def _with_side(p: Parser, i: int, at_: int, apart: Clause) -> Results[Clause]:

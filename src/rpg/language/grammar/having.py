@@ -45,6 +45,8 @@ _HAS = (
 )  # fmt: skip
 _SHARE = ("share", "shares", "should share", "must share", "have to share", "are to share", "shall share")
 _CARRIES = (
+    "holds up", "hold up", "should hold up", "must hold up", "has to carry", "has to hold", "has to support",
+    "is to carry", "is to support", "needs to carry", "shall carry", "is carrying", "is supporting", "is holding",
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
@@ -65,6 +67,9 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield _stated(p, i, end, owner, (on,), mode), end
         if k := p.any_of(j, _HAS):
             for theme, start in noun_phrase(p, k):
+                if (told := _of_its_color(owner, theme, p.span(i, start))) is not None:
+                    yield _stated(p, i, start, *told, mode), start
+                    continue
                 if (lying := _on_patch(owner, theme, p.span(i, start))) is not None:
                     yield _stated(p, i, start, *lying, mode), start
                 for found, end in adjuncts(p, start):
@@ -151,6 +156,18 @@ def _another(p: Parser, i: int, at: int, owner: Meaning, first: Clause, mode: st
                 yield replace(first, adjuncts=(*first.adjuncts, told), span=p.span(i, end)), end
 
 
+def _of_its_color(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:
+    """ "each patch gets the block of its own colour": every block lies on the patch of its colour."""
+    each = isinstance(owner, Noun) and owner.head == "patch" and (owner.det in ("each", "all") or owner.plural)
+    if not each or not isinstance(theme, Noun) or not isinstance(owner, Noun) or not theme.traits.matching:
+        return None
+    if theme.head == "patch" or theme.det not in ("the", "its", "all", "bare") or theme.amount is not None:
+        return None
+    blocks = replace(theme, det="all", plural=True, traits=replace(theme.traits, matching=False))
+    patch = replace(owner, det="its", plural=False, amount=None, traits=replace(owner.traits, matching=True))
+    return blocks, (Loc(rel="on", landmark=patch, span=span),)
+
+
 def _on_patch(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:
     """ "each patch has one block", "each letter gets its own patch": what lies on what."""
     if not (isinstance(owner, Noun) and isinstance(theme, Noun)) or (owner.head == "patch") == (theme.head == "patch"):
@@ -189,3 +206,19 @@ def _is_owner(landmark: Meaning | None) -> bool:
 def _stated(p: Parser, i: int, end: int, theme: Meaning, places: tuple[Meaning, ...], mode: str) -> Clause:
     verb = "build" if isinstance(theme, Structure) else "be"
     return Clause(verb=verb, theme=theme, adjuncts=places, mode=mode, span=p.span(i, end), cost=1)
+
+
+_END = frozenset({"end", "final", "finally", "result", "finished", "done"})
+
+
+def finally_there(p: Parser, i: int, there: Meaning) -> Meaning:
+    """ "At the end there is a red block with a blue one on it": both are so in the end."""
+    if not isinstance(there, Clause) or _END.isdisjoint(p.words[:i]) or not with_more(there.theme, there.adjuncts):
+        return there
+    return replace(there, verb="be", mode="goal")
+
+
+def with_more(theme: Meaning | None, found: tuple[Meaning, ...]) -> bool:
+    """ "a red block with a blue one on it"."""
+    beside = any(isinstance(a, Absolute) or (isinstance(a, Coord) and a.op == "absolutes") for a in found)
+    return beside and isinstance(theme, Noun)

@@ -61,6 +61,10 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     for n, j in _degrees(p, p.opt(i, "turned", "rotated", "twisted", "spun")):
         yield from _spun(p, i, j, n)
     yield from strangers(p, i)
+    if p.anywhere(_NO_MORE_OF) and (j := p.any_of(comma, _NO_MORE)):
+        yield Manner(kind="idle", span=p.span(i, j)), j
+    if j := p.any_of(i, _ONE_EACH) if i > 0 else 0:
+        yield Manner(kind="respectively", value="alike", span=p.span(i, j)), j
     if j := max((k for at in {i, comma} for k in _STREWN.matches(p, at)), default=0):
         yield Manner(kind="strewn", span=p.span(i, j)), j
     if j := max((k for at in {i, comma} for k in AS_EXTRAS.matches(p, at)), default=0):
@@ -70,6 +74,15 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         yield Manner(kind=kind, value=value, span=p.span(i, j)), j
 
 
+_NO_MORE_OF = frozenset({"exactly", "precisely"})
+_NO_MORE = ("not more", "no more", "no more and no less", "not more and not less", "no more , no less", "no less",
+            "no more no less", "not more , not less", "neither more nor less",
+            "nothing more", "and no more")  # fmt: skip
+"""What "exactly" says already."""
+_ONE_EACH = (", one each", ", one on each", ", one on each of them", ", one on each one", ", one apiece", "one on each",
+             ", each on a different one", ", each on one of them", ", one per block", ", one per patch",
+             ", one per mat", ", one for each", ", each on one")  # fmt: skip
+"""How as many things go on as many others."""
 _STREWN = Patterns(
     "randomly|loosely|all|freely? scattered|strewn|spread_randomly|distributed_randomly|randomly_placed|"
     "randomly_distributed|placed_randomly|placed_at_random randomly|at_random|loosely? "
@@ -114,14 +127,23 @@ def _pointed(p: Parser, i: int, comma: int) -> Results[Meaning]:
     """ "with its foot to the right", "tip pointing left"."""
     j = p.any_of(comma, ("with its", "with the", "its", "with", "the", "whose", "with a"))
     j = j or (comma if comma > i else 0)
-    if opened := p.any_of(comma, ("open to", "open towards", "open toward", "opening to", "opening towards", "open at",
+    if opened := p.any_of(comma, ("open to", "open towards", "open toward", "open on",
+                                  "with the opening at", "with its opening at", "with the open side at", "opening to", "opening towards", "open at",
                                   "that opens to", "which opens to", "opens to", "opened to")):  # fmt: skip
         for side, e in direction(p, p.opt(opened, "the")):
             yield Manner(kind="pointing:opening", value=side, span=p.span(i, e)), e
+        for where, e in p.standing(p.opt(opened, "the"), _OPEN_AT):
+            yield Manner(kind="pointing:opening", value=_OPEN_AT[where], span=p.span(i, e)), e
     end = p.any_of(j, _POINTERS) if j else 0
     if end:
         for side, e in direction(p, p.any_of(end, _POINTING) or end):
             yield Manner(kind="pointing:" + p.words[end - 1], value=side, span=p.span(i, e)), e
+
+
+_OPEN_AT = {
+    "far side": "back", "far end": "back", "top": "back", "top side": "back", "near side": "front", "near end": "front",
+    "bottom": "front", "bottom side": "front", "back side": "back", "front side": "front", "side facing me": "front",
+}  # fmt: skip
 
 
 def _spun(p: Parser, i: int, j: int, degrees: float) -> Results[Meaning]:
@@ -149,7 +171,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     **dict.fromkeys((
         "all along", "at every moment", "at each moment", "at every point", "at every step", "from beginning to end",
         "from the beginning to the end", "from the start to the end", "from start to end", "until the end",
-        "until the very end", "up to the end", "till the end", "all the way through", "the whole way through"), ("always", None)),
+        "until the very end", "up to the end", "till the end", "all the way through", "the whole way through"),
+        ("always", None)),
     **{f"{at} of {the}{event}": (kind, None)
        for kind, places in (("start", ("at the start", "at the beginning", "at the very start", "in the beginning")),
                             ("finally", ("at the end", "by the end", "at the very end", "in the end")))
@@ -179,6 +202,9 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "that do not matter": ("extra", None), "irrelevant": ("extra", None),
     "by the robot": ("idle", None), "by the arm": ("idle", None), "with the gripper": ("idle", None),
     "there": ("idle", None), "from above": ("idle", None), "as seen from above": ("idle", None),
+    **{f"{when}{seen} from above": ("idle", None)
+       for when in ("", "when ", "if ") for seen in ("seen", "viewed", "looked at")},
+    "looking from above": ("idle", None), "as viewed from above": ("idle", None),
     "in the final scene": ("finally", None), "when you are done": ("finally", None),
     "in the target orientation": ("turn", 0.0), "in the right orientation": ("turn", 0.0), "readable": ("turn", 0.0),
     "in the correct orientation": ("turn", 0.0), "the right way around": ("turn", 0.0),
@@ -211,7 +237,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "the other way round": ("backwards", None), "the other way around": ("backwards", None),
     "later": ("time", 50.0), "later on": ("time", 50.0),
     **{f"{lead}{wholly}": ("idle", "whole " + wholly)
-       for lead in ("", ", ") for wholly in ("completely", "entirely", "fully", "totally", "altogether", "all the way")},
+       for lead in ("", ", ")
+       for wholly in ("completely", "entirely", "fully", "totally", "altogether", "all the way")},
     "respectively": ("respectively", None), "backwards": ("backwards", None), "in reverse": ("backwards", None),
     "backward": ("backwards", None),
     "at the end": ("finally", None), "in the end": ("finally", None), "at once": ("idle", "pace at once"),

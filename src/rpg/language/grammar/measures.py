@@ -24,7 +24,10 @@ _LIMITS = {
     "less than": "high", "no more than": "high", "within": "high", "up to": "high", "not more than": "high",
     "not less than": "low", "not farther than": "high", "not further than": "high", "not closer than": "low",
     "a maximum of": "high", "closer than": "high", "over": "low", "under": "high",
-    "maximum": "high", "minimum": "low",
+    "maximum": "high", "minimum": "low", "nearer than": "high", "farther than": "low", "further than": "low",
+    "no closer than": "low", "no nearer than": "low", "no farther than": "high", "no further than": "high",
+    "smaller than": "high", "shorter than": "high", "greater than": "low", "larger than": "low", "bigger than": "low",
+    "not over": "high", "not exceeding": "high", "fewer than": "high",
 }  # fmt: skip
 """What a length that follows bounds."""
 
@@ -111,7 +114,12 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
         i + 1 if p.words[i] == "at" and p.words[i + 1] not in ("least", "most") else i
     )
     for (low, high), j in bounds(p, start):
-        if k := p.any_of(j, ("away from", "from", "of", "apart from", "far from", "distance from")):
+        to = (
+            p.one(j, "to")
+            if p.words[start] in ("closer", "nearer") or p.words[start + 1] in ("closer", "nearer")
+            else 0
+        )
+        if k := to or p.any_of(j, ("away from", "from", "of", "apart from", "far from", "distance from")):
             for landmark, end in noun_phrase(p, k):
                 far = Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
                 yield from _measured_so(p, far, i, end)
@@ -163,12 +171,13 @@ def _bound(p: Parser, i: int, end: int, landmark: Meaning, metres: float, least:
 
 _BETWEEN_CENTERS = (
     "apart from each other", "from each other", "away from each other", "apart", "from one another", "of each other",
-    "of one another", "away", "center to center", "from center to center", "between centers", "apart from one another",
+    "of one another", "away", "to each other", "to one another", "center to center", "from center to center", "between centers", "apart from one another",
 )  # fmt: skip
 _BETWEEN_FACES = (
     "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
     "between each", "between neighbors", "between each block", "between neighboring blocks", "of space between them",
-    "of empty space between them", "of space between the blocks",
+    "of empty space between them", "of space between the blocks", "between the groups", "between the two groups",
+    "between groups", "between the piles", "between both groups", "between the two piles",
 )  # fmt: skip
 _OF_CENTERS = (
     "between their centers", "between centers", "between the centers", "from center to center", "center to center",
@@ -235,7 +244,7 @@ _FROM_HERE = Patterns(
 _ELSEWHERE = Patterns(
     "to|at|in|on? somewhere|someplace|anywhere else on? the? table?",
     "to? elsewhere on? the? table?",
-    "to|at|in|on another|a_different|some_other|a_new|a_different|any_other place|spot|position|location on? the? table?",
+    "to|at|in|on another|a_different|some_other|a_new|any_other place|spot|position|location on? the? table?",
 )
 """Not where a block is found."""
 

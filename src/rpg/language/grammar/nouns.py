@@ -54,6 +54,8 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
             if isinstance(item, Noun) and not counted and item.amount in (None, Amount(1, 1)) and item.det in _ONE:
                 yield Coord(op="only", items=(item,), span=p.span(i, j)), j
     for item, j in simple(p, start) if start > i else ():
+        if isinstance(item, Noun) and item.amount is not None and item.traits == Traits() and item.head == "any":
+            continue  # "either two or three of ..." is one number
         yield from (
             (replace(found, cost=0), k) for found, k in more(p, i, (item,), j, None) if isinstance(found, Coord)
         )
@@ -100,7 +102,8 @@ def simple(p: Parser, i: int) -> Results[Meaning]:
         if found.partitive:
             yield from _partitive(p, i, j, found)
         else:
-            yield from _noun(p, i, j, found)
+            ended = "or" if p.words[i] == "either" else None
+            yield from ((noun, k) for noun, k in _noun(p, i, j, found) if p.words[k] != ended)
     yield from _noun(p, i, i, _SINGLE)
     if of := p.one(i, "of"):
         yield from _of_these(p, i, of)
@@ -358,7 +361,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         if changed is not None:
             yield changed, k
             tried.append((changed, k))
-    if noun.head == "block" and not noun.plural and not noun.traits.colors and not noun.traits.labels:
+    single = not noun.plural or (noun.amount is not None and noun.det == "bare" and noun.traits == Traits())
+    if noun.head == "block" and single and not noun.traits.colors and not noun.traits.labels:
         for named, k in color(p, j):
             if p.words[k] not in lexicon.BLOCK and p.words[k] not in lexicon.COLOR:
                 marked = replace(noun.traits, colors=(named,))

@@ -30,6 +30,8 @@ _HEAPS = frozenset({"group", "pile", "heap", "bunch", "cluster"})
 _OWN = Patterns(
     "each|every|same|the_same|one color|kind|letter|sort|type|colors together|be_together|goes|go|is|should_be|"
     "in? in|on|to its_own|one|a_separate|its_own_separate|a|a_single group|pile|heap|bunch|cluster|place of_its_own?",
+)
+_FORMS = Patterns(
     "each|every|the? color|colors|kind|kinds|letter|sort|type should|must|shall? form|forms|make|makes|get|gets|"
     "has|have|build|is|are|be its|their|a|one|the? own|separate|single? group|groups|pile|heap|bunch|cluster|piles "
     "of_its_own|for_itself|of_their_own|by_itself?",
@@ -41,7 +43,7 @@ def parted(p: Parser, i: int) -> Results[OrderBy]:
     """ "vowels in one group and consonants in the other", "every colour in its own group"."""
     j = p.opt(i, ",", ":")
     j = p.any_of(j, ("so that", "such that")) or p.opt(j, "with")
-    for k in _OWN.matches(p, j):
+    for k in (*_OWN.matches(p, j), *(() if p.follows(j, ("that",)) else _FORMS.matches(p, j))):
         said = next((_OWNED[word] for word in p.words[j:k] if word in _OWNED), "color")
         yield OrderBy(by="parted", attribute=said, span=p.span(i, k)), k
     first, k = _one(p, j)

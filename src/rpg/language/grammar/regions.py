@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.corners import told_corners
 from rpg.language.meaning import In
 
 _NEAR = frozenset({"near", "front", "nearer", "bottom", "lower", "closest", "nearest"})
@@ -54,11 +55,15 @@ def _lead(p: Parser, i: int) -> int:
     return p.opt(j, "the", "a", "any", "one") if j > i else i
 
 
-_EACH_CORNER = tuple(
-    f"{lead} {corners}"
-    for lead in ("in", "at", "on", "into", "to")
-    for corners in ("each corner", "every corner", "each of the corners", "each of the four corners",
-                    "all four corners", "all corners", "the four corners", "all the corners", "the corners")
+_CORNERS = (
+    "each corner", "every corner", "each of the corners", "each of the four corners", "every one of the corners",
+    "every one of the four corners", "all four corners", "all corners", "the four corners", "all the corners",
+    "the corners",
+)  # fmt: skip
+_EACH_CORNER = (
+    "per corner", ", one per corner", "one per corner",
+    *(f"{lead} {which}" for lead in ("in", "at", "on", "into", "to", "one in", ", one in", ", one block in",
+                                     ", one each in") for which in _CORNERS),
 )  # fmt: skip
 
 
@@ -66,6 +71,9 @@ _EACH_CORNER = tuple(
 def region(p: Parser, i: int) -> Results[In]:
     """A region, with or without "of the table" where its name alone is plain."""
     exact = p.opt(i, "exactly", "right", "precisely", "just", "directly", "somewhere", "anywhere")
+    if k := p.any_of(exact, _EACH_CORNER) if p.stands(i, (",", "one", "per")) else 0:
+        end = _of_table(p, k)
+        yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
     j = _lead(p, exact)
     if j == exact:
         return
@@ -74,7 +82,7 @@ def region(p: Parser, i: int) -> Results[In]:
         if end:
             yield In(region=name, span=p.span(i, end)), end
         elif plain:
-            yield In(region=name, vague=name in ("corner", "edge"), span=p.span(i, k)), k
+            yield In(region=name, vague=name in ("corner", "edge") or name.endswith("half"), span=p.span(i, k)), k
     if k := p.any_of(exact, _EACH_CORNER):
         end = _of_table(p, k)
         yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
@@ -128,6 +136,9 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
         found.append(("edge", k, True))
     if k := p.one(j, "corner"):
         found.append(("corner", k, True))
+    found += [(name, k, True) for name, k in told_corners(p, j)]
+    if k := p.any_of(j, ("other half", "opposite half", "other side", "opposite side")):
+        found.append(("other_half", k, p.words[k - 1] == "half"))
     if k := p.any_of(j, ("half", "side")):
         for phrase, name in (("closest to the robot", "near_half"), ("nearest to the robot", "near_half"),
             ("nearest the robot", "near_half"),
@@ -145,7 +156,7 @@ def _corner(p: Parser, k: int, side: str) -> list[tuple[str, int, bool]]:
     if second is None:
         return []
     e = p.opt(p.reach(k + 1), "hand")
-    e = p.one(e, "corner")
+    e = p.one(e, "corner") or (p.one(e, "one") if "corner" in p.words[:e] else 0)
     if not e:
         return []
     across, along = (side, second) if side in ("left", "right") else (second, side)

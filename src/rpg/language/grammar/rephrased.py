@@ -16,6 +16,9 @@ _PHRASES = {
     **{f"{on} the {floor}": f"{on} the table" for on in ("on", "onto", "to") for floor in ("floor", "ground")},
     **{f"{how} {heap}": heap for how in _MESSY for heap in ("heap", "pile", "jumble", "bunch")},
     **{f"{how} {at}": at for how in _TOGETHER for at in ("in one heap", "in a heap", "in one pile", "in a pile")},
+    "not a single": "no", "not even one": "no", "not even a single": "no",
+    **{f"{one} and {the}{two} {what}": f"{one} {what} and {the}{two} {what}" for the in ("", "the ")
+       for one, two in (("odd", "even"), ("even", "odd")) for what in ("digits", "numbers")},
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
     **{f"upright {to} {who}": "upright" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},
@@ -29,6 +32,12 @@ _PHRASES = {
     "in front from": "in front of", "behind from": "behind",
     "consists out of": "consists of", "consist out of": "consist of", "consisting out of": "consisting of",
     "consists out": "consists of", "consist out": "consist of", "composed out of": "composed of",
+    **{
+        f"{looks} {way}": f"{be} {way}"
+        for be, verbs in (("is", ("reads", "looks", "appears")), ("are", ("look", "appear")))
+        for looks in verbs
+        for way in ("upside down", "upright", "sideways")
+    },
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
 }  # fmt: skip
 """What people write, and what it is read as."""

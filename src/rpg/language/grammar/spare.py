@@ -62,12 +62,18 @@ _LABELS = (
 )  # fmt: skip
 
 
+_PLACED = frozenset({"on", "onto", "in", "into", "to", "behind", "under", "beside", "near", "next", "of", "above"})
+
+
 @rule
 def spare(p: Parser, i: int) -> Results[Clause]:
     """What there is and is not to be used."""
     over = p.any_of(i, _PASS_OVER)
     for theme, j in noun_phrase(p, over) if over else ():
         bare = p.words[over - 1] in ("not", "without")
+        elliptic = isinstance(theme, Noun) and theme.head == "any" and theme.det == "the"
+        if p.words[over - 1] == "not" and elliptic and not _PLACED.isdisjoint(p.words[:i]):
+            continue  # "on the red mat, not the blue one": perhaps the blue mat
         if not bare or (_definite(theme) and (j >= p.end or p.words[j] in _STOPS)):
             yield _said(p, i, p.opt(j, "at", "out", "aside"), theme), p.any_of(j, ("out", "aside")) or j
     left = p.one(i, _LEAVE)

@@ -10,7 +10,7 @@ from rpg.language.grammar.alternation import alternation_alone
 from rpg.language.grammar.amounts import count
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.equations import solved
-from rpg.language.grammar.labels import literal
+from rpg.language.grammar.labels import digits_of, literal
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.orders import order
 from rpg.language.grammar.parted import parted
@@ -39,8 +39,8 @@ _READ = tuple(
     f"{who} {word}"
     for who in ("you can read", "i can read", "one can read", "we can read", "you should read", "one should read",
                 "make it say", "make it read", "let it say", "let it read", "make it spell", "it should say",
-                "it must say", "it says", "it reads", "i want to read", "we want to read", "it should read", "you read")
-    for word in ("", "the word", "the name")
+                "show", "show me", "display", "it must say", "it says", "it reads", "i want to read", "we want to read", "it should read", "you read")
+    for word in ("", "the word", "the name", "the number", "the year")
 )  # fmt: skip
 """What a word follows that is to be there at the end."""
 _SPELT = (
@@ -70,9 +70,11 @@ _SET_OFF = (",", ":", "so", "such", "with")
 def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """Clauses without a verb."""
     yield from _placed(p, i, mode)
+    yield from _place_first(p, i, mode)
     yield from _spelt(p, i)
     yield from _solved(p, i)
     yield from kept_clear(p, i)
+    yield from _left_empty(p, i)
     yield from _nobody_there(p, i)
     yield from _all_colored(p, i)
     yield from _ordered(p, i)
@@ -80,12 +82,15 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j)), j
     if i == 0:
         yield from _laid(p)
-    for found, j in parted(p, i) if p.words[i] not in _SET_OFF else ():
+    own = [(x, j) for x, j in parted(p, i) if x.attribute != "color"] if p.words[i] not in _SET_OFF else []
+    for found, j in own:
         everything = Pronoun(word="everything", span=found.span)
         sort = Clause(verb="sort", lemma="sort", theme=everything, adjuncts=(found,), span=p.span(i, j), cost=1)
         yield sort, j
     start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
-    if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER)):
+    gathered = p.any_of(i, ("group", "gather", "sort", "collect", "cluster", "bunch"))
+    start = gathered or start
+    if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER) or (j if gathered else 0)):
         everything = Pronoun(word="everything", span=p.span(i, j))
         told = "color" if {*p.words[start:j]} & {"color", "colors", "colored"} else "label"
         by = OrderBy(by="attribute", attribute=told, span=p.span(i, k))
@@ -165,10 +170,24 @@ def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=3), k
 
 
+@rule
+def _place_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "near left corner: the X": what lies in a part of the table, behind a colon."""
+    start = p.opt(i, "the")
+    for region, j in dict.fromkeys([*named(p, start), *named_regions(p, start)]):
+        told = region.endswith("_corner") or p.words[j - 1] in ("half", "edge", "table")
+        colon = p.one(j, frozenset({":", "="})) if told else 0
+        for theme, k in noun_phrase(p, colon) if colon else ():
+            if isinstance(theme, Noun | Coord | Structure) and (k >= p.end or p.words[k] in (",", ";", "and")):
+                verb = "build" if isinstance(theme, Structure) else "be"
+                place = In(region=region, span=p.span(i, j))
+                yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=1), k
+
+
 @choice
 def _spelt(p: Parser, i: int) -> Results[Meaning]:
     """A word, and that it is spelt."""
-    if (k := p.any_of(i, _READ)) and (read := literal(p, k)) is not None and len(read) > 1:
+    if (k := p.any_of(i, _READ)) and (read := literal(p, k) or digits_of(p, k)) is not None and len(read) > 1:
         word = Structure(kind="word", det="the", letter=read, span=p.span(k, k + 1))
         it = Pronoun(word="it", span=p.span(i, k))
         using = (Using(members=it, span=it.span),) if "it" in p.words[i:k] else ()
@@ -237,6 +256,16 @@ def _nobody_there(p: Parser, i: int) -> Results[Meaning]:
             nothing = Noun(head="block", det="no", plural=True, span=p.span(i, free))
             place = In(region=region, span=p.span(i, j))
             yield Clause(verb="be", theme=nothing, adjuncts=(place,), mode="goal", span=p.span(i, free)), free
+
+
+@choice
+def _left_empty(p: Parser, i: int) -> Results[Meaning]:
+    """ "yellow patch empty": a note that nothing lies there."""
+    for theme, j in simple(p, i):
+        end = p.one(j, frozenset(_CLEAR)) if isinstance(theme, Noun) and theme.head == "patch" else 0
+        if end and (p.words[end] in ("", ",", "and")):
+            empty = Quality(traits=Traits(empty=True), span=p.span(j, end))
+            yield Clause(verb="be", theme=theme, adjuncts=(empty,), mode="goal", span=p.span(i, end), cost=1), end
 
 
 @rule

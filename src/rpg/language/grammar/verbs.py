@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.labels import literal
+from rpg.language.grammar.labels import digits_of, literal
 from rpg.language.grammar.likes import like_with_like
 from rpg.language.grammar.manners import direction
 from rpg.language.grammar.nouns import noun_phrase
@@ -57,6 +57,13 @@ def gerund_single(p: Parser, i: int) -> Results[Clause]:
     yield from verb_phrase(p, i, ("ing",))
 
 
+_UP_OR_OUT = ("up", "out", "down", "back")
+_BEHIND = {
+    **dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT), "pick": (*_UP_OR_OUT, "off"),
+}  # fmt: skip
+"""What may follow a verb behind its theme."""
+
+
 @rule
 def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Results[Clause]:
     """A verb in one of `forms`, its particle, theme and adjuncts."""
@@ -98,14 +105,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
-        k = p.opt(
-            k,
-            *(
-                ("up", "out", "down", "back") + (("off",) if sense == "pick" else ())
-                if sense in ("pick", "stack", "arrange", "place", "unstack")
-                else ()
-            ),
-        )
+        k = p.opt(k, *_BEHIND.get(sense, ()))
         if sense == "use":
             yield from _use(p, i, k, theme)
         if lemma == "separate":
@@ -123,8 +123,11 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
                 continue
             said = (*found, *alone)
-            done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
-            yield (replace(done, cost=1) if sense == "keep" and not said else done), end
+            cost = int(sense == "keep" and not said)
+            yield (
+                Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word, cost=cost),
+                end,
+            )
     if sense == "sort" and p.words[j] in ("by", "according"):
         yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):
@@ -169,7 +172,7 @@ def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
 def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
     """ "spell CAT with letter blocks", "spell the word 'ROBOT'", "spell a word"."""
     j = p.opt(j, "out")
-    text = literal(p, j)
+    text = literal(p, j) or digits_of(p, j)
     themes: list[tuple[Meaning, int]] = []
     if text is not None:
         themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
@@ -260,6 +263,39 @@ _SO_ARE = ("should be", "must be", "should", "must", "is", "are", "does", "do", 
 _SO_IS = ("so is", "so are", "so should", "so must", "so does", "so do", "so will", "so shall", "likewise")
 
 
+_ELSEWHERE = ("elsewhere", "somewhere else")
+_MUST_BE = ("should be", "must be", "has to be", "have to be", "goes", "go", "stays", "stay", "belongs", "belong", "is",
+            "are", "remains", "remain", "should stay", "must stay", "should go", "must go", "lie")  # fmt: skip
+
+
+def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
+    """ "..., not the blue block", "..., the others elsewhere": the place of the clause before, denied of another."""
+    place = before.adjuncts[0] if len(before.adjuncts) == 1 and before.verb in ("be", "place") else None
+    if not isinstance(place, Loc | In) or place.negated or before.negated:
+        return
+    mark = place.landmark if isinstance(place, Loc) else None
+    colored = isinstance(mark, Noun) and mark.head == "patch" and bool(mark.traits.colors)
+    denied = p.one(i, "not")
+    for theme, j in noun_phrase(p, denied or i):
+        told = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in _REST)
+        ends = p.any_of(p.any_of(j, _MUST_BE) or j, _ELSEWHERE) if not denied else 0
+        block = isinstance(theme, Noun) and (theme.head == "block" or (theme.det == "bare" and not colored))
+        if denied and block and (j >= p.end or p.words[j] in (",", ";")):
+            ends = j
+        if told and ends:
+            yield replace(before, theme=theme, negated=True, span=p.span(i, ends), cost=0), ends
+
+
+def _told_elsewhere(found: tuple[Meaning, ...], before: Clause) -> bool:
+    """ "red on the mat, blue elsewhere": not where the red one is, rather than away from where it was."""
+    place = before.adjuncts[0] if before.adjuncts else None
+    there = isinstance(place, Loc | In) and not (isinstance(place, Loc) and place.rel == "moved")
+    return there and isinstance(found[0], Loc) and "else" in found[0].mods
+
+
+_REST = ("the others", "the rest", "others", "the other", "the other one")
+
+
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
@@ -267,6 +303,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     for theme, j in noun_phrase(p, so) if so else ():
         if isinstance(theme, Noun | Coord):
             yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
+    yield from _elsewhere(p, i, before)
     if before.verb == "spell" and isinstance(before.theme, Structure) and (text := literal(p, i)) is not None:
         word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
         own = tuple(a for a in before.adjuncts if isinstance(a, Using))
@@ -275,7 +312,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     for theme, j in noun_phrase(p, i) if before.adjuncts else ():
         yield from _too(p, i, j, theme, before)
         for found, k in adjuncts(p, j):
-            if found and not isinstance(found[0], That) and not _pairs(found):
+            if found and not isinstance(found[0], That) and not _pairs(found) and not _told_elsewhere(found, before):
                 gathers = before.verb == "sort" and all(isinstance(a, Loc | In) for a in found)
                 again = gathers or isinstance(theme, Structure)
                 cost = 2 if before.verb in ("build", "spell", "sort") and not again else 0

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order
-from rpg.language.meaning import Loc
+from rpg.language.meaning import Clause, Loc, Toward
 from rpg.passes.schema.resolve.operands import foot, spread
+from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.stacking import sandwich
 from rpg.passes.schema.resolve.world import Ref, Scene, refuse
 
@@ -62,3 +65,12 @@ def _two_towers(mark: Ref, scene: Scene) -> tuple[Ref, ...]:
         scene.goals.setdefault(scene.clause, []).append(s.Stack(blocks=part, exact=True, span=mark.span))
         ends.append(Ref(names=part, built=(built,)))
     return tuple(ends)
+
+
+def by_sandwiching(clause: Clause, spec: Spec) -> None:
+    """ "sandwich it between ...": one below it and one above."""
+    if clause.lemma == "sandwich":
+        spec.places = [
+            replace(p, rel="sandwiched") if isinstance(p, Loc) and p.rel == "between" else p for p in spec.places
+        ]
+        spec.toward = [way for way in spec.toward if way != Toward(axis="z", span=way.span)]

@@ -23,14 +23,15 @@ from rpg.language.meaning import (
     Pattern,
     Pronoun,
     Structure,
-    Toward,
 )
 from rpg.passes.schema.resolve import turning
 from rpg.passes.schema.resolve.alike import by_likeness, counterparts
 from rpg.passes.schema.resolve.alone import told_alone
 from rpg.passes.schema.resolve.appearance import appear
 from rpg.passes.schema.resolve.arranging import arrange_blocks, counted
+from rpg.passes.schema.resolve.between import by_sandwiching
 from rpg.passes.schema.resolve.centred import by_centring, centred
+from rpg.passes.schema.resolve.corners import one_for_each_corner
 from rpg.passes.schema.resolve.denials import denied, denied_once
 from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
 from rpg.passes.schema.resolve.leftovers import nothing_left
@@ -258,8 +259,9 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     ):
         each = Pronoun(word="each other", span=clause.span)
         spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
+    said = one_for_each_corner(said, spec.places, scene)
     theme = refer(counted(said, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
-    _sandwich(clause, spec)
+    by_sandwiching(clause, spec)
     in_sequence(clause, theme, spec, scene)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 
@@ -275,14 +277,6 @@ def _partly(clause: Clause, scene: Scene, scope: Scope) -> Goals:
         raise refuse("misplaced", "only a start can be partial", clause.span, "say which block goes on which")
     scene.assume("partially stacked at the start: one block lies on another")
     return [r.On(a=(pairs[0][0],), b=(pairs[0][1],), span=clause.span)]
-
-
-def _sandwich(clause: Clause, spec: Spec) -> None:
-    if clause.lemma == "sandwich":
-        spec.places = [
-            replace(p, rel="sandwiched") if isinstance(p, Loc) and p.rel == "between" else p for p in spec.places
-        ]
-        spec.toward = [way for way in spec.toward if way != Toward(axis="z", span=way.span)]
 
 
 def _kind_of_shape(spec: Spec) -> str:

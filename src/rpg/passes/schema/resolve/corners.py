@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import In
+from rpg.ir.node import EACH
+from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.logic import Atoms
 from rpg.passes.schema.resolve.patches import indefinite, one_lot_each
 from rpg.passes.schema.resolve.things import alike
@@ -26,7 +28,7 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
             for thing in things:
                 thing.scheme = thing.scheme or "same"
         elif not alike(things):
-            raise refuse("ambiguous", "it is not said which block goes into which corner", span, "name each corner")
+            return [_some_in(names, where, span) for where in CORNERS]
         lots: list[tuple[str, ...]] = [(n,) for n in names]
     elif indefinite(theme):
         lots = one_lot_each(theme, len(CORNERS), scene)
@@ -34,3 +36,31 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
         raise refuse("count-mismatch", f"{len(names)} blocks cannot be in each of four corners", span,
                      "name four blocks, or say 'a red block in each corner'")  # fmt: skip
     return [r.InRegion(a=lot, region=where, span=span) for lot, where in zip(lots, CORNERS, strict=True)]  # type: ignore[arg-type]
+
+
+def _some_in(names: tuple[str, ...], where: str, span: Span) -> g.Goal:
+    """One of the blocks is in this corner; as there are four, each has a corner of its own."""
+    there = r.InRegion(a=(EACH,), region=where, span=span)  # type: ignore[arg-type]
+    return g.Count(over=names, at_least=1, at_most=1, goal=there, span=span)
+
+
+def one_for_each_corner(theme: Meaning, places: list[Meaning], scene: Scene) -> Meaning:
+    """ "one block in each corner: red, green, blue and white": the four blocks that there are."""
+    corner = any(isinstance(p, In) and p.region.startswith("each_corner") and not p.negated for p in places)
+    one = (
+        isinstance(theme, Noun) and theme.amount == Amount(1, 1) and theme.traits == Traits() and theme.head == "block"
+    )
+    there = [t for t in scene.blocks() if t.declared and not t.extra]
+    if corner and one and len(there) == len(CORNERS):
+        return Pronoun(word="everything", span=theme.span)
+    return theme
+
+
+_OPPOSITE = {"left_half": "right_half", "right_half": "left_half", "near_half": "far_half", "far_half": "near_half"}
+
+
+def the_other_half(scene: Scene, span: Span) -> str:
+    """ "red in the left half and blue in the other half": opposite the half that was spoken of last."""
+    if scene.region not in _OPPOSITE:
+        raise refuse("no-referent", "it is not said which half the other one is", span, "say 'the left half'")
+    return _OPPOSITE[scene.region]

@@ -45,7 +45,13 @@ def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal
 
 def _counts(item: Meaning, scene: Scene) -> None:
     """There are as many as are listed, no more."""
-    if isinstance(item, Noun) and item.amount is not None and not item.traits.extra and not item.traits.labels:
+    if (
+        isinstance(item, Noun)
+        and item.amount is not None
+        and not item.traits.extra
+        and not item.traits.labels
+        and item.head != "patch"
+    ):
         scene.closed.append((replace(item.traits, scheme=None), item.amount.low, item.span))
 
 
@@ -129,7 +135,7 @@ def each_agrees(scene: Scene) -> None:
     if scene.each is None:
         return
     many, span = scene.each
-    kinds = Counter((t.label or t.color, t.kind) for t in scene.blocks() if not t.extra)
+    kinds = Counter((t.label or t.color, (t.kind, t.size, t.edge)) for t in scene.blocks() if not t.extra)
     odd = next(((look, n) for (look, _), n in kinds.items() if n != many), None)
     if odd is not None:
         raise refuse(

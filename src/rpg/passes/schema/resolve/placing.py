@@ -32,6 +32,7 @@ from rpg.passes.schema.resolve.spare import definite, further, pass_over
 from rpg.passes.schema.resolve.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.spoken import as_it_stands
 from rpg.passes.schema.resolve.spun import spun
+from rpg.passes.schema.resolve.things import alike
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -123,7 +124,8 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
     offsets = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
     level = [p for p in spec.places if p not in vertical and p not in offsets]
-    respectively = spec.manner("respectively") is not None
+    paired = spec.manner("respectively")
+    scene.alike = paired is not None and paired.value == "alike"
     for item in [*vertical, *level]:
         if isinstance(item, Loc) and item.rel == "heaped":
             if len(ref.built) > 1 or any(b.kind not in ("stack", "word") for b in ref.built):
@@ -131,7 +133,7 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
                     "ambiguous", "it is not clear which block goes on which", item.span, "say what goes on what"
                 )
             continue
-        goals += _place_one(ref, item, scene, scope, span, respectively)
+        goals += _place_one(ref, item, scene, scope, span, paired is not None)
     spec.places = [*offsets]
     goals += centred(spec, scene, span, ref.names)
     if ref.built and goals and not scope.start and not scene.denying:
@@ -220,6 +222,9 @@ def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, 
                 left=len(ref.names),
                 right=len(mark.names),
             )
+        one_sort = any(alike([scene.things[n] for n in x.names]) for x in (ref, mark))
+        if scene.alike and not one_sort:
+            raise refuse("ambiguous", "it is not said which goes on which", item.span, "name what each goes on")
         goals: Goals = []
         for a, b in zip(ref.names, mark.names, strict=True):
             single = replace(item, landmark=Pronoun(word="@" + b, span=item.span))

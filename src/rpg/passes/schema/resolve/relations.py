@@ -13,7 +13,7 @@ from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.alone import none_beyond, none_there, only_here, only_on
 from rpg.passes.schema.resolve.between import between
-from rpg.passes.schema.resolve.corners import corners
+from rpg.passes.schema.resolve.corners import corners, the_other_half
 from rpg.passes.schema.resolve.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.mutual import none_another, reciprocal
 from rpg.passes.schema.resolve.none_of import one_and_all
@@ -41,7 +41,7 @@ from rpg.passes.schema.resolve.patches import (
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.stacking import Towers, vertical
 from rpg.passes.schema.resolve.things import compared, create, matching
-from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse, wholes
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse, wholes
 
 WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
 """Structures that no corner is told of."""
@@ -62,9 +62,12 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
     match meaning:
         case In(region="each_corner" | "each_corner?"):
             return corners(theme, meaning, scene, span)
-        case In(vague=True) if any(built.kind not in WITHOUT_CORNERS for built in scene.built):
-            raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region}", meaning.span,
-                         f"say 'in the {meaning.region} of the table', or name the structure's blocks")  # fmt: skip
+        case In(vague=True) if any(_has_such(built, meaning.region, scene) for built in scene.built):
+            raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
+                         meaning.span, "say 'of the table', or name the structure's blocks")  # fmt: skip
+        case In(region="other_half"):
+            opposite = replace(meaning, region=the_other_half(scene, meaning.span))
+            return place(theme, opposite, scene, scope, span)
         case In():
             scene.region, scene.region_at = meaning.region, meaning.span[0]
             return [negate(_region(theme, meaning.region, span), meaning.negated, span, wholes(scene))]
@@ -90,6 +93,12 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return negation(goals, span, wholes(scene)) if meaning.negated else goals
         case _:
             raise refuse("misplaced", "this does not say where something is", meaning.span)
+
+
+def _has_such(built: Built, region: str, scene: Scene) -> bool:
+    """Whether a corner, an edge or a half may be that of a structure; halves where its blocks have no colours yet."""
+    plain = all(scene.things[n].color is None and scene.things[n].label is None for n in built.members)
+    return built.kind not in WITHOUT_CORNERS and (plain or not region.endswith("half"))
 
 
 def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> g.Goal:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from dataclasses import replace
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -75,12 +76,37 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
                          f"say it in the sentence that builds the {other.kind}")  # fmt: skip
         return _and(goal, _stack(loose, scene))
     if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
+        _of_themselves(loose, goal)
         return _and(goal, _across(loose))
     if (related := _of_the_pair(loose, goal)) is not None:
         return _and(goal, related)
     for item in loose:
         _of_what(item, goal, scene)
     return _and(goal, conj([_region(item) for item in loose]))
+
+
+def _of_themselves(loose: list[Loose], goal: g.Goal) -> None:
+    """Refuse "red to the left, green to the right, and blue behind the patch": they may be beside the patch, too."""
+    own = {name for ref, _, _ in loose for name in ref.names}
+    for beside in (a for a in atoms(goal) if isinstance(a, r.LeftOf | r.RightOf | r.InFrontOf | r.Behind)):
+        if not own & {*members(beside.a), *members(beside.b)}:
+            raise refuse("ambiguous", "this could be a side of the table or of what is spoken of beside it",
+                         loose[0][2], "say of what")  # fmt: skip
+
+
+def _of_the_ends(
+    ref: Ref, node: type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind], goal: g.Goal, span: Span
+) -> g.Goal | None:
+    """ "A between B and C, B on the left": of the two ends, it is left of the other."""
+    parts = goal.goals if isinstance(goal, g.All) else ()
+    related = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Between, s.Stack, s.Row)
+    said = [a for a in atoms(goal) if isinstance(a, related)]
+    if len(said) != 1 or not isinstance(said[0], r.Between) or said[0] not in (goal, *parts):
+        return None
+    ends = (*members(said[0].b), *members(said[0].c))
+    if len(ref.names) != 1 or len(ends) != 2 or ref.names[0] not in ends:
+        return None
+    return node(a=ref.names, b=(ends[1 - ends.index(ref.names[0])],), span=span)
 
 
 def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
@@ -90,6 +116,8 @@ def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     node = _TOWARDS.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
     close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance
     pairs = [a for a in atoms(goal) if isinstance(a, close)]
+    if not pairs and not more and node is not None:
+        return _of_the_ends(ref, node, goal, span)
     if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in (goal, *parts):
         return None
     if isinstance(pairs[0], r.Distance) and pairs[0].maximum is None:

@@ -36,22 +36,22 @@ SIDE = 3
 """Blocks on each side that are separated, where their number is left open."""
 
 
+_LINED = ("row", "line", "column", "stack", "grid")
+
+
 def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
     divides = clause.lemma in DIVIDES or (clause.lemma in ("sort", "group", "cluster") and _from_others(spec))
-    line = any(getattr(i.structure, "kind", "") in ("row", "line", "column", "stack", "grid") for i in spec.intos)
+    line = any(getattr(i.structure, "kind", "") in _LINED for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
     _no_order(clause, spec, line)
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
         return _sort_piles(clause.theme, spec, scene, scope)[1]
-    if clause.theme is None and not any(True for _ in scene.blocks()):
+    if clause.theme is None and not any(scene.blocks()):
         raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
     apart = next((p for p in spec.places if isinstance(p, Loc) and p.rel in ("apart", "off") and not p.negated), None)
-    theme_meaning = (
-        counted(clause.theme, spec, clause)
-        if clause.theme is not None
-        else Pronoun(word="everything", span=clause.span)
-    )
+    said = clause.theme or Pronoun(word="everything", span=clause.span)
+    theme_meaning = counted(said, spec, clause) if clause.theme is not None else said
     if clause.lemma in UNITES and any(isinstance(x, Structure) and x.det != "these" for x in parts_of(theme_meaning)):
         raise refuse("ambiguous", "these are structures of the start or of the end", theme_meaning.span,
                      "say what there is at the start, then what to build")  # fmt: skip
@@ -70,7 +70,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if (patched := _onto_patches(theme, attribute, spec, scene, clause)) is not None:
         return patched
     lots = tuple(part.names for part in theme.parts)
-    if apart is not None and _of_each_other(apart) and len(lots) < 2 and clause.lemma in GATHERS and attribute is None:
+    if apart and _of_each_other(apart) and len(lots) < 2 and clause.lemma in GATHERS and attribute is None:
         raise refuse("ambiguous", "these could be a group of their own, or each by itself", apart.span,
                      "say 'in a group of their own', or 'apart from each other'")  # fmt: skip
     if apart is not None and _of_each_other(apart) and len(lots) > 1 and attribute is None and not spec.intos:
@@ -78,14 +78,10 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return [s.GroupBy(groups=lots, span=clause.span), *places(theme, spec, scene, scope, clause.span)]
     into_one = clause.lemma in GATHERS or (bool(spec.intos) and not divides)
     if into_one and not (apart and (divides or _of_each_other(apart))) and attribute is None and _one_pile(spec):
-        spec.intos = []
-        spec.places = [p for p in spec.places if not _together(p)]
-        node = s.GroupBy(groups=(theme.names,), span=clause.span)
-        ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
-        return [node, *places(ref, spec, scene, scope, clause.span)]
+        return _gathered(theme, spec, scene, scope, clause)
     if divides and attribute is None and (far := _by_so_much(theme, spec)) is not None:
         return [far, *places(theme, spec, scene, scope, clause.span)]
-    pair = len(theme.names) == 2 and not theme.parts and not spec.intos and not spec.usings and apart is None
+    pair = len(theme.names) == 2 and not (theme.parts or spec.intos or spec.usings or apart)
     if divides and attribute is None and pair:
         one, other = theme.names
         return [r.Apart(a=(one,), b=(other,), span=clause.span), *places(theme, spec, scene, scope, clause.span)]
@@ -101,6 +97,30 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     goals += _sides_of(built, spec, scene)
     ref = replace(theme, built=tuple(built))
     return goals + places(ref, spec, scene, scope, clause.span)
+
+
+def _gathered(theme: Ref, spec: Spec, scene: Scene, scope: Scope, clause: Clause) -> Goals:
+    """ "gather the red blocks", "put A and B into one group": all of them in one."""
+    spec.intos = []
+    spec.places = [p for p in spec.places if not _together(p)]
+    node = s.GroupBy(groups=(theme.names,), span=clause.span)
+    ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
+    return [node, *places(ref, spec, scene, scope, clause.span)]
+
+
+def _so_far_apart(groups: tuple[tuple[str, ...], ...], spec: Spec) -> Goals:
+    """ "separate A, B, C from X, Y, Z with at least 10 cm between the groups": how far the two groups are apart."""
+    far = [
+        p for p in spec.places if isinstance(p, Loc) and p.rel in ("moved", "distance") and not (p.negated or p.mods)
+    ]
+    if len(far) != 1 or len(groups) != 2:
+        return []
+    mark = far[0].landmark
+    if far[0].rel == "distance" and not (isinstance(mark, Pronoun) and mark.word == "each other"):
+        return []
+    spec.places.remove(far[0])
+    low, high, (a, b) = far[0].low, far[0].high, groups
+    return [r.Distance(a=a, b=b, minimum=low, maximum=high, measure=measure(far[0]), span=far[0].span)]
 
 
 def _by_so_much(theme: Ref, spec: Spec) -> r.Distance | None:
@@ -298,4 +318,4 @@ def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Sc
         return [r.Apart(a=groups[0], b=groups[1], span=clause.span)]
     for lot in groups:
         scene.add_built("pile", lot, False, clause.span)
-    return [s.GroupBy(groups=groups, span=clause.span)]
+    return [s.GroupBy(groups=groups, span=clause.span), *_so_far_apart(groups, spec)]

@@ -157,6 +157,7 @@ class Scene:
     batch: int = 0
     last_landmark_patch: bool = False
     last_landmark_at: int = 0
+    alike: bool = False
     region: str = ""
     region_at: int = -1
     told: set[str] = field(default_factory=set)

@@ -12,13 +12,15 @@ from rpg.language.grammar.chatter import idle
 from rpg.language.grammar.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
 from rpg.language.grammar.smalltalk import without_talk
-from rpg.language.meaning import Chain, cost_of
+from rpg.language.grammar.wishes import AFTER_THAT
+from rpg.language.meaning import Chain, Clause, cost_of
 from rpg.language.tokens import Token
 
 MAX_KEPT = 24
 TANGLED = "too-complex"
 _ENDS = frozenset({".", "!", "?"})
 _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
+_COUNTED = frozenset({"step", "stage", "phase"})
 _ASKING = frozenset({"is", "are", "was", "were", "does", "did", "which", "where", "why", "who", "when"})
 """What a question begins with that is no polite command."""
 _BRACKETS = frozenset({"(", ")", "[", "]"})
@@ -50,10 +52,15 @@ _THEN = (
     "lastly",
     "subsequently",
     "thereafter",
+    "second of all",
     "second",
     "third",
     "secondly",
     "thirdly",
+    "continue with",
+    "continue by",
+    "go on with",
+    "proceed with",
     "after this",
     "finish by",
     "end by",
@@ -122,6 +129,11 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
     for n in range(1, len(read)):
         if sentences[n].link == "and" and sentences[n - 1].link == "and" and Parser(read[n - 1][0]).any_of(0, _FIRST):
             sentences[n] = Sentence("then", sentences[n].readings)
+        if sentences[n - 1].link == "then" and Parser(read[n][0]).any_of(0, _LAST):
+            sentences[n] = Sentence("then", sentences[n].readings)
+    for n, (part, sentence) in enumerate(read):
+        if sentence.link == "then" and any(AFTER_THAT.matches(Parser(part), 0)) and not any(map(_asks, sentences[:n])):
+            raise Refusal([stuck(Parser(part))])
     if not sentences:
         raise Refusal(
             [
@@ -134,6 +146,16 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
             ]
         )
     return sentences
+
+
+def _asks(sentence: Sentence) -> bool:
+    """Whether a sentence asks for something, and tells more than how it starts."""
+    clauses = sentence.readings[0].clauses
+    return any(not isinstance(c, Clause) or c.mode not in ("start", "given") for c in clauses)
+
+
+_LAST = ("finish with", "end with", "conclude with")
+"""Behind steps these begin one more; else they tell of the end."""
 
 
 _BARE = frozenset({"is", "are", "must", "should", "does", "may", "not", "be", "shall"})
@@ -217,7 +239,7 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
     p = Parser(tokens, thorough)
     start = p.opt(0, ",", ":")
     link = "and"
-    if p.words[start : start + 1] == ["step"] and (step := p.number(start + 1)) is not None:
+    if p.words[start] in _COUNTED and (step := p.number(start + 1)) is not None:
         start = p.opt(start + 2, ":", ",", "-")
         link = "then" if step > 1 else "and"
     ordinal = p.lex(start, lexicon.ORDINAL)
@@ -228,9 +250,12 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
             link, start = "before", p.opt(j, ",", ":")
             break
     for phrase in _THEN:
-        if (j := p.seq(start, phrase)) and not (phrase == "next" and p.words[j] == "to"):
+        part = phrase in ("second", "third") and p.words[j := p.seq(start, phrase)] in lexicon.STRUCTURE
+        if (j := p.seq(start, phrase)) and not (phrase == "next" and p.words[j] == "to") and not part:
             link, start = "then", p.opt(j, ",", ":")
             break
+    if link == "and" and (j := max(AFTER_THAT.matches(p, start), default=0)):
+        link, start = "then", p.opt(j, ",", ":")
     try:
         found = [(cost_of(c), n, c) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]
     except TooMuchWork:

@@ -9,6 +9,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.each import each_led
 from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.labels import literal
+from rpg.language.grammar.limbs import LIMBED, LIMBS, limb
 from rpg.language.grammar.makeup import apposed_blocks
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
@@ -112,6 +113,8 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from ((how, k) for how, k in manner(p, i) if not _bare_distractors(p, i, how))
     yield from size_phrase(p, i)
     yield from rising_steps(p, i)
+    for letter in LIMBED if p.anywhere(LIMBS) else ():
+        yield from limb(p, i, letter)
     yield from each_led(p, i)
     yield from offset(p, i)
 
@@ -273,6 +276,12 @@ def _beginning_there(p: Parser, i: int) -> Results[That]:
             )
 
 
+def _ever(clause: Meaning) -> Meaning:
+    """ "without ever moving it": at no time."""
+    always = Manner(kind="always", span=clause.span)
+    return replace(clause, adjuncts=(*clause.adjuncts, always)) if isinstance(clause, Clause) else clause
+
+
 @choice
 def _that(p: Parser, i: int) -> Results[Meaning]:
     from rpg.language.grammar.chains import chain
@@ -302,8 +311,10 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
                 using = (Using(members=them, span=them.span), *found)
                 said = Clause(verb="spell", theme=word, adjuncts=using, span=p.span(i, k), cost=1)
                 yield That(kind="so", clauses=Chain(clauses=(said,), links=("and",), span=said.span), span=said.span), k
-    if j := p.any_of(comma, ("without", "while not", "while never", "but without", "and without")):
+    if j := p.any_of(comma, ("without", "without ever", "while not", "while never", "but without", "and without")):
         for clauses, k in gerund_clause(p, j):
+            if p.words[j - 1] == "ever":
+                clauses = replace(clauses, clauses=tuple(map(_ever, clauses.clauses)))
             yield That(kind="without", clauses=clauses, span=p.span(i, k)), k
     if j := p.any_of(comma, ("while keeping", "while leaving", "keeping", "leaving", "but keep", "but leave")):
         for clauses, k in gerund_clause(p, j - 1):

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.adjuncts import adjuncts
-from rpg.language.grammar.core import Parser
+from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import Clause, Coord, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 
 _IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")
 _THERE = frozenset({"seen", "shown", "visible", "present", "needed", "required", "wanted", "desired", "expected",
@@ -123,3 +123,15 @@ def _gathers(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
             said = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, end),
                           word=p.span(k, k + 1), cost=1)  # fmt: skip
             yield said, end
+
+
+def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Clause]:
+    """ "(the red block) must never leave the patch": it is on it all the time."""
+    j = p.one(k, frozenset({"leave", "leaves"}))
+    for mark, end in noun_phrase(p, j) if j else ():
+        if isinstance(mark, Noun) and mark.det in ("the", "bare"):
+            on = Loc(rel="on", landmark=mark, span=p.span(k, end))
+            always = Manner(kind="always", span=on.span)
+            for begun, last in adjuncts(p, end):
+                if all(isinstance(a, Manner) and a.kind == "begun" for a in begun):
+                    yield Clause(verb="be", theme=theme, adjuncts=(on, always), mode=mode, span=p.span(i, last)), last

@@ -12,7 +12,7 @@ from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.listing import looks_told
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import restates
-from rpg.language.grammar.starts import begun_with
+from rpg.language.grammar.starts import begun_with, still_begun
 from rpg.language.grammar.states import carried_on
 from rpg.language.grammar.stock import stock
 from rpg.language.grammar.verbs import gapped, gerund_clause, gerund_single
@@ -117,6 +117,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
                 item = replace(item, cost=item.cost + 2)
             item = _less_likely(previous, item)
+            item = still_begun(p, j, k, previous, item) if link == "and" else item
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, link), k)
@@ -144,10 +145,13 @@ def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str,
     for item, k in clause(p, colon):
         if isinstance(had[-1], Clause) and isinstance(had[-1].theme, Structure) and _mere_colors(item):
             continue
-        told = isinstance(had[-1], Clause) and (had[-1].adjuncts or had[-1].lemma in ("tally", "size"))
+        told = isinstance(had[-1], Clause) and (had[-1].adjuncts or had[-1].lemma in ("tally", "size", "stock"))
+        told = told or getattr(item, "mode", "") == "start"
         if isinstance(item, Clause) and told and item.verb != "exist":
             whole = (*had, replace(item, cost=item.cost + 3))
             yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
+            if item.mode == "start":
+                yield from _more(p, i, whole, (*links, "and"), k)
     if isinstance(had[-1], Clause) and had[-1].adjuncts and had[-1].verb != "exist":
         for item, k in looks_told(p, colon):
             yield Chain(clauses=(*had, item), links=(*links, "and"), span=p.span(i, k)), k
@@ -164,6 +168,10 @@ def _plain_command(item: Meaning) -> bool:
 def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
     """Whether what looks like a clause belongs to the one before it."""
     if p.words[j - 1] == "," and (_apposed(previous, item) or _mere_time(item)):
+        return True
+    listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and _in_list(p, j - 2)
+    shape = item.theme if isinstance(item, Clause) else None
+    if listed and isinstance(shape, Structure) and shape.det == "bare":  # "a staircase of red, blue and green steps"
         return True
     return previous.lemma == "tally" and _of_the_list(p, j, k, item)
 

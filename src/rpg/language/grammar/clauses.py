@@ -15,7 +15,7 @@ from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.each_color import of_each_color
 from rpg.language.grammar.frames import COMMAND_FRAMES, DONT, FIRST, START_FRAMES, STATE_FRAMES, TAG
 from rpg.language.grammar.gaps import gap
-from rpg.language.grammar.having import having, structure_is
+from rpg.language.grammar.having import finally_there, having, structure_is, with_more
 from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
@@ -82,6 +82,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from centering(p, i)
     yield from state(p, i, when)
     for there, j in _exists(p, i):
+        there = finally_there(p, i, there)
         begun = mode == "start" and isinstance(there, Clause) and there.mode == "given"
         yield (replace(there, lemma="begun") if begun and isinstance(there, Clause) else there), j
     yield from _describe(p, i, when)
@@ -141,7 +142,7 @@ def _for_each(p: Parser, i: int) -> Results[Meaning]:
 def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
     for first, j in adjunct(p, i):
-        if not leads(p, j, first) or p.words[i] == "there":
+        if not leads(p, j, first) or p.words[i] in _NO_PLACE:
             continue
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
@@ -169,6 +170,8 @@ def _of_a_place(first: Into, found: Clause) -> bool:
     return isinstance(shape, Structure) and shape.members is not None and bool(placed)
 
 
+_NO_PLACE = frozenset({"there", "besides", "apart", "aside"})
+"""What a place in front of its clause does not begin with: "apart from the red block there are two blue ones"."""
 _STANDS = (
     "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
     "stands", "lies", "go", "you put", "place", "put", "comes then", "come", "i want", "we want", "i need", "we need",
@@ -311,7 +314,8 @@ def _exists(p: Parser, i: int) -> Results[Meaning]:
         k = p.opt(k, *_LYING) if isinstance(theme, Noun) else k
         for found, end in [*adjuncts(p, k), *(x for x in apart if x[0])]:
             said = "goal" if nothing else mode
-            yield Clause(verb="exist", theme=theme, adjuncts=found, mode=said, span=p.span(i, end)), end
+            verb = "be" if said == "goal" and with_more(theme, found) else "exist"
+            yield Clause(verb=verb, theme=theme, adjuncts=found, mode=said, span=p.span(i, end)), end
 
 
 _LYING = ("lying", "standing", "sitting", "resting", "placed", "located", "positioned", "situated")

@@ -39,9 +39,10 @@ def _verbs(clause: Clause) -> tuple[str, ...]:
 def stays(found: Clause, allowed: bool) -> Clause:
     """ "stays on the patch": there from the start on; "stays empty", "must not stay there" are about the end.
 
-    `allowed`: "at most one may stay there" is so too.
+    `allowed`: "at most one may stay there" is so too, and "at most one stays there", where more of them start.
     """
-    if allowed:
+    many = getattr(found.theme, "amount", None)
+    if allowed or (many is not None and many.strict and many.high is not None):
         return found
     placed = any(isinstance(a, Loc | In) for a in found.adjuncts)
     if placed and (found.negated or getattr(found.theme, "det", "") == "no"):

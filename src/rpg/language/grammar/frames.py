@@ -112,7 +112,8 @@ START_FRAMES = Phrases(
     "from a start with", "from a state where", "starting from a state where",
 )  # fmt: skip
 FIRST = Phrases(
-    "start by", "begin by", "phase 1 :", "stage 1 :", "phase one :", "stage one :", "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :",
+    "start by", "begin by", "phase 1 :", "stage 1 :", "phase one :", "stage one :",
+    "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :",
     "first :", "1 :", "2 :", "3 :", "picture this", "like this", "as follows", "put it all like this",
     "put everything like this",
     "arrange it like this", "do this", "do the following", "it goes like this", "arrange everything like this",
@@ -128,7 +129,7 @@ DONT = (
 )  # fmt: skip
 """What is said behind these must not be done."""
 THEN = (
-    "and only then", "only then", "and only after that", "only after that", "and at last", "at last",
+    "continue with", "continue by", "second of all", "and only then", "only then", "and only after that", "only after that", "and at last", "at last",
     "and at the very end",
     "and finish by", "finish by", "and end by", "end by", "and conclude by", "conclude by", "and finish off by",
     "and then after that", "and then finally", "and after that", "and afterwards", "and finally", "and then",

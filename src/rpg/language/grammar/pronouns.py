@@ -2,20 +2,40 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
-from rpg.language.meaning import Meaning, Pronoun
+from rpg.language.meaning import Amount, Meaning, Noun, Pronoun
 
+_NOUNS = frozenset(
+    {*lexicon.BLOCK, *lexicon.COLOR, *lexicon.PATCH, *lexicon.LETTER, *lexicon.DIGIT, *lexicon.STRUCTURE}
+)
 _PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
+
+
+_OF_THEM = ("of them", "of these", "of those")
+
+
+def _all_three(p: Parser, i: int, j: int) -> Results[Meaning]:
+    """ "all three", "all three of them", "these three": so many that were told together."""
+    many = p.number(j)
+    if many is None or many < 2 or p.words[j + 1] in _NOUNS or not (p.token(j + 1) is None or p.words[j + 1]):
+        return
+    end = p.any_of(j + 1, _OF_THEM) or j + 1
+    yield Noun(head="any", det="the", amount=Amount(many, many), plural=True, span=p.span(i, end)), end
 
 
 def pronoun(p: Parser, i: int) -> Results[Meaning]:
     """ "it", "the others", "each of them", "the latter"."""
     if j := p.one(i, _PRONOUNS):
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
+    if j := p.one(i, frozenset({"all", "these", "those"})):
+        yield from _all_three(p, i, j)
     if j := p.one(i, frozenset({"him", "her", "he", "she"})):
         yield Pronoun(word="it", span=p.span(i, j)), j
     for _, j in p.standing(
-        i, ("them all", "them both", "these all", "their up faces", "their top faces", "their upper faces",
+        i, ("them all", "them both", "the pair of them", "this pair", "the two of them",
+        "the same blocks", "the same cubes", "the same letters", "the same ones",
+        "the same bricks", "the same digits", "these all", "their up faces", "their top faces", "their upper faces",
         "their faces", "their letters", "the up faces",
             "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces")
     ):  # fmt: skip

@@ -6,9 +6,10 @@ from dataclasses import replace
 
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.labels import literal
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Into, Meaning, OrderBy, Pronoun, Structure
+from rpg.language.meaning import Clause, Into, Meaning, Noun, OrderBy, Pronoun, Structure, Using
 
 _NEW_ORDER = ("the order to", "its order to", "their order to", "the order into", "the order of the blocks to")
 _ORDER_OF = ("the order of the blocks in", "the order of the cubes in", "the order of", "order of")
@@ -34,6 +35,8 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         yield from _turned_into(p, i, j)
     if sense == "turn" and lemma in ("turn", "flip"):
         yield from _flipped(p, i, j)
+    if lemma in _RESPELLED:
+        yield from _respelled(p, i, j)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
@@ -51,6 +54,26 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
             if end := k if parted else p.one(k, frozenset({"apart", "down"})):
                 for found, last in adjuncts(p, end):
                     yield _clause(p, i, last, "unstack", theme, found), last
+
+
+_RESPELLED = frozenset({"turn", "transform", "convert", "change", "rearrange", "arrange", "reorder", "make"})
+_INTO_WORD = ("to", "into", "to spell", "into the word", "to the word", "to read", "to say", "to form", "so they spell",
+              "so that they spell", "so that it reads", "so it reads", "to make", "to get", "as")  # fmt: skip
+
+
+def _respelled(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "change it to ACT", "rearrange them into TEN": the letters that are there are to spell this."""
+    for theme, k in noun_phrase(p, j):
+        into = p.any_of(k, _INTO_WORD)
+        text = literal(p, into) if into else None
+        letters = isinstance(theme, Noun) and (theme.traits.kind == "letter" or bool(theme.traits.labels))
+        word = isinstance(theme, Structure) and theme.kind == "word"
+        if text is None or len(text) < 2 or not (isinstance(theme, Pronoun) or letters or word):
+            continue
+        shape = Structure(kind="word", det="the", letter=text, span=p.span(into, into + 1))
+        them = Using(members=theme, span=theme.span)
+        for found, end in adjuncts(p, into + 1):
+            yield replace(_clause(p, i, end, "spell", shape, (them, *found)), lemma="spell"), end
 
 
 def _listed(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:

@@ -16,7 +16,7 @@ STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "sta
 
 def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
     """What follows "starts" at `at` where it is the structure itself that is told."""
-    j = p.any_of(at, ("as", "out as", "with", "off as"))
+    j = p.any_of(at, ("as", "out as", "with", "off as")) or at
     it = isinstance(theme, Pronoun) and theme.word == "it"
     the = isinstance(theme, Structure) and theme.det == "the" and theme.members is None
     for first, k in simple(p, j) if j and (it or the) else ():

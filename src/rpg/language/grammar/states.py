@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives, of_quality
 from rpg.language.grammar.adjuncts import adjuncts
-from rpg.language.grammar.becoming import becoming
+from rpg.language.grammar.becoming import becoming, staying
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.denials import denied_of_all, stays
 from rpg.language.grammar.labels import label_list, literal
@@ -38,6 +38,11 @@ _MODALS = frozenset({
 
 
 _NOT = frozenset({"not", "never"})
+_SWAPPED = tuple(
+    f"{been}{swapped} {places}" for been in ("", "been ") for swapped in ("swapped", "traded", "changed", "exchanged",
+    "switched") for places in ("places", "positions")
+)  # fmt: skip
+_MOVE = frozenset({"move", "shift", "budge"})
 _HAVE = frozenset({"have", "has"})
 _BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come"})
 """Verbs of where things are to be, not of where they are."""
@@ -65,7 +70,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield from _predicate(p, i, j, theme, mode, False)
             continue
         readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
-        readings += () if negated else becoming(p, i, k, theme, mode)
+        readings += staying(p, i, k, theme, mode) if negated else becoming(p, i, k, theme, mode)
         for _, s in p.standing(k, STARTS):
             readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
             readings += starts_as(p, i, s, theme)
@@ -115,49 +120,16 @@ _BARRED = ("at no time", "at no point", "at no moment", "under no circumstances"
 """What comes before a question's order of words: "at no time may the red block be on ..."."""
 
 
-_FILLERS = frozenset(
-    {
-        "to",
-        "also",
-        "only",
-        "all",
-        "always",
-        "both",
-        "each",
-        "ever",
-        "end",
-        "ends",
-        "gets",
-        "get",
-        "up",
-        "then",
-        "still",
-        "just",
-        "simply",
-    }
-)
+_FILLERS = frozenset({
+    "to", "also", "only", "all", "always", "both", "each", "ever", "end", "ends", "gets", "get", "up", "then",
+    "still", "just", "simply",
+})  # fmt: skip
 
 
-_ADVERBS = frozenset(
-    {
-        "all",
-        "both",
-        "each",
-        "also",
-        "still",
-        "now",
-        "currently",
-        "already",
-        "initially",
-        "being",
-        "originally",
-        "be",
-        "always",
-        "then",
-        "only",
-        "going",
-    }
-)
+_ADVERBS = frozenset({
+    "all", "both", "each", "also", "still", "now", "currently", "already", "initially", "being", "originally",
+    "be", "always", "then", "only", "going",
+})  # fmt: skip
 
 
 _UNREAL = frozenset({"if", "wish"})
@@ -184,7 +156,7 @@ def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
             break
         if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
             break
-        if p.words[j] == "to" and p.words[j + 1] == "the":
+        if p.words[j] == "to" and p.words[j + 1] in ("the", "its", "their"):
             break
         if p.words[j] in ("end", "ends") and p.words[j + 1] != "up":
             break
@@ -208,11 +180,13 @@ def _predicate_after_be(
             if p.words[j] in ("currently", "already", "initially", "originally"):
                 mode = "start"
             j = n
+        j += p.words[j] == "left" and p.words[j + 1] in ("on", "in", "there")
         readings = list(_predicate(p, i, j, theme, mode, negated))
         return [(ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
     if k < p.end and p.words[k] in lexicon.POSTURE:
         if p.words[k] in ("stay", "stays", "remain", "remains") and (
             still := p.any_of(k + 1, ("put", "untouched", "in place", "unmoved"))
+            or (k + 1) * (p.words[k + 1] in ("", ","))
         ):
             manner_ = Manner(kind="stay", span=p.span(k, still))
             return [(Clause(verb="be", theme=theme, adjuncts=(manner_,), mode=mode, span=p.span(i, still)), still)]
@@ -312,6 +286,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
         j := p.any_of(
             k,
             (
+                *_SWAPPED,
                 "swap places",
                 "swap positions",
                 "trade places",
@@ -332,6 +307,9 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
                 verb="arrange", lemma="alternate", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)
             )
             yield replace(turns, negated=negated), end
+    if negated and (j := p.one(k, _MOVE)):
+        unmoved = Clause(verb="place", lemma="move", theme=theme, negated=True, mode=mode, span=p.span(i, j))
+        yield replace(unmoved, word=p.span(k, j)), j
     if j := p.one(k, frozenset({"touch", "touches"})):
         for other, end in noun_phrase(p, j):
             touch = Loc(rel="touching", landmark=other, span=p.span(k, end))

@@ -16,14 +16,20 @@ from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits
 
 _HEADED = Patterns(
-    "the|our|my|your|these|all? letters|digits|numbers|blocks|cubes|symbols|pieces|bricks|colors|set|inventory|objects|"
-    "assets|pool|items|material|materials|available|given|equipment|stock|supply|kit|parts|resources|things only? "
+    "the|our|my|your|these|all|the_only|available|the_available|given|the_given|usable? "
+    "letter|number|digit|symbol|color? letters|digits|numbers|blocks|cubes|symbols|pieces|bricks|colors|set|"
+    "inventory|objects|assets|pool|items|material|materials|available|given|equipment|stock|supply|kit|parts|resources|"
+    "things only? "
     "in_play|given|available|provided|to_use|used|here|on_the_table|at_hand|you_have|we_have|i_have|you_get|you_need|"
-    "to_be_used|to_work_with|involved|present|in_use|for_this|for_it|in_the_scene|needed? are|is? :|,|-?",
+    "to_be_used|to_work_with|involved|present|in_use|for_this|for_it|in_the_scene|needed? are|is|=? :|,|-?",
+    "here_is|this_is|that_is|these_are|here_are? what|all i|we|you|they|the_robot have|have_got|got|get|need|use|"
+    "are_given|"
+    "can_use|may_use are|is? :|,|-?",
+    "here|below is|are|comes|come the|our|a? list|inventory|blocks|cubes|set|colors|letters :|-",
 )
 """What stands before a list of what there is."""
 _THERE = Patterns(
-    "i|we|you|they only|just|also|always? have|get|see|find|got|have_got|will_find|will_see|will_get|will_have|"
+    "i|we|you|they only|just|also|always? have|use|get|see|find|got|have_got|will_find|will_see|will_get|will_have|"
     "can_use|can_see|are_given|may_use|are_using|shall_use|should_use|must_use|will_use|are_going_to_use "
     "today|here|now|available|before_you|in_front_of_you|at_hand|on_the_table? only|just|exactly?",
     "on_the_table|in_the_scene|in_the_box|in_the_picture|before_you|in_front_of_you|here|lying_on_the_table "
@@ -44,7 +50,7 @@ def stock(p: Parser, i: int) -> Results[Clause]:
     """What there is, and how large all of it is."""
     lead = 0
     for start in _HEADED.matches(p, i):
-        if p.words[start - 1] in (":", ",", "-", "are", "is"):
+        if p.words[start - 1] in (":", ",", "-", "are", "is", "="):
             lead = start
             yield from _listed(p, i, start)
     for start in _THERE.matches(p, i):
@@ -53,9 +59,15 @@ def stock(p: Parser, i: int) -> Results[Clause]:
             end = p.any_of(j, _TODAY) or j
             yield replace(given(p, i, end, theme, told, 1), lemma="stock"), end
         for listed, j in noun_phrase(p, start):
-            plain = isinstance(listed, Coord) and listed.op == "and" and not listed.cost
-            whole = j >= p.end and _several(listed) and mere_looks(listed)
-            if whole or (plain and isinstance(listed, Coord) and all(map(_counted, listed.items))):
+            whole = (j >= p.end or p.words[j] == ":") and _several(listed) and mere_looks(listed)
+            if whole or (isinstance(listed, Noun) and _named(listed) and len(listed.traits.labels) > 1):
+                yield replace(given(p, i, j, listed, (), 1), lemma="stock"), j
+            if (
+                isinstance(listed, Coord)
+                and listed.op == "and"
+                and not listed.cost
+                and (all(map(_counted, listed.items)) or all(map(_named, listed.items)))
+            ):
                 yield replace(given(p, i, j, listed, (), 1), lemma="stock"), j
     if i == 0 or p.follows(i, (":",)):
         for listed, j in noun_phrase(p, i):
@@ -73,6 +85,13 @@ _USED = ("use", "using", "take", "with", "we use", "you use", "there are", "we h
          "only use", "use only", "we work with")  # fmt: skip
 
 
+def _named(item: Meaning) -> bool:
+    """ "red", "the letters N and E", "a green patch"."""
+    return (
+        isinstance(item, Noun) and bool(item.traits.colors or item.traits.labels) and item.det in ("bare", "the", "a")
+    )
+
+
 def _counted(item: Meaning) -> bool:
     return isinstance(item, Noun) and item.amount is not None and bool(item.traits.colors)
 
@@ -88,9 +107,16 @@ def _several(theme: Meaning) -> bool:
 def _listed(p: Parser, i: int, start: int) -> Results[Clause]:
     for theme, told, j in contents(p, start):
         yield given(p, i, j, theme, told, 1), j
-    for named, j in noun_phrase(p, start) if p.words[start - 1] == ":" else ():
-        if mere_looks(named):
+    for named, j in noun_phrase(p, start) if p.words[start - 1] in (":", "=", "are") else ():
+        if not mere_looks(named):
+            continue
+        if p.words[start - 1] != "are":
             yield replace(given(p, i, j, named, (), 2), lemma=""), j
+        elif j >= p.end and p.words[start - 2] in _ALL_BLOCKS:
+            yield given(p, i, j, replace(named, cost=0), (), 0), j
+
+
+_ALL_BLOCKS = frozenset({"blocks", "cubes", "bricks", "pieces", "colors"})
 
 
 def mere_looks(theme: Meaning) -> bool:
@@ -100,8 +126,10 @@ def mere_looks(theme: Meaning) -> bool:
     plain = isinstance(theme, Noun) and theme.head in ("any", "block") and theme.det == "bare" and theme.amount is None
     if not plain or not isinstance(theme, Noun) or theme.conditions or theme.part_of is not None:
         return False
-    looks = theme.traits.colors or theme.traits.labels
-    return bool(looks) and theme.traits == Traits(colors=theme.traits.colors, labels=theme.traits.labels)
+    marks = theme.traits
+    looks = marks.colors or marks.labels
+    sized = {"size": marks.size, "edge": marks.edge}
+    return bool(looks) and marks == Traits(colors=marks.colors, labels=marks.labels, **sized)  # type: ignore[arg-type]
 
 
 def _with_patches(p: Parser, i: int) -> Results[Clause]:
@@ -218,9 +246,9 @@ def _sized(p: Parser, i: int, lead: int) -> Results[Clause]:
             sized = marks == Traits(edge=marks.edge, size=marks.size) and (marks.edge or (marks.size and lead))
             plain = isinstance(theme, Noun) and theme.head == "block" and theme.plural and theme.det == "bare"
             if isinstance(theme, Noun) and plain and sized and theme.amount is None:
-                yield _size(p, i, j, theme.traits, 0 if lead else 2), j
+                yield _size(p, i, j, theme.traits, 0 if lead else 2), p.opt(j, "only", "throughout")
     of = p.any_of(i, _SIZE_OF)
-    for edge, j in length(p, p.opt(of, ":", "=", "is", "are", ",")) if of else ():
+    for edge, j in length(p, p.opt(of, ":", "=", "is", "are", ",", "measure", "measures")) if of else ():
         yield _size(p, i, j, Traits(edge=edge), 1), p.opt(j, "each")
 
 

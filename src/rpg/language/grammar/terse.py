@@ -39,7 +39,8 @@ _READ = tuple(
     f"{who} {word}"
     for who in ("you can read", "i can read", "one can read", "we can read", "you should read", "one should read",
                 "make it say", "make it read", "let it say", "let it read", "make it spell", "it should say",
-                "show", "show me", "display", "it must say", "it says", "it reads", "i want to read", "we want to read", "it should read", "you read")
+                "it must say", "it says", "it reads", "i want to read", "we want to read", "it should read", "you read",
+                "show", "show me", "display")
     for word in ("", "the word", "the name", "the number", "the year")
 )  # fmt: skip
 """What a word follows that is to be there at the end."""

@@ -134,6 +134,8 @@ _PREFACES = (
     "sorry|apologies|excuse_me to|for bother|bothering|disturb|interrupt you|me? ,? but ,?",
     "no need to hurry|rush|worry :|,|but|and",
     "i am? not sure if|whether you can do this|that|it ,? but ,?",
+    "i am? not sure if|whether this|that|it is possible|doable|easy ,? but ,?",
+    "let me|us think|see ,|:|… ,?",
     "be a friend|good_robot|good_sport|hero|sport? and",
     f"it would|will be {FINE}|ideal if you|we|the_robot could|would|can?",
     "mind",
@@ -192,6 +194,8 @@ START_WISHES = Patterns(
     "anything_is_moved|the_episode_starts|the_task_starts|the_robot_does_anything ,",
     "when the|this|our episode|task|game|simulation|run|trial|exercise starts|begins|opens ,",
     "when you|we|i start|begin ,",
+    "the|our|my|a? starting|start|initial|beginning point|situation|position ,|:|,? is?|: :?",
+    "the_robot|you|we finds|find|encounters|encounter|faces|face|meets|meet",
     "you will find|see|be_given|receive|start_with|begin_with|be_faced_with",
     "you find|are_faced_with|are_presented_with",
 )
@@ -224,6 +228,15 @@ STATE_WISHES = Patterns(
     "by|at the very? end|finish ,|:?",
     "when|once it|everything is all over|done|finished ,?",
     "it|this|that|the_picture|the_result|the_scene should|must|shall|will|has_to show|look_like|display|depict :?",
+    "the|our|my|a? end|final|finish|ending|goal|target point|position|condition|situation is|:|, :?",
+    "to pass|win|succeed|finish ,",
+    "a|the|every|any successful|good|correct|finished|complete episode|run|attempt|game|task|solution ends|finishes "
+    "with|when|if|once|in",
+    "consider|count|regard|take it|this|the_task|the_job|the_episode as? solved|done|complete|finished|successful|a_success|"
+    "completed when|if|once|as_soon_as",
+    "it would make|makes me|us|them|my_boss|everyone really|very|so? happy|glad|proud to_see|to_have|if|when",
+    f"{_WHO} {_WANT} a|the|some? nice|good? {_PICTURE} of|showing|with",
+    f"{_WHO} says|say|said|thinks|think|believes that|: ,?",
     "a|the|one|any correct|right|valid|good|successful|finished|complete|proper solution|result|answer|outcome "
     "has|shows|is|looks_like|consists_of|contains|would_be|would_have|must_have|must_show|should_have|should_show "
     ":|,?",
@@ -299,6 +312,26 @@ STATE_WISHES = Patterns(
     "simple|easy|clear|this|the_following|as_follows :",
 )
 
+_MADE = (
+    "tower|stack|row|line|wall|pyramid|staircase|grid|word|circle|square|structure|first_tower|first_part|first_step"
+)
+_AS_SOON = "but|and? only? when|once|after|as_soon_as|only_after"
+_THERE_BY_THEN = (
+    "standing|built|finished|complete|completed|done|ready|there|in_place|made|in_position|up|achieved|"
+    "accomplished|stable"
+)
+AFTER_THAT = Patterns(
+    f"{_AS_SOON} it|that|this|these|those|they|both is|are|has_been|have_been|was|were|'s already? {_THERE_BY_THEN} ,?",
+    f"{_AS_SOON} the|this|that {_MADE} is|has_been|was|'s already? {_THERE_BY_THEN} ,?",
+    f"{_AS_SOON} the|this|that {_MADE} stands|exists ,?",
+    f"{_AS_SOON} it|this|that stands|exists|has_happened ,?",
+    "after|having doing|done that|this|so ,?",
+    "as the|a next|second|third|fourth|last|final step|thing|action ,|:?",
+    "the next|second|third|fourth|last|final step|thing|action is|: to|:?",
+    "once|when you|we have done|finished that|this|it|so ,?",
+    "once|when you|we are done|finished with that|this|it ,?",
+)
+"""What is told behind these comes after what was told before."""
 TAGS = Patterns(
     f"that|which|it|this would|will|'d be so|really|very|just? {FINE}",
     "when|if|whenever you have|find|get|'ve_got? a|the|some? time|moment|minute|chance",

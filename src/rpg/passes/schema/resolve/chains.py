@@ -217,6 +217,7 @@ def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
     if len(stages) < 2:
         return stages[0] if stages else []
     goals = [conj(stage) for stage in stages]
+    _still_later(goals, scene, chain.span)
     made = []
     for index, goal in enumerate(goals):
         later = goals[index + 1 :]
@@ -231,6 +232,18 @@ def _lasts(goal: g.Goal, undone: bool, span: tuple[int, int] | None) -> None:
     if undone and any(isinstance(part, g.Always) for part in (goal.goals if isinstance(goal, g.All) else (goal,))):
         told, hint = "what always holds cannot end with what comes then", "leave 'always' out, or what comes then"
         raise refuse("contradiction", told, span, hint)
+
+
+def _still_later(goals: list[g.Goal], scene: Scene, span: tuple[int, int] | None) -> None:
+    """Refuse "build a row, then do not move its blocks": to stay is to be where the episode began."""
+    moved: set[str] = set()
+    for goal in goals:
+        stay = {n for x in required(goal) if isinstance(x, r.Stayed) for n in names_in(x)} - scene.returned
+        if stay & moved:
+            told = "a block that is moved first cannot stay where it was at the start"
+            raise refuse("ambiguous", told, span, "say where it should be at the end")
+        done = [x for x in required(goal) if not isinstance(x, r.Stayed)]
+        moved |= {n for x in done for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
 
 
 def _undone(later: g.Goal, earlier: g.Goal, scene: Scene) -> bool:
@@ -259,6 +272,7 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
     stages += _stages(now)
     if len(stages) > 1:
         fixed = []
+        _still_later([stage.goal for stage in stages], scene, span)
         for index, stage in enumerate(stages):
             undone = any(_undone(after.goal, stage.goal, scene) for after in stages[index + 1 :])
             _lasts(stage.goal, undone, span)

@@ -74,7 +74,9 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return a.a == b.a and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
     if isinstance(a, s.Stack | s.Row) and isinstance(b, s.Stack | s.Row) and a.kind == b.kind:
         return _orders_differ(a, b)
-    if _flat_and_upright(a, b) or _flat_and_upright(b, a):
+    if isinstance(a, s.Spells) and isinstance(b, s.Spells):
+        return set(a.blocks) == set(b.blocks) and a.word != b.word
+    if _flat_and_upright(a, b) or _flat_and_upright(b, a) or _of_other_shape(a, b) or _of_other_shape(b, a):
         return True
     return _opposite(a, b) if isinstance(a, r.Directional) and isinstance(b, r.Directional) else False
 
@@ -89,6 +91,14 @@ def _opposite(a: r.Directional, b: r.Directional) -> bool:
     if one == two:
         return a.a == b.b and a.b == b.a
     return _OPPOSITE.get(one) == two and a.a == b.a and a.b == b.b
+
+
+def _of_other_shape(spread: g.Goal, line: g.Goal) -> bool:
+    """A figure of several rows or layers against a line or a tower of the same blocks."""
+    if not isinstance(spread, s.Grid | s.Pyramid | s.Staircase) or not isinstance(line, s.Row | s.Stack):
+        return False
+    sides = (spread.rows, spread.columns, spread.layers) if isinstance(spread, s.Grid) else (2, 2)
+    return sum(side > 1 for side in sides) > 1 and set(spread.blocks) == set(line.blocks)
 
 
 def _flat_and_upright(flat: g.Goal, upright: g.Goal) -> bool:

@@ -60,6 +60,7 @@ def check_words(chains: Sequence[Chain], scene: Scene) -> None:
                     _structure(part)
                 case Clause():
                     _clause(part)
+                    _wholly(part)
                     _own_parts(part)
                 case Using() | OrderBy() | Absolute():
                     _certain(part)
@@ -96,7 +97,7 @@ def check_besides(scene: Scene) -> None:
 def _idle(said: str, told: bool, span: Span, scene: Scene) -> None:
     """Words that no goal can use: their sense, then the word itself, such as "pace slowly"."""
     sense, _, word = said.partition(" ")
-    if sense == "any":
+    if sense in ("any", "whole"):
         return
     if sense in _VAGUE:
         scene.assume(_VAGUE[sense].format(word))
@@ -165,6 +166,9 @@ def _clause(clause: Clause) -> None:
     if isinstance(theme, Noun) and theme.traits.quality:
         shown = (i for a in clause.adjuncts if isinstance(a, OrderBy) for i in a.items if isinstance(i, Noun))
         _all_such(tuple(label for item in shown for label in item.traits.labels), theme.traits.quality, clause.span)
+        _among(clause)
+    if isinstance(theme, Noun) and clause.verb == "be":
+        _run_of(theme, clause)
     if _open(theme):
         _alternatives(clause)
     if isinstance(theme, Noun):
@@ -173,6 +177,32 @@ def _clause(clause: Clause) -> None:
         placed = any(isinstance(a, Loc) and not a.negated for a in clause.adjuncts)
         if placed and clause.verb in ("place", "stack") and clause.mode == "command":
             raise _unfit("a distractor has no place in the goal", theme.span, "leave out the word, or its place")
+
+
+_UNDONE = frozenset({"unstack", "remove", "reverse"})
+
+
+def _wholly(clause: Clause) -> None:
+    """ "completely" adds nothing where something is taken apart or emptied; elsewhere it is not clear what it does."""
+    for part in clause.adjuncts if clause.verb not in _UNDONE else ():
+        if isinstance(part, Manner) and part.kind == "idle" and str(part.value).startswith("whole "):
+            word = str(part.value).partition(" ")[2]
+            raise _unfit(f"it is not clear what is {word!r} here", part.span, "leave it out")
+
+
+def _among(clause: Clause) -> None:
+    """Refuse "the vowels among A, B and C", of which it would be said that they lie between these."""
+    marks = [a.landmark for a in clause.adjuncts if isinstance(a, Loc) and a.rel == "between"]
+    if any(isinstance(mark, Noun) and mark.traits.labels for mark in marks):
+        raise _unfit("it is not clear which of these are meant", clause.span, "name them one by one")
+
+
+def _run_of(theme: Noun, clause: Clause) -> None:
+    """Refuse an order in "the digits from 1 to 5", which says which they are."""
+    runs = any(isinstance(a, OrderBy) and a.by == "run" for a in clause.adjuncts)
+    formed = any(isinstance(a, Into) for a in clause.adjuncts)
+    if runs and not formed and theme.traits.kind in ("letter", "digit") and not theme.traits.labels:
+        raise _unfit("these are no order, but tell which are meant", clause.span, "say 'in a row', or in order")
 
 
 def _alternatives(clause: Clause) -> None:

@@ -19,7 +19,8 @@ def told_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], 
         kept: list[tuple[str, Meaning]] = []
         found.append(kept)
         for link, clause in zip(chain.links, chain.clauses, strict=True):
-            if before is not None and (whole := _listed(found[before[0]][before[1]][1], clause)) is not None:
+            told = found[before[0]][before[1]][1] if before is not None else None
+            if before is not None and told is not None and (whole := _listed(told, clause) or _in_heap(told, clause)):
                 found[before[0]][before[1]] = (found[before[0]][before[1]][0], whole)
                 before = None
                 continue
@@ -30,6 +31,26 @@ def told_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], 
         replace(chains[n], clauses=tuple(c for _, c in found[n]), links=("and", *(link for link, _ in found[n][1:])))
         for n in left
     )
+
+
+def _in_heap(heap: Meaning, tally: Meaning) -> Clause | None:
+    """ "There is a pile of letters: D, O and G": the heap with what the list names."""
+    if not (isinstance(heap, Clause) and isinstance(tally, Clause)) or (heap.verb, heap.mode) != ("exist", "given"):
+        return None
+    shape, items = heap.theme, tally.theme
+    if tally.lemma not in ("tally", "stock") or tally.adjuncts or not isinstance(shape, Structure):
+        return None
+    within = shape.members
+    if shape.kind != "pile" or shape.plural or not isinstance(within, Noun) or not isinstance(items, Noun | Coord):
+        return None
+    if within.traits != Traits(kind=within.traits.kind) or within.conditions or within.part_of is not None:
+        return None
+    lots = [x for x in (items.items if isinstance(items, Coord) else (items,)) if isinstance(x, Noun)]
+    letters = all(x.traits.labels and all(map(str.isalpha, x.traits.labels)) for x in lots)
+    many = sum(x.amount.low if x.amount else max(1, len(x.traits.labels)) for x in lots)
+    if (within.traits.kind == "letter") != letters or within.amount not in (None, Amount(many, many)):
+        return None
+    return replace(heap, theme=replace(shape, members=items))
 
 
 def _listed(begun: Meaning, tally: Meaning) -> Clause | None:

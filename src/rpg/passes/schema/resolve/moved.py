@@ -31,8 +31,8 @@ def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     spec.places.remove(far)
     if far.low is None:
         raise refuse("misplaced", "a move is at least so far", far.span, "say 'by at least 10 cm'")
-    facts = [x for x in scene.start_goals if _lies_there(x) and set(x.a) <= {*theme.names}] if "else" in far.mods else []
-    left = [g.Not(goal=fact, span=clause.span) for fact in facts]
+    begun = scene.start_goals if "else" in far.mods else []
+    left = [g.Not(goal=x, span=clause.span) for x in begun if _lies_there(x) and set(x.a) <= {*theme.names}]
     return [r.Moved(a=theme.names, at_least=far.low, span=clause.span), *left]
 
 

@@ -159,6 +159,15 @@ def _claim_one(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> list[Thin
     return open_[:1]
 
 
+def _so_many_told(noun: Noun, amount: int, scene: Scene) -> tuple[str, ...]:
+    """ "Stack red, green and blue. The three ...": the blocks that were told together, if only once so many were."""
+    if noun.head != "any" or noun.traits != Traits() or noun.det not in ("the", "all"):
+        return ()
+    told = {frozenset(m.ref.names): m.ref.names for m in scene.mentions if len(set(m.ref.names)) == amount}
+    found = next(iter(told.values())) if len(told) == 1 else ()
+    return () if any(scene.things[name].patch for name in found) else found
+
+
 def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
     if not found and noun.head == "any" and noun.traits == Traits() and not scope.pool:
         raise refuse("no-referent", "it is not clear what this refers to", noun.span, "name the block")
@@ -179,6 +188,8 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
         scene.new_batch()
         return (create(noun.traits, scene, patch).name,)
     if amount is not None:
+        if len(found) > amount and (told := _so_many_told(noun, amount, scene)):
+            return told
         if len(found) > amount:
             raise refuse(
                 "ambiguous",

@@ -14,11 +14,11 @@ _FAMILY = {"line": "row", "column": "row"}
 
 def as_it_stands(ref: Ref, scene: Scene) -> list[g.Goal]:
     """ "Move the tower onto the mat": a structure of the start that is put somewhere is one there, too."""
-    wholes = [set(built.members) for built in ref.built]
+    wholes = [(set(built.members), built.kind == "stack") for built in ref.built]
     told = [x for x in scene.start_goals if isinstance(x, s.Stack | s.Row | s.Grid | s.Figure | s.Spells)]
     pairs = [x for x in scene.start_goals if isinstance(x, r.On) and isinstance(x.a, tuple) and isinstance(x.b, tuple)]
     return [
-        *(x for x in told if set(x.blocks) in wholes),
+        *(x for x in told if (set(x.blocks), isinstance(x, s.Stack)) in wholes),
         *(x for x in pairs if any(built.kind == "stack" and {*x.a, *x.b} <= {*built.members} for built in ref.built)),
     ]
 
@@ -79,6 +79,8 @@ def _with_its_color(shape: Structure, scene: Scene) -> list[Built]:
         return []
     there = [built for built in scene.built if built.kind == shape.kind]
     found = [b for b in there if any(scene.things[n].color in colors for n in b.members)]
+    if not found and (shape.sizes or whole is not None):
+        return []
     if there and len(found) != 1:
         raise refuse("ambiguous", "it is not clear which of those spoken of this is", shape.span, "name its blocks")
     return found

@@ -112,6 +112,7 @@ def give(thing: Thing, traits: Traits) -> None:
     if traits.labels:
         thing.label = traits.labels[0]
         thing.kind = _kind_of(traits.labels[0])
+        thing.elastic = None
     if traits.size:
         thing.size = traits.size
     if traits.edge:
@@ -170,6 +171,9 @@ def looks_said(noun: Noun, names: tuple[str, ...], there: dict[str, bool], scene
     new = [scene.things[name] for name in names if name not in there]
     if noun.det == "all" and noun.traits.quality and not noun.traits.labels and len(new) == len(names):
         raise refuse("ambiguous", "it is not said which symbols there are", noun.span, "name them")
+    many = noun.amount
+    if many is not None and many.strict and many.low != many.high and noun.traits == Traits():
+        scene.vague.update(thing.name for thing in new if noun.head == "block" and noun.part_of is None)
     bare = noun.head == "any" and noun.traits == Traits() and any(there.values())
     if bare and any(not thing.declared and thing.color is None and not thing.kind for thing in new):
         raise refuse("ambiguous", "it is not said what these blocks look like", noun.span, "name their colour")

@@ -47,16 +47,6 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     return [_stayed(theme, clause.span), *more]
 
 
-def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """ "move the red block by at least 10 cm"."""
-    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    far = next(p for p in spec.places if isinstance(p, Loc) and p.rel == "moved")
-    spec.places.remove(far)
-    if far.low is None:
-        raise refuse("misplaced", "a move is at least so far", far.span, "say 'by at least 10 cm'")
-    return [r.Moved(a=theme.names, at_least=far.low, span=clause.span)]
-
-
 def _stayed(theme: Ref, span: Span) -> g.Goal:
     if theme.patch or theme.table:
         raise refuse("fixed-patch", "patches and the table never move", theme.span, "name blocks")
@@ -84,9 +74,14 @@ def without(that: That, scene: Scene) -> Goals:
     for clause in chain.clauses if isinstance(chain, Chain) else ():
         if not isinstance(clause, Clause):
             continue
-        if clause.verb in ("place", "touch", "turn", "swap", "pick") and not clause.adjuncts:
+        manners = [m for m in clause.adjuncts if isinstance(m, Manner)]
+        lasting = any(m.kind == "always" for m in manners)
+        if any(m.kind == "time" for m in manners):
+            raise refuse("ambiguous", "it is not clear when this is forbidden", that.span, "say 'without ever ...'")
+        if clause.verb in ("place", "touch", "turn", "swap", "pick") and len(clause.adjuncts) == lasting:
             theme = refer(_moved_theme(clause), scene, Scope(role="landmark"))
-            goals.append(_untouched(clause, theme, scene, that.span))
+            still = _untouched(clause, theme, scene, that.span)
+            goals.append(g.Always(goal=still, span=that.span) if lasting else still)
         elif clause.verb in ("place", "stack", "use"):
             from rpg.passes.schema.resolve.clauses import clause_goals
 
@@ -211,13 +206,20 @@ def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | 
             clause.span,
             "say 'take the red block off the blue block'",
         )
-    if len(names) > 1 and not landmarks and not _stacked_at_start(names, scene):
+    if len(names) > 1 and not landmarks and not _stacked_at_start(names, scene) and not _built_before(theme, scene):
         from rpg.ir import structures as s
 
         scene.start_goals.append(s.Stack(blocks=names, span=clause.span))
         scene.assume("what is unstacked starts as a stack")
     goals.append(r.OnTable(a=names, span=clause.span))
     return goals
+
+
+def _built_before(theme: Ref, scene: Scene) -> bool:
+    """ "Build a tower, then take it apart": it is there by then, and not at the start."""
+    earlier = [built for m in scene.mentions if m.clause < scene.clause for built in m.ref.built]
+    piled = any(scene.on_top.get(name) in theme.names for name in theme.names)
+    return piled or (bool(theme.built) and all(built in earlier for built in theme.built))
 
 
 def _stacked_at_start(names: tuple[str, ...], scene: Scene) -> bool:

@@ -72,12 +72,13 @@ _ONE = Patterns("a|one|exactly_one|just_one|a_single|one_single|a_separate|its_o
 def of_each_color(p: Parser, i: int) -> Results[Clause]:
     """A clause that says of each colour how its blocks are put together."""
     yield from _on_patches(p, i)
-    for verb, j in (*_commanded(p, i), *_stated(p, i), *_one_for_each(p, i)):
+    told = [(verb, j, 0) for verb, j in (*_commanded(p, i), *_stated(p, i))]
+    for verb, j, cost in (*told, *((verb, j, 1) for verb, j in _one_for_each(p, i))):
         span = p.span(i, j)
         blocks = Noun(head="block", det="the", plural=True, span=span)
         by = OrderBy(by="attribute", span=span)
         word = p.span(i, i + 1)
-        said = Clause(verb=verb, lemma=verb, theme=blocks, adjuncts=(by,), mode="goal", span=span, word=word)
+        said = Clause(verb=verb, lemma=verb, theme=blocks, adjuncts=(by,), mode="goal", span=span, word=word, cost=cost)
         yield said, j
         for found, k in loc(p, j) if verb == "stack" or p.words[j : j + 1] == ["on"] else ():
             mark = found.landmark if isinstance(found, Loc) else None

@@ -55,7 +55,7 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     lead = p.any_of(i, _LEADS)
     if lead:
         taken = p.words[i] in ("take", "use", "using")
-        for theme, told, j in contents(p, p.opt(lead, "exactly", "just", "only", ":"), taken):
+        for theme, told, j in contents(p, p.any_of(lead, _NO_MORE_THAN) or lead, taken):
             yield given(p, i, j, theme, told, 0 if taken and (told or _several(theme)) else 1), j
     of = p.one(i, "of")
     for theme, j in simple(p, of) if of else ():
@@ -72,8 +72,47 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
         for theme, told, j in contents(p, i):
             if not _goes_on(p, j, theme):
                 yield given(p, i, j, theme, told, 2), j
+                if k := p.any_of(j, _NO_OTHERS):
+                    yield given(p, i, k, theme, told, 2), k
+    if i == 0 and (only := p.any_of(i, _NO_MORE_THAN)):
+        yield from ((given(p, i, j, theme, told, 2), j) for theme, told, j in contents(p, only) if j >= p.end)
+    yield from _besides(p, i)
     yield from _numbered(p, i)
     yield from _at_hand(p, i)
+
+
+_NO_MORE_THAN = ("exactly", "just", "only", ":", "nothing but", "no more than", "nothing more than", "no blocks but")
+_NO_OTHERS = (", no others", ", nothing else", ", and nothing else", ", and no others", "and nothing else",
+              "and no others", ", no other blocks", "and no other blocks", ", and that is all",
+              ", nothing more")  # fmt: skip
+"""What says again that there is no more than what is listed."""
+_BESIDES = ("besides", "apart from", "aside from", "in addition to", "along with", "together with")
+_THERE_ARE = ("there is", "there are", "we have", "i have", "you have", "we also have", "there also is",
+              "there also are", "you get")  # fmt: skip
+
+
+@choice
+def _besides(p: Parser, i: int) -> Results[Clause]:
+    """ "apart from two red blocks there is also a blue one": the blocks on either side."""
+    for first, j in noun_phrase(p, k) if (k := p.any_of(i, _BESIDES)) else ():
+        there = p.any_of(p.opt(j, ","), _THERE_ARE)
+        for second, end in noun_phrase(p, p.opt(there, "also", "only", "just")) if there else ():
+            if _listable(first) and _listable(second):
+                items = (*_parts(first), *_parts(second))
+                whole = Coord(op="and", items=items, span=p.span(i, end))
+                yield replace(given(p, i, end, whole, (), 0), lemma=""), end
+
+
+def _parts(theme: Meaning) -> tuple[Meaning, ...]:
+    return theme.items if isinstance(theme, Coord) else (theme,)
+
+
+def _listable(theme: Meaning) -> bool:
+    """Blocks with their number and looks, or patches."""
+    if isinstance(theme, Coord):
+        return theme.op == "and" and all(map(_listable, theme.items))
+    told = isinstance(theme, Noun) and theme.part_of is None and not theme.conditions
+    return told and isinstance(theme, Noun) and bool(theme.traits.colors or theme.traits.labels)
 
 
 def _goes_on(p: Parser, j: int, theme: Meaning | None) -> bool:
@@ -87,6 +126,8 @@ def _goes_on(p: Parser, j: int, theme: Meaning | None) -> bool:
 
 _AT_HAND = (
     "exist", "exists", "also exist", "also exists",
+    *(f"{are} all {there}" for are in ("is", "are")
+      for there in ("we have", "i have", "you have", "there is", "there are", "we have got", "you get", "we need")),
     *(
         f"{are} {also}{there}"
         for are in ("is", "are")
@@ -168,8 +209,12 @@ def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
         for named, k in color(p, p.reach(j + 1)) if p.words[j] in ("is", "are", "x", "times", "of") else ():
             yield (_of_color(named, many, p.span(i, k)),), p.opt(k, "blocks", "cubes", "block", "cube")
     for named, j in color(p, i):
-        for many, k in amounts.count(p, p.opt(p.opt(j, ":", "-", "="), "x")):
+        opened = p.one(j, "(")
+        for many, k in amounts.count(p, opened or p.opt(p.opt(j, ":", "-", "="), "x")):
             k = p.opt(k, "blocks", "cubes", "block", "cube")
+            if opened and not p.one(k, ")"):
+                continue
+            k += bool(opened)
             yield (_of_color(named, many, p.span(i, k)),), k
     for many, j in amounts.count(p, i):
         k = p.any_of(p.opt(j, "block", "blocks", "cube", "cubes"), _OF_LISTED)

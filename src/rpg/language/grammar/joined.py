@@ -8,10 +8,12 @@ from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import adjectives, color
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.retold import (
+from rpg.language.grammar.labels import label_list
     bare_color,
     extra_alike,
     mere_size,
     named_together,
+    named_by,
     part_after,
     restates,
     retelling,
@@ -133,8 +135,24 @@ def _of_kind(item: Meaning, whole: Noun) -> Meaning:
 
 
 def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
+_NAMELY = ("that is", "namely", "that is to say", "meaning", "which are", "these are", "i . e .", "ie")
+
+
+def _namely(p: Parser, i: int, whole: Noun, j: int) -> Results[Meaning]:
+    """ "all odd digits, that is 1, 5 and 9, ...": just which they are."""
+    k = p.any_of(j, _NAMELY)
+    for (labels, more), end in label_list(p, p.opt(k, ",", ":", "the")) if k else ():
+        kind, quality = whole.traits.kind, whole.traits.quality
+        if not more and named_by(whole, labels) and kind is not None:
+            marks = Traits(labels=labels, kind=kind, quality=quality)
+            named = replace(whole, det="the", amount=None, plural=len(labels) > 1, traits=marks, span=p.span(i, end))
+            yield from ((named, last) for last in {end: None, p.opt(end, ","): None})
+
+
     """ "three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
     if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, frozenset({",", ":"})):
+    if isinstance(whole, Noun) and whole.plural and p.one(j, frozenset({",", ":", "("})):
+        yield from _namely(p, i, whole, j + 1)
         return
     for found, k in amounts.quantity(p, j + 1):
         counts = whole.amount is None and whole.det in ("bare", "some") and found.det == "some"

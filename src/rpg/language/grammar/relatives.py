@@ -50,7 +50,8 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
             yield Traits(extra=True), j
         if j := p.one(that, _SHOW):
             yield from _shown(p, j)
-        if j := p.one(that, frozenset({"is", "are"})):
+        namely = comma > i and p.words[i + 1 : i + 3] == ["that", "is"]
+        if j := p.one(that, frozenset({"is", "are"})) if not namely else 0:
             for marks, k in adjectives(p, j):
                 if marks and head in ("block", "any", "patch"):
                     yield Traits(**marks), k

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import string
 from dataclasses import replace
 
 from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Pattern, Pronoun, Structure, Traits
@@ -78,6 +79,16 @@ def _named_by(first: Noun, item: Noun) -> bool:
     fits = all(x.isalpha() for x in labels) if kind == "letter" else all(x.isdigit() for x in labels)
     plain = first.traits == Traits(kind=kind, quality=first.traits.quality) and item.traits == Traits(labels=labels)
     return plain and fits and bool(labels) and kind in ("letter", "digit") and item.det == "bare"
+
+
+def named_by(whole: Noun, labels: tuple[str, ...]) -> bool:
+    """Whether these symbols may be the ones that a phrase speaks of: odd digits, three letters."""
+    marks, many = whole.traits, whole.amount
+    sorts = {"odd": "13579", "even": "02468", "vowel": "AEIOU", "consonant": "BCDFGHJKLMNPQRSTVWXYZ",
+             "digit": string.digits}  # fmt: skip
+    among = sorts.get(marks.quality or marks.kind or "", string.ascii_uppercase)
+    plain = marks == Traits(kind=marks.kind, quality=marks.quality) and whole.part_of is None and not whole.conditions
+    return plain and all(label in among for label in labels) and (many is None or many.low == many.high == len(labels))
 
 
 def _counted_symbols(first: Noun, item: Noun) -> bool:

@@ -25,6 +25,7 @@ from rpg.language.meaning import (
     OrderBy,
     Pronoun,
     Quality,
+    Size,
     Structure,
     Traits,
     cost_of,
@@ -49,6 +50,7 @@ from rpg.passes.schema.resolve.inventory import each_agrees
 from rpg.passes.schema.resolve.kept import brought_about
 from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.of_each import each_later
+from rpg.passes.schema.resolve.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.rows_told import words_in_rows
 from rpg.passes.schema.resolve.sized import sized
@@ -182,9 +184,11 @@ def _resolved(
     scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))
+    chains = chains if pointed else kinds_last(chains)
+    late = [n for n, chain in enumerate(chains) if _of_everything(chain, pointed) or (not pointed and waits(chain, chains))]
     order = sorted(
         range(len(chains)),
-        key=lambda n: (_of_everything(chains[n], pointed), not _sets_scene(chains[n]), n),
+        key=lambda n: (n in late, not _sets_scene(chains[n]), not _counts_each(chains[n]), n),
     )
     stated: dict[int, list[g.Goal]] = {}
     for n in order:
@@ -305,6 +309,13 @@ def _rest(part: Meaning) -> bool:
         and ("other" in part.word or "rest" in part.word or "remain" in part.word)
         and part.word not in ("each other", "one another")
     )
+
+
+def _counts_each(chain: Chain) -> bool:
+    """ "Two blocks of each": as many of every look that is listed, before or behind."""
+    clauses = [clause for clause in chain.clauses if isinstance(clause, Clause) and clause.theme is None]
+    sizes = [part for clause in clauses for part in clause.adjuncts]
+    return bool(sizes) and all(isinstance(x, Size) and x.what == "each" for x in sizes)
 
 
 def _sets_scene(chain: Chain) -> bool:

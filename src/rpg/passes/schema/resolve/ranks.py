@@ -19,11 +19,14 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     rank = noun.traits.rank or ""
     if rank.startswith("#"):
         return _numbered(noun, rank[1:], scene)
-    if rank in ("largest", "smallest"):
+    if rank in ("largest", "smallest", "larger", "smaller"):
+        those = matching(replace(noun.traits, rank=None), scene, False)
         sized = sorted(
-            ((t.edge or {"small": 0.03, "big": 0.05}.get(t.size or "", 0.04), t.name) for t in scene.blocks()),
-            reverse=rank == "largest",
+            ((t.edge or {"small": 0.03, "big": 0.05}.get(t.size or "", 0.04), t.name) for t in those),
+            reverse=rank.startswith("large"),
         )
+        if rank.endswith("er") and len(sized) > 2:
+            raise refuse("ambiguous", f"of more than two blocks none is the {rank} one", noun.span, "name its colour")
         if len(sized) > 1 and sized[0][0] != sized[1][0]:
             return Ref(names=(sized[0][1],))
         raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")

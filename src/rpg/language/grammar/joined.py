@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import adjectives, color
 from rpg.language.grammar.core import Parser, Results
@@ -221,6 +222,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             item = replace(item, cost=item.cost + 3)
         if not joined and isinstance(items[-1], Structure) and isinstance(item, Noun) and bare_color(item):
             continue
+        if joined and isinstance(items[-1], Structure) and isinstance(item, Structure) and _amid_colors(p, at):
+            continue
         if not joined and isinstance(item, Noun) and mere_size(item):
             continue
         if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
@@ -247,6 +250,12 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             if not restates(items[-1], item):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
+
+
+def _amid_colors(p: Parser, at: int) -> bool:
+    """ "a staircase of red, blue and green steps": the list of colours goes on here."""
+    comma = p.words[at - 2 : at - 1] == [","]
+    return comma and p.words[at - 1] in lexicon.COLOR and p.words[at - 3] in lexicon.COLOR
 
 
 def _is_extra(item: Meaning) -> bool:

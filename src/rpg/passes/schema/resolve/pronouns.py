@@ -300,7 +300,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     taken |= scene.used
     if scene.whole and not noun.traits.colors:
         taken = set(scene.things) - (set(scene.whole) - scene.parted)
-    left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken]
+    left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken] or _of_the_last(noun, scene, patch)
     count = noun.amount.low if noun.amount else None
     if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
         left = more
@@ -345,6 +345,19 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     scene.used.update(names)
     scene.parted.update(names)
     return Ref(names=names, patch=patch, plural=len(names) > 1)
+
+
+def _of_the_last(noun: Noun, scene: Scene, patch: bool) -> list[Thing]:
+    """ "Red, green and blue in a row, yellow on green, nothing on the others": those not named by themselves."""
+    if patch or noun.det != "other" or not noun.plural or noun.traits.colors or noun.traits.labels or noun.amount:
+        return []
+    told = [m for m in scene.mentions if m.ref.names and not m.ref.patch and m.ref.quant is None]
+    at = max((n for n, m in enumerate(told) if len(m.ref.names) > 2), default=-1)
+    if at < 0:
+        return []
+    since = {n for m in told[at + 1 :] for n in m.ref.names if len(m.ref.names) == 1}
+    whole = told[at].ref.names
+    return [scene.things[n] for n in whole if n not in since] if since & set(whole) else []
 
 
 def _some_other(noun: Noun, count: int | None, scene: Scene, patch: bool) -> None:

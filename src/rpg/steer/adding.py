@@ -77,6 +77,10 @@ _IDLE = phrases(
 )
 
 
+_SOMEWHERE = phrases(
+    "to the scene | to the task | to the table | on the table | to the setup | somewhere | somewhere on the table | "
+    "in the scene | to it | to this | anywhere | to the side | at the side | off to the side"
+)
 _IT_GOES = tuple(
     f"{stop} {goes}"
     for stop in (".", ",", ";", ", and", "and", ". and")
@@ -151,6 +155,8 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         if (j == i or p.words[i] == "with") and _only_a_kind(theme):
             continue
         if fresh(theme) or (verb and labelled(theme)):
+            if isinstance(theme, m.Noun) and theme.traits.extra and (end := longest(p, k, _SOMEWHERE)):
+                yield r.Add(theme=theme, span=p.span(i, end)), end
             for idle, end in _idle(p, k, theme):
                 yield r.Add(theme=idle, span=p.span(i, end)), end
             if isinstance(theme, m.Noun) and (end := longest(p, k, _STAYS)):
@@ -211,6 +217,7 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
 
 _BELONGS = phrases(
     "belongs | belong | goes | go | should go | must go | should be | must be | needs to be | has to be | should sit | "
+    "should rather be | should rather go | must rather be | should better be | "
     "should come | should move | ought to be | should stand"
 )
 

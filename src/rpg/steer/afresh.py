@@ -26,7 +26,7 @@ from rpg.steer.shape import conjuncts, same_structure
 from rpg.steer.view import NOUNS
 
 _FRESH = re.compile(
-    r"^\W*(?:ok(?:ay)?,?\s+|now,?\s+|actually,?\s+|please,?\s+)*"
+    r"^\W*(?:(?:ok(?:ay)?|now|actually|please|never ?mind|hm+|no|scratch that|wait|well)\b[\s,.;:!-]*)*"
     r"(?:(?:(?:make\s+(?:it|this)\s+)?(?:a\s+)?(?:(?:completely|totally|entirely|brand)\s+)?"
     r"(?:new|different|another|other|fresh)\s+(?:task|instruction|scene|problem)(?:\s+instead)?)"
     r"|start(?:ing)?\s+(?:over|afresh|again|from\s+scratch)|from\s+scratch"
@@ -113,7 +113,7 @@ def fresh_start(request: str) -> Fresh | None:
     found = _FRESH.match(request)
     if found is None or found.end() >= len(request.rstrip()):
         return None
-    return Fresh(request[found.end() :], found.end())
+    return Fresh(by_itself(request[found.end() :]), found.end())
 
 
 def extended(
@@ -131,11 +131,19 @@ def extended(
             [_placed(error, len(known) + 1, begin, len(request)) for error in errors] or [_vague(begin, len(request))]
         )
     names = _counterparts(draft.schema, schema)
-    if names is None:
+    if names is None or _says_nothing(read(known)[0], schema):
         raise Refusal([_vague(begin, len(request))])
     if _THE_BLOCK.search(request) and len(schema.blocks) > len(draft.schema.blocks) > 1:
         raise Refusal([_vague(begin, len(request))])
     _take_over(draft, schema, names, (begin, len(request)))
+
+
+def _says_nothing(before: TaskSchema | None, after: TaskSchema) -> bool:
+    """Whether a text asks for the same with one more sentence, which is only talk then: "looks nice"."""
+    if before is None:
+        return False
+    same = before.assets == after.assets and before.init == after.init
+    return same and _bare(before.goal) == _bare(after.goal)
 
 
 _THE_BLOCK = re.compile(r"^\W*(?:\w+\W+){0,6}?the (?:block|cube|one|box|brick)\b", re.IGNORECASE)

@@ -49,6 +49,15 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         end = longest(p, j, BLOCKS) or j
         what = "height" if "height" in p.words[i:k] else "length"
         yield r.Recount(theme=None, amount=n, what=what, span=p.span(i, end)), end
+    lead = longest(p, i, "only | just | with | with only | use | use only | have | make it | exactly") or i
+    for n, j in count(p, lead):
+        if end := longest(p, longest(p, j, BLOCKS) or j, _AT_BASE):
+            yield r.Recount(theme=None, amount=n, what="length", span=p.span(i, end)), end
+    each = longest(p, i, _EACH_ONE)
+    for n, j in count(p, each) if each else ():
+        if end := longest(p, j, (*TALL, *LONG)):
+            them = m.Pronoun(word="each of them", span=p.span(i, each))
+            yield r.Recount(theme=them, amount=n, what="height", span=p.span(i, end)), end
     yield from _multiplied(p, i)
     yield from _plain_count(p, i)
     for phrase, by in (("extend", 1), ("lengthen", 1), ("shorten", -1), ("grow", 1)):
@@ -58,6 +67,11 @@ def recount(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 yield r.Recount(theme=theme, by=by * n, span=p.span(i, end)), end
 
 
+_AT_BASE = tuple(
+    f"{at} the {base}"
+    for at in ("in", "at", "on", "for", "as")
+    for base in ("base", "bottom row", "bottom layer", "lowest row", "lowest layer", "bottom", "base row", "base layer")
+)
 _BRINGS = phrases(
     "enlarge | make it grow | reduce | cut | cut down | cut back | trim | shorten | bring | bring down | limit | "
     "lower | increase | raise | "
@@ -136,6 +150,11 @@ _BASES = phrases(
 
 
 _OF = phrases("a base of | a bottom row of | a bottom layer of | a height of | a length of | a width of")
+
+
+_EACH_ONE = (
+    "each | both | each of them | each one | every one | all of them | all | both of them | each tower | every tower"
+)
 
 
 def _subjects(p: Parser, i: int) -> Iterator[tuple[m.Meaning | None, int]]:
@@ -353,9 +372,11 @@ def _spacing(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             start,
             "touch | touch one another | touching one another | no gaps | no gap | no space between them | "
             "no gaps at all | "
-            "touching | touching each other | without gaps | with no gaps | with no gaps between "
+            "touching | touching each other | each block touching the next | each touching the next | "
+            " without gaps | with no gaps | with no gaps between "
             "them | so that they touch | touch each other",
         ):
+            k = longest(p, k, _BETWEEN) or k
             yield r.Loosen(what="touching", span=p.span(i, k)), k
         for low, high, what, k in _apart(p, start):
             yield r.Loosen(what=what, value=high, low=low, span=p.span(i, k)), k

@@ -15,6 +15,7 @@ CHANGE = ("change", "turn", "make", "convert", "transform", "switch", "modify", 
 SHOULD = phrases(
     "should become | should be | must be | becomes | is now | are now | should all be | need to be | needs to be | "
     "ought to be | has to be | have to be | shall be | could be | can be | might be | is to be | are to be | "
+    "should rather be | would rather be | "
     "should now be | should instead be | must become | had better be | were | will be | should both be"
 )
 
@@ -97,6 +98,8 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
         if isinstance(new, m.Structure):
             if new.kind == "equation":
                 continue
+            if new.kind == "column" and (end := p.seq(k, "on the table")):
+                k = end
             yield r.Reshape(structure=new, theme=theme, span=p.span(i, k), cost=cost), k
             n = longest(p, k, _INSTEAD_OF)
             for lost, end in noun_phrase(p, n) if n else ():

@@ -226,11 +226,19 @@ def _way(p: Parser, i: int) -> Iterator[tuple[str, int]]:
             yield way, longest(p, j, "of it | of that | it | of them") or j
 
 
+_BETTER = phrases("would be better than | is better than | would be nicer than | looks better than | is nicer than")
+
+
 def turned(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "to the right instead of to the left", "behind it, not in front of it", "not left, right"."""
     start = longest(p, i, "it should be | it must be | make it | put it | i want it | it has to be") or i
     for to, j in _way(p, start):
         k = longest(p, j, ", not | not | instead of | rather than | , and not | and not | , instead of | , rather than")
+        for old, end in _way(p, k) if k else ():
+            if to != old:
+                yield r.Turn(to=to, old=old, span=p.span(i, end)), end
+    for to, j in _way(p, start):
+        k = longest(p, j, _BETTER)
         for old, end in _way(p, k) if k else ():
             if to != old:
                 yield r.Turn(to=to, old=old, span=p.span(i, end)), end

@@ -58,7 +58,8 @@ def skip(p: Parser, i: int) -> int:
         "| the same again but | exactly the same but | the same thing only | same thing only | like this but | "
         "like that but | like this one but | just like this but | as it is but | as now but | only | "
         "should we | could we | can we | may we | shall we | would you mind | would you please | "
-        "perhaps | let me | good job | one more thing | hi | hello | why not | i would rather you | how about you"
+        "perhaps | rather | let me | good job | one more thing | hi | hello | why not | i would rather you | "
+        "how about you"
     )
     while True:
         j = longest(p, i, asides) or i

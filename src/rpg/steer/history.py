@@ -140,7 +140,7 @@ def _has(view: View, traits: m.Traits) -> bool:
     symbols = {name: symbol_of(view.world, name) for name in view.world.blocks}
     if any(label not in symbols.values() for label in traits.labels):
         return False
-    if traits.kind is not None or traits.scheme in UNTOLD:
+    if (traits.kind is not None and not traits.labels) or traits.scheme in UNTOLD:
         kind = "plain" if traits.kind is None else traits.kind
         return all(kind_of(s) == kind or (kind == "symbol" and bool(s)) for s in symbols.values())
     return True

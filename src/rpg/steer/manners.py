@@ -22,7 +22,7 @@ _LEADS = re.compile(
 )
 _HEDGES = re.compile(
     r"\b(?:should|must|could|would|ought to|has to|have to|can|shall)\s+"
-    r"(?P<gone>rather|perhaps|maybe|please|preferably|really|better|actually)\s",
+    r"(?P<gone>perhaps|maybe|please|preferably|really|better|actually)\s",
     re.IGNORECASE,
 )
 _CLOSES = re.compile(
@@ -37,12 +37,20 @@ _REMARKS = re.compile(
     re.IGNORECASE,
 )
 """Why a step is taken back."""
-_GONE = (_ASIDES, _ASIDES, _ASIDES, _LEADS, _HEDGES, _CLOSES, _REMARKS)
+_ALREADY = re.compile(
+    r"^\W*(?:start|begin|at the start|the start)\b[^.]*?\b"
+    r"(?P<gone>already(?: lying| standing| sitting| placed| stacked)?|lying"
+    r"|standing|sitting|placed)(?= on (?:top of )?(?:(?:the|a|an) \w+|[A-Z0-9]\b))",
+    re.IGNORECASE,
+)
+_GONE = (_ALREADY, _ASIDES, _ASIDES, _ASIDES, _LEADS, _HEDGES, _CLOSES, _REMARKS)
 _WORDS = (
     (re.compile(r"\b(?:what|how) about (?:making|having)\b", re.IGNORECASE), "make"),
     (re.compile(r"\b(?:what|how) about (?:adding|putting)\b(?= (?:a|an|one|two|three|another|some)\b)", re.I), "add"),
     (re.compile(r"\bmore high\b|\bmore tall\b", re.IGNORECASE), "higher"),
     (re.compile(r"\bmore long\b", re.IGNORECASE), "longer"),
+    (re.compile(r"^the start (?:should be|must be|is|has to be)\b(?= .*\bon\b)", re.IGNORECASE), "start with"),
+    (re.compile(r"\bthe (?:finished|completed|resulting)(?= (?:tower|stack|row|column|structure)\b)", re.I), "the"),
     (re.compile(r"\bmost top\b", re.IGNORECASE), "top"),
     (re.compile(r"\bmost (?:bottom|low)\b", re.IGNORECASE), "bottom"),
     (re.compile(r"\bmost left\b", re.IGNORECASE), "leftmost"),

@@ -99,6 +99,8 @@ def place(p: Parser, i: int) -> Results[Place]:
                 for whole, k in simple(p, j):
                     if isinstance(whole, m.Structure | m.Pronoun):
                         yield Spot(side=side, whole=whole), k
+                if k := longest(p, j, "the word | the text | the name"):
+                    yield Spot(side=side, whole=m.Structure(kind="word", det="the", span=p.span(j, k))), k
         for phrase, side in _ENDS.items():
             if j := p.seq(at, phrase):
                 yield Spot(side=side), j

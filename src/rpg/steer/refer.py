@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from rpg.blocks.nouns import bare, join
+from rpg.blocks.nouns import join
 from rpg.blocks.traits import VOWELS, kind_of, symbol_of
-from rpg.core.diagnostics import Diagnostic, Refusal, Span
+from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.structures import Figure, GroupBy, Towers
 from rpg.ir.walk import names as mentions
+from rpg.steer.absent import ambiguous, choices, diagnostic, missing
 from rpg.steer.language import m
 from rpg.steer.operations.guard import check_picked
 from rpg.steer.view import NOUNS, Line, Shape, View
@@ -43,7 +44,7 @@ def resolve(view: View, phrase: m.Meaning) -> Found:
     """The objects that `phrase` speaks of; raises Refusal where there are none, or where it could be several."""
     found = _resolved(view, phrase)
     if not found.names:
-        raise _missing(view, phrase.span, "")
+        raise missing(view, phrase.span, "")
     return found
 
 
@@ -73,13 +74,13 @@ def _several(view: View, phrase: m.Coord) -> tuple[str, ...]:
         and any(set(names) <= set(first) for names in others)
     ):
         told, hint = "these are among the blocks that were named before", "say what is to be done with each of them"
-        raise Refusal([_diagnostic("ambiguous-object", phrase.span, told, hint)])
+        raise Refusal([diagnostic("ambiguous-object", phrase.span, told, hint)])
     if phrase.op == "and":
         return tuple(dict.fromkeys(name for names in (first, *others) for name in names))
     if phrase.op == "except":
         return tuple(name for name in first if not any(name in names for names in others))
     told = "this leaves open which blocks are meant"
-    raise Refusal([_diagnostic("ambiguous-object", phrase.span, told, "name one of them, or join them with 'and'")])
+    raise Refusal([diagnostic("ambiguous-object", phrase.span, told, "name one of them, or join them with 'and'")])
 
 
 def exists(view: View, phrase: m.Meaning) -> bool:
@@ -99,14 +100,16 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
         rest = tuple(name for name in view.world.blocks if name not in view.focus)
         if rest:
             return Found(rest)
-        raise _missing(view, phrase.span, phrase.word)
+        raise missing(view, phrase.span, phrase.word)
     if phrase.word in BOTH and (parties := _two_parties(view)):
         return Found(parties, None, structure.figure if structure else None)
     if phrase.word in BOTH:
         two = view.focus if len(view.focus) == 2 else structure.names if structure else view.busy
         if len(two) != 2:
-            raise _ambiguous(view, phrase.span, tuple(two), phrase.word)
+            raise ambiguous(view, phrase.span, tuple(two), phrase.word)
         return structure if structure and set(structure.names) == set(two) else Found(tuple(two))
+    if phrase.word.startswith("the "):
+        raise ambiguous(view, phrase.span, tuple(view.world.blocks), phrase.word)
     if phrase.word in ALL_OF:
         if len(view.focus) > 1 and not structure:
             return Found(view.focus)
@@ -117,7 +120,7 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
         return Found(view.focus[-1:])
     if len(view.world.blocks) == 1:
         return Found(tuple(view.world.blocks))
-    raise _ambiguous(view, phrase.span, tuple(view.world.blocks), phrase.word)
+    raise ambiguous(view, phrase.span, tuple(view.world.blocks), phrase.word)
 
 
 def _two_parties(view: View) -> tuple[str, ...]:
@@ -147,7 +150,7 @@ def _structure(view: View, phrase: m.Structure) -> Found:
     if not found:
         kinds = sorted({noun_of(view, line) for line in view.lines} | {NOUNS[type(f.node)] for f in view.figures})
         hint = f"the task builds {join(['a ' + kind for kind in kinds])}" if kinds else "name the blocks instead"
-        raise Refusal([_diagnostic("no-such-object", phrase.span, f"the task has no {phrase.kind} like this", hint)])
+        raise Refusal([diagnostic("no-such-object", phrase.span, f"the task has no {phrase.kind} like this", hint)])
     if phrase.plural:
         return Found(tuple(name for each in found for name in each.names), None, found[-1].figure)
     found = _described(view, phrase, found) or found
@@ -176,14 +179,14 @@ def _check_described(view: View, phrase: m.Structure, found: Found) -> None:
     size = phrase.size or (members.amount if members is not None else None)
     if size is not None and phrase.kind in ("stack", "row", "column", "circle") and size.low != len(found.names):
         told = f"it has {len(found.names)} blocks, not {size.low}"
-        raise Refusal([_diagnostic("no-such-object", phrase.span, told, "say how many it has, or leave that out")])
+        raise Refusal([diagnostic("no-such-object", phrase.span, told, "say how many it has, or leave that out")])
     for traits in (phrase.traits, members.traits if members is not None else m.Traits()):
         fits = [matches(view, name, traits) for name in found.names if name in view.world.blocks]
         if sum(fits) * 2 > len(fits) and traits.colors and not traits.labels:
             continue
         if not all(matches(view, name, traits) for name in found.names if name in view.world.blocks):
             told = "its blocks are not all like this"
-            raise Refusal([_diagnostic("no-such-object", phrase.span, told, "leave out what its blocks look like")])
+            raise Refusal([diagnostic("no-such-object", phrase.span, told, "leave out what its blocks look like")])
 
 
 _WORDS = {"word": "spells", "equation": "equation"}
@@ -214,7 +217,7 @@ def _part(view: View, phrase: m.PartOf) -> Found:
     if line is None or not line.ordered:
         raise Refusal(
             [
-                _diagnostic(
+                diagnostic(
                     "edit-unclear",
                     phrase.span,
                     f"it is not settled which block is at the {phrase.part}",
@@ -222,6 +225,8 @@ def _part(view: View, phrase: m.PartOf) -> Found:
                 )
             ]
         )
+    if phrase.part == "middle" and len(line.members) % 2 == 0:
+        raise missing(view, phrase.span, "")
     index = {"middle": len(line.members) // 2}.get(phrase.part, RANKS.get(phrase.part, -1))
     return Found((line.members[index],))
 
@@ -243,7 +248,7 @@ def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
     if phrase.traits.rank:
         found = _ranked(view, found, phrase)
     if not found:
-        raise _missing(view, phrase.span, "")
+        raise missing(view, phrase.span, "")
     return _counted(view, found, phrase)
 
 
@@ -254,22 +259,22 @@ def _counted(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, .
     if phrase.det in ("a", "another", "some", "any") or (phrase.det == "bare" and amount is not None):
         wanted = amount or 1
         if len(found) < wanted:
-            raise _missing(view, phrase.span, "")
+            raise missing(view, phrase.span, "")
         if len({view.world.look.get(name, (name,)) for name in found}) == 1:
             return found[len(found) - wanted :]
         if len(found) > wanted:
-            raise _ambiguous(view, phrase.span, found, "")
+            raise ambiguous(view, phrase.span, found, "")
         return found
     if amount is not None and amount != len(found):
         shown = tuple(name for name in found if symbol_of(view.world, name) == str(amount))
         if len(shown) == 1 and phrase.det == "the" and phrase.head == "any" and phrase.traits == m.Traits():
             return shown
         counted = f"there are {len(found)} such blocks, not {amount}"
-        raise Refusal([_diagnostic("ambiguous-object", phrase.span, counted, _choices(view, found))])
+        raise Refusal([diagnostic("ambiguous-object", phrase.span, counted, choices(view, found))])
     if len(found) > 1 and not every and amount is None:
         recent = [name for name in found if name in view.focus[-1:]]
         if len(recent) != 1:
-            raise _ambiguous(view, phrase.span, found, "")
+            raise ambiguous(view, phrase.span, found, "")
         return tuple(recent)
     return found
 
@@ -280,13 +285,13 @@ def _some_of(view: View, phrase: m.Noun) -> tuple[str, ...]:
     if phrase.det in ("all", "each", "both"):
         if phrase.amount is not None and phrase.amount.low != len(whole):
             counted = f"there are {len(whole)} such blocks, not {phrase.amount.low}"
-            raise Refusal([_diagnostic("ambiguous-object", phrase.span, counted, _choices(view, whole))])
+            raise Refusal([diagnostic("ambiguous-object", phrase.span, counted, choices(view, whole))])
         return whole
     wanted = phrase.amount.low if phrase.amount else 1
     if wanted > len(whole):
-        raise _missing(view, phrase.span, "")
+        raise missing(view, phrase.span, "")
     if len({view.world.look.get(name, (name,)) for name in whole}) > 1 and wanted < len(whole):
-        raise _ambiguous(view, phrase.span, whole, "")
+        raise ambiguous(view, phrase.span, whole, "")
     return whole[len(whole) - wanted :]
 
 
@@ -304,7 +309,7 @@ def _ranked(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ..
     if not lines:
         raise Refusal(
             [
-                _diagnostic(
+                diagnostic(
                     "edit-unclear", phrase.span, "it is not settled which block this is", "name its colour or letter"
                 )
             ]
@@ -319,7 +324,9 @@ def _ranked(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ..
 def _nth(members: Sequence[str], rank: str) -> str:
     if rank.isdigit():
         return members[int(rank) - 1] if int(rank) <= len(members) else ""
-    return members[len(members) // 2] if rank == "middle" else members[RANKS.get(rank, 0)]
+    if rank == "middle":
+        return members[len(members) // 2] if len(members) % 2 else ""
+    return members[RANKS.get(rank, 0)]
 
 
 def matches(view: View, name: str, traits: m.Traits) -> bool:
@@ -366,33 +373,3 @@ def _placed(view: View, name: str, condition: m.Meaning) -> bool:
         near = line.members[:at] if condition.rel != "under" else line.members[at + 1 :]
         return bool(set(near) & set(others))
     return any(name in mentions(atom) and set(mentions(atom)) & set(others) for _, atom in view.atoms)
-
-
-def _missing(view: View, span: Span, word: str) -> Refusal:
-    """There is no such object; what there is, instead."""
-    there = join([f"the {bare(name, view.world)}" for name in _distinct(view, view.world.assets)])
-    message = f"there is nothing that {word!r} could mean" if word else "the task has no such block"
-    return Refusal([_diagnostic("no-such-object", span, message, f"the task has {there}")])
-
-
-def _ambiguous(view: View, span: Span, found: Sequence[str], word: str) -> Refusal:
-    message = f"{word!r} could be any of {len(found)} blocks" if word else f"this could be any of {len(found)} blocks"
-    return Refusal([_diagnostic("ambiguous-object", span, message, _choices(view, found))])
-
-
-def _choices(view: View, found: Iterable[str]) -> str:
-    named = [f"the {bare(name, view.world)}" for name in _distinct(view, found)]
-    return (
-        f"say which: {join(named, 'or')}" if len(named) > 1 else "say which by its place: the top one, the leftmost one"
-    )
-
-
-def _distinct(view: View, names: Iterable[str]) -> list[str]:
-    found: dict[str, str] = {}
-    for name in names:
-        found.setdefault(bare(name, view.world), name)
-    return list(found.values())
-
-
-def _diagnostic(code: str, span: Span, message: str, hint: str) -> Diagnostic:
-    return Diagnostic(code=code, message=message, span=span, hint=hint, origin="steer")

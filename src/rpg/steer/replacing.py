@@ -91,7 +91,8 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             p,
             i,
             "use | add | put | have | make it with | make them with | with | do it with | try | "
-            "build it with | take | make it from",
+            "build it with | take | make it from | make it out of | make them out of | build it out of | "
+            "build it from | make it of | use only | only use | with only | only",
         )
         or i
     )
@@ -104,10 +105,16 @@ def instead(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield r.Replace(old=None, new=new, span=p.span(i, end), cost=1), end
         if (
             j > i
-            and longest(p, i, "use | with | do it with | make it with | try it with | do the same with")
+            and longest(
+                p,
+                i,
+                "use | with | do it with | make it with | try it with | do the same with | make it out of | "
+                "make it from | build it out of | build it from | make it of | only use | only",
+            )
             and plural_kind(new)
         ):
-            yield r.Replace(old=None, new=new, span=p.span(i, k), cost=2), k
+            end = p.opt(k, "only")
+            yield r.Replace(old=None, new=new, span=p.span(i, end), cost=2), end
     if start := longest(p, i, "use | take | have | i want"):
         for new, k in noun_phrase(p, start):
             if isinstance(new, m.Noun) and new.head == "patch" and new.det == "a":
@@ -216,6 +223,8 @@ def _pair(both: m.Meaning) -> tuple[m.Noun, m.Noun] | None:
 
 def keep(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "keep the letter A on top", "leave the base where it is"."""
+    lead = longest(p, i, "do it | do this | do that | do so | build it")
+    i = lead if lead and p.one(lead, "without") else i
     j = longest(
         p,
         i,

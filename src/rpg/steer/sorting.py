@@ -128,7 +128,7 @@ def _upside(
     p: Parser, i: int, _at: int, how: str, themes: list[tuple[m.Meaning, int]], wanted: bool = False
 ) -> Iterator[tuple[r.Request, int]]:
     for theme, k in themes:
-        if isinstance(theme, m.Noun) and not theme.plural:
+        if isinstance(theme, m.Noun) and (not theme.plural or p.words[k - 1].isdigit()):
             continue
         end = longest(p, k, "upside down | around | over | the other way around") or (k if not wanted else 0)
         if end:
@@ -213,12 +213,19 @@ def _orders(p: Parser, i: int, j: int, theme: m.Meaning | None) -> Iterator[tupl
             continue
         items = m.Coord(op="and", items=found.items, span=found.span) if found.items else None
         for first, end in _first(p, k):
+            end = _given_up(p, end)
             yield (
                 r.Reorder(
                     how=how, theme=theme, items=items, descending=found.descending, first=first, span=p.span(i, end)
                 ),
                 end,
             )
+
+
+def _given_up(p: Parser, i: int) -> int:
+    """The position after an order that is given up: "instead of ascending"."""
+    j = longest(p, i, "instead of | rather than | , not | not | and not")
+    return max((k for found, k in order(p, j) if isinstance(found, m.OrderBy)), default=i) if j else i
 
 
 _ORDERS = phrases(

@@ -6,22 +6,25 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.ir.edits import AddCondition
+from rpg.ir.edits import AddCondition, SetField
+from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch, Stayed
+from rpg.ir.structures import Row
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.each import one_for_each
 from rpg.steer.operations.make import new_assets
-from rpg.steer.operations.place import join, put, stand_on
+from rpg.steer.operations.place import join, put, stand_on, there
 from rpg.steer.operations.relate import relation
 from rpg.steer.refer import Found, exists, matches, resolve
-from rpg.steer.view import View
+from rpg.steer.view import BEGINS, View
 
 
 def add(draft: Draft, request: r.Add) -> None:
     """New objects where the request wants them, or where the task leaves only one place."""
-    request = replace(request, theme=_further(draft, request.theme))
+    places = tuple(there(draft, place) for place in request.places)
+    request = replace(request, theme=_further(draft, request.theme), places=places)
     if one_for_each(draft, request):
         return
     if request.lacking and isinstance(request.theme, m.Noun) and exists(draft.view, request.theme):
@@ -86,9 +89,24 @@ def _anchor(draft: Draft, place: r.Place) -> Found | None:
         return _mentioned_before(draft, rel) or resolve(draft.view, landmark)
     found = resolve(draft.view, landmark)
     if isinstance(landmark, m.Noun) and landmark.traits.rank:
+        _pinned(draft, found, landmark)
         _told_apart(draft.view, found, landmark)
     draft.beside = rel, found
     return found
+
+
+def _pinned(draft: Draft, found: Found, landmark: m.Noun) -> None:
+    """The one at a place of a row of look-alikes is from now on that very block, so that something can go with it."""
+    line = draft.view.line_of(found.names)
+    node = line.node if line is not None else None
+    if line is None or not isinstance(node, Row) or len(found.names) != 1 or node.order.by != "any":
+        return
+    if len({draft.view.world.look[name] for name in line.members}) > 1:
+        return
+    at = line.members.index(found.names[0])
+    ranks = tuple(rank for rank in (line.members[:at], found.names, line.members[at + 1 :]) if rank)
+    order = Order.model_validate({"by": "given", "ranks": ranks, "first": BEGINS[line.kind], "match": "name"})
+    draft.do(SetField(at=line.path, field="order", value=order.model_dump()), landmark.span)
 
 
 def _told_apart(view: View, found: Found, landmark: m.Noun) -> None:

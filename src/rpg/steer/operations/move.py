@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rpg.blocks.traits import symbol_of
 from rpg.ir import goal as g
 from rpg.ir.edits import AddCondition, SetGoal
 from rpg.ir.node import Lowest, members
-from rpg.ir.relations import InRegion, OnPatch
+from rpg.ir.relations import Beside, Directional, InRegion, OnPatch
 from rpg.ir.shrink import close, without
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.order import put_in_order
-from rpg.steer.operations.place import put, stand_on
+from rpg.steer.operations.place import put, stand_on, there
 from rpg.steer.operations.relate import relation
 from rpg.steer.phrases import fresh
 from rpg.steer.refer import Found, exists, resolve
@@ -27,6 +28,7 @@ def move(draft: Draft, request: r.Move) -> None:
     """What the goal said of where these blocks are gives way to the place that the request names."""
     found = resolve(draft.view, request.theme)
     names = found.names
+    request = replace(request, place=_beside_as_now(draft, there(draft, request.place), names))
     near = getattr(request.place, "landmark", None) or getattr(request.place, "whole", None)
     if near is not None and exists(draft.view, near) and set(resolve(draft.view, near).names) <= set(names):
         told, hint = "a block cannot be moved next to itself", "name another block"
@@ -55,6 +57,26 @@ def move(draft: Draft, request: r.Move) -> None:
         return
     anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
     _give_way(draft, names, request, _without(anchor, names))
+
+
+def _beside_as_now(draft: Draft, place: r.Place, names: Sequence[str]) -> r.Place:
+    """What "it" means where a block is to be on another side of it: not that block, but what it is beside so far."""
+    landmark = getattr(place, "landmark", None)
+    if not isinstance(place, m.Loc) or not isinstance(landmark, m.Pronoun) or not exists(draft.view, landmark):
+        return place
+    found = [
+        atom for _, atom in draft.view.atoms if isinstance(atom, Directional | Beside) and members(atom.a) == names
+    ]
+    if set(resolve(draft.view, landmark).names) != set(names) or len(found) != 1:
+        return place
+    if isinstance(found[0].b, Lowest) and sum(line.kind == "tower" for line in draft.view.lines) == 1:
+        return replace(place, landmark=m.Structure(kind="stack", det="the", span=landmark.span))
+    if not isinstance(found[0].b, tuple) or len(found[0].b) != 1:
+        return place
+    world, other = draft.view.world, found[0].b[0]
+    symbol = symbol_of(world, other)
+    traits = m.Traits(labels=(symbol,)) if symbol else m.Traits(colors=(world.assets[other].color,))
+    return replace(place, landmark=m.Noun(head="any", det="the", traits=traits, span=landmark.span))
 
 
 def _without(anchor: Found | None, names: Sequence[str]) -> Found | None:

@@ -39,6 +39,10 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
         draft.aim("MODIFY")
         draft.do(SetGoal(goal=mirrored(draft.schema.goal)), request.span)
     elif request.how in ("reverse", "swap"):
+        some = found is not None and not found.whole and line is not None and set(found.names) < set(line.members)
+        if request.how == "reverse" and some and isinstance(request.theme, m.Noun):
+            told, hint = "these are only some of the blocks in a line", "say 'reverse the row', or which two to swap"
+            raise draft.refusal("edit-unclear", told, request.span, hint)
         if request.how == "swap" and (line is None or len(line.members) != 2):
             _swap_two(draft, found.names if found is not None and not found.whole else (), request.span)
             return

@@ -126,6 +126,26 @@ def put(
         raise draft.refusal("edit-unclear", "this is no place for a block", span)
 
 
+def there(draft: Draft, place: r.Place) -> r.Place:
+    """The place that "there" means: the patch spoken of, else the only patch or region that the goal puts blocks in."""
+    landmark = getattr(place, "landmark", None)
+    if not isinstance(place, m.Loc) or not isinstance(landmark, m.Pronoun) or landmark.word != "there":
+        return place
+    patches = set(draft.view.world.patches)
+    if draft.view.focus and draft.view.focus[-1] in patches:
+        return place
+    on = {atom.patch for _, atom in draft.view.atoms if isinstance(atom, OnPatch)}
+    on |= {patch for _, atom in draft.view.atoms if (patch := getattr(atom, "patch", None)) is not None}
+    regions = {atom.region for _, atom in draft.view.atoms if isinstance(atom, InRegion)}
+    if len(on | regions) != 1:
+        told, hint = "it is not settled which place this is", "name the place: on the red patch, in the left half"
+        raise draft.refusal("ambiguous-object", told, place.span, hint)
+    if regions:
+        return m.In(region=regions.pop(), span=place.span)
+    color = draft.view.world.patches[on.pop()].color
+    return replace(place, landmark=m.Noun(head="patch", det="the", traits=m.Traits(colors=(color,)), span=place.span))
+
+
 _ACROSS = {"tower": ("left", "right", "front", "back"), "row": ("front", "back"), "column": ("left", "right")}
 """Sides of a line that are no ends of it: what is put there is beside all of it."""
 

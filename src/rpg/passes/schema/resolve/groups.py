@@ -225,7 +225,7 @@ def fill(things: list[Thing], attribute: str, groups: int | None, scene: Scene) 
             )
         for index, thing in enumerate(plain):
             thing.color = STACK_COLORS[index * values // len(plain)]
-        scene.vague.update(thing.name for thing in plain if thing.elastic is not None)
+        scene.vague.update(thing.name for thing in plain)
         if plain:
             scene.assume(f"the colours are not said: {', '.join(STACK_COLORS[:values])}")
     elif attribute == "size":

@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.manners import manner
 from rpg.language.grammar.nouns import noun_phrase, simple
-from rpg.language.grammar.parts import part_statement, unit_of
+from rpg.language.grammar.parts import part, part_statement, unit_of
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import SIDES, at
 from rpg.language.grammar.standby import AS_EXTRAS
@@ -76,9 +76,46 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
 def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:
     """ "in which the first row is red and the others blue": statements about parts alone."""
     j = p.any_of(comma, _PART_LEADS)
-    for first, end in part_statement(p, j) if j else ():
+    but = p.stands(comma, _EXCEPTING)
+    for first, end in [*(part_statement(p, j) if j else ()), *(_excepted(p, comma) if but else ())]:
+        first = _not_further(first) if but else first
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
+
+
+_EXCEPTING = frozenset({"but", "except", "apart", "save", "other", "everywhere", "everything"})
+_EXCEPT = tuple(
+    f"{lead}{but}{at}"
+    for lead in ("", "everywhere ", "everything ")
+    for but in ("except", "except for", "apart from", "but", "but for", "save for", "other than", "except only")
+    for at in ("", " in", " at")
+)
+_WHICH = tuple(
+    f"{comma}{which} {be}"
+    for comma in (", ", "")
+    for which in ("which", "that", "where there", "it", "they", "that one")
+    for be in ("is", "are", "should be", "must be", "has to be", "shall be")
+)
+
+
+def _excepted(p: Parser, i: int) -> Results[Absolute]:
+    """ "(all white) except for the centre, which is red", "everywhere but in the middle, where there is a red one"."""
+    j = p.any_of(i, _EXCEPT)
+    for place, k in [*part(p, j), *at(p, j)] if j else ():
+        look = p.any_of(k, _WHICH)
+        for theme, end in simple(p, look) if look else ():
+            plain = (
+                isinstance(theme, Noun) and theme.head != "patch" and theme.traits == Traits(colors=theme.traits.colors)
+            )
+            if plain and isinstance(place, At | Places) and len(getattr(theme, "traits", Traits()).colors) == 1:
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
+def _not_further(part_: Absolute) -> Absolute:
+    """ "five white blocks, but the ends are red": the ends are among the five, so that these cannot be so."""
+    theme, place = part_.theme, part_.adjuncts[0]
+    among = isinstance(theme, Noun) and isinstance(place, Places) and theme.det == "bare" and theme.amount is None
+    return replace(part_, theme=replace(theme, det="some")) if among and isinstance(theme, Noun) else part_
 
 
 _ENDS = frozenset({"left", "right", "front", "back", "top", "bottom"})

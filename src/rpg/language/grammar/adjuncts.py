@@ -18,7 +18,7 @@ from rpg.language.grammar.onto import piled_up
 from rpg.language.grammar.orders import READABLE, order
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
-from rpg.language.grammar.sizes import rising_steps, size_phrase
+from rpg.language.grammar.sizes import IN_TOTAL, rising_steps, size_phrase
 from rpg.language.grammar.standby import all_extra
 from rpg.language.grammar.wholes import wholes
 from rpg.language.grammar.wishes import Patterns
@@ -241,6 +241,10 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
         yield from ((Using(members=found, lead="with", span=p.span(i, e)), e) for found, e in noun_phrase(p, k)
                     if all_extra(found))  # fmt: skip
     if comma := p.one(i, ","):
+        for members, k in noun_phrase(p, p.any_of(comma, IN_TOTAL) or comma) if p.rarely(_TOTAL) else ():
+            end = p.any_of(k, IN_TOTAL) or (k if p.any_of(comma, IN_TOTAL) else 0)
+            if end and isinstance(members, Noun) and members.head == "block" and members.amount is not None:
+                yield Using(members=members, span=p.span(i, end), cost=1), end
         for members, k in noun_phrase(p, p.opt(comma, "all")):
             if k >= p.end and isinstance(members, Noun) and members.head == "block" and _coloured(members):
                 yield Using(members=members, span=p.span(i, k), cost=2), k
@@ -258,6 +262,7 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
 
 _PLUS = ("plus", ", plus", "and", ", and", "along with", "together with", ", along with", "besides", ", besides")
 """Before distractors that come with what is to be done."""
+_TOTAL = frozenset({"total", "altogether", "all"})
 _STARTS = ("starts", "start", "begins", "begin", "is at the start", "are at the start", "lies at the start",
            "is at the beginning", "starts out", "is now", "lies now", "is standing now")  # fmt: skip
 

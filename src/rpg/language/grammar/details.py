@@ -12,7 +12,7 @@ from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.nouns import simple
 from rpg.language.grammar.onto import piled_from_an_end
 from rpg.language.grammar.parts import IS, part, part_statement
-from rpg.language.grammar.patterns import pattern
+from rpg.language.grammar.patterns import DIAGONALS, pattern
 from rpg.language.grammar.strangers import strangers_told
 from rpg.language.grammar.wholes import wholes_told
 from rpg.language.meaning import Absolute, Clause, Coord, Meaning, Noun, Structure
@@ -28,7 +28,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
     for lines, j in each_line(p, i):
         if isinstance(lines, Coord):
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j
-    for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) else ():
+    for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) or p.rarely(DIAGONALS) else ():
         yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
     for several, j in wholes_told(p, i):
         yield _said(p, i, j, several), j

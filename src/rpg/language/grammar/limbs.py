@@ -26,8 +26,11 @@ _EQUAL = (
 _LEADS = ("with a", "with the", "with its", "with", "whose", "the", "its", "a", "and a", "and the", "and")
 _LONG = ("blocks long", "blocks wide", "blocks high", "cubes long", "cubes wide", "long", "wide", "high", "blocks",
          "cubes", "block", "bricks")  # fmt: skip
-_SHARED = ("sharing the corner", "including the corner", "including the corner block", "counting the corner twice",
-           "with the corner shared", "sharing the corner block", "with a shared corner")  # fmt: skip
+_BOTH = ("both arms", "both sides", "both legs", "with both arms", "two arms")
+_SHARED = (
+    "sharing the corner", "including the corner", "counting the corner", "including the corner block",
+    "counting the corner twice", "with the corner shared", "sharing the corner block", "with a shared corner",
+)  # fmt: skip
 
 
 @rule
@@ -38,6 +41,14 @@ def limb(p: Parser, i: int, kind: str) -> Results[Size]:
         yield Size(what="equal arms", span=p.span(i, j)), j
     if kind == "L" and (j := p.any_of(start, _SHARED)):
         yield Size(what="shared", span=p.span(i, j)), j
+    both = (
+        p.any_of(start, ("both arms", "both sides", "both legs", "with both arms", "arms", "two arms"))
+        if kind == "L"
+        else 0
+    )
+    for found, j in amounts.amount(p, p.any_of(both, ("of", "are", "each")) or both) if both else ():
+        end = p.any_of(p.any_of(j, _LONG) or j, ("each",)) or p.any_of(j, _LONG) or j
+        yield Size(what="each arm", amount=found, span=p.span(i, end)), end
     named = LIMBED[kind]
     lead = p.any_of(start, _LEADS) or start
     for phrase, j in p.standing(lead, named) if lead > i else ():

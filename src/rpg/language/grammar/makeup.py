@@ -13,6 +13,7 @@ from rpg.language.grammar.ascents import measures
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each_line import EACH
 from rpg.language.grammar.labels import run
+from rpg.language.grammar.limbs import LIMBED, limb
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.sizes import IN_TOTAL, ends_in_lines, heights_of_steps, lines_of, size_phrase
 from rpg.language.meaning import (
@@ -194,7 +195,12 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 painted = replace(base.traits, colors=named)
                 cost = base.cost + (0 if p.words[comma] == "all" else 1)
                 yield replace(base, traits=painted, span=p.span(i, k), cost=cost), k
-    for size, k in [*lines_of(p, j, base.kind), *size_phrase(p, j)]:
+    limbs = limb(p, j, base.kind) if base.kind in LIMBED else ()
+    if plain and base.kind in _FLAT and (lead := p.any_of(j, ("in", "all in"))):
+        for (named, either), k in colors(p, lead):
+            if not either and len(named) == 1 and (k >= p.end or p.words[k] in _CLOSED):
+                yield replace(base, traits=replace(base.traits, colors=named), span=p.span(i, k)), k
+    for size, k in [*limbs, *lines_of(p, j, base.kind), *size_phrase(p, j)]:
         if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
             continue
         k = (p.any_of(k, _EACH) or k) if base.plural else k
@@ -202,6 +208,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         yield from _sized(p, i, k, changed)
 
 
+_FLAT = ("grid", "square", "rectangle", "wall", "pyramid", "circle", "plus", "staircase", "cube")
+_CLOSED = frozenset({",", "with", "except", "but", "where", ":"})
 _ALL_IN = ("all in", "all", "in", "all blocks", "all cubes", "all of them", "all of it", "every block",
            "all the blocks", "all blocks in", "all are", "everything")  # fmt: skip
 
@@ -249,7 +257,8 @@ _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", 
        "which is made of",
        "that is made of", "that consist of", "which consist of", "that are made of", "that contains",
        "which contains", "made with", "with only", "from",
-       "built out of", "formed from", "constructed of", "for", "with")  # fmt: skip
+       "built out of", "formed from", "constructed of", "for", "with",
+       "full of", "filled with", "filled by")  # fmt: skip
 
 
 _BUILT = ("made of", "made out of", "made from", "made up of", "built from", "built of", "consisting of",

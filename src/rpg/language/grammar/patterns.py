@@ -94,14 +94,37 @@ _CHECKERED = (
         for lead, tail in (("in a", "pattern"), ("with a", "pattern"), ("as a", "pattern"), ("in", "style"),
                            ("in", "fashion"), ("like a", "pattern"))
     ),
+    *(
+        f"{looks} {board}"
+        for looks in ("so that it looks like a", "looking like a", "that looks like a", "so it looks like a",
+                      "such that it looks like a", "so that they look like a", "resembling a")
+        for board in ("checkerboard", "chessboard", "chess board")
+    ),
     "like a checkerboard", "like a chessboard", "like a chess board", "checkerboard style", "checkered",
     "as a checkerboard", "as a chessboard",
 )  # fmt: skip
 
 
+DIAGONALS = frozenset({"diagonal", "diagonally", "diagonals", "opposite"})
+_SO = ",|:? where|with|so_that|such_that|in_which|and?"
+_ON_DIAGONAL = (
+    "is|are|being|sit|lie|stand? on_a|on_one|on_the? diagonal|diagonally|diagonals to|from|opposite? each_other?"
+)
+_DIAGONAL = Patterns(
+    f"{_SO} the? same|equal|like colors|blocks|cubes|ones {_ON_DIAGONAL}",
+    f"{_SO} the? blocks|cubes|ones of_the_same_color|of_equal_color|of_one_color|of_each_color {_ON_DIAGONAL}",
+    f"{_SO} each|every color on|along|in a|one|its_own diagonal",
+    f"{_SO} opposite|diagonal corners have|having|in|of|are? the same color",
+    ",|:? with? both? colors on the diagonals",
+)
+"""Four blocks of two colours, which makes a checkerboard of two by two."""
+
+
 @choice
 def _checkered(p: Parser, i: int) -> Results[Meaning]:
     """ "in a checkerboard pattern (of red and blue)"."""
+    if p.rarely(DIAGONALS) and (j := max(_DIAGONAL.matches(p, i), default=0)):
+        yield Pattern(unit="diagonal", span=p.span(i, j)), j
     if j := p.any_of(i, _CHECKERED):
         yield Pattern(unit="checkerboard", span=p.span(i, j)), j
         of = p.any_of(p.opt(j, ","), ("of", "in", "with", "using"))
@@ -120,6 +143,7 @@ _TOUCH = Patterns(
     "where|so_that|such_that|with|in_which|and|, all|each|every|their? the? block|blocks|cube|cubes|they|one|faces? "
     "touch|touches|touching their|its|the|each? both? next|neighbor|neighbors|other_one|next_one|next_block",
     ",? with? the|their? faces|sides|cubes|blocks touching",
+    ",? touching cubes|blocks|bricks",
 )
 """No gaps along a line."""
 

@@ -70,16 +70,22 @@ _LEADS = ("shape of an", "shape of a", "shape of the letter", "form of an", "for
           "shape")  # fmt: skip
 
 
-_FORMING = frozenset({"like", "form", "forms", "make", "draw", "build", "create", "into", "as", "forming", "of"})
+_FORMING = frozenset(
+    {"shape", "lay", "like", "form", "forms", "make", "draw", "build", "create", "into", "as", "forming", "of"}
+)
 
 
 @choice
 def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
     """ "L shape", "shape of a T", "an L"."""
     letter = _letter_at(p, i)
+    if letter and i == 0 and p.tokens[i].raw.isupper() and p.stands(i + 1, ("from", "of", "out", "made")):
+        yield (letter, False), p.reach(i + 1)
     if letter:
         for tail, j in p.standing(i + 1, _TAILS):
             yield (letter, tail == "shapes"), j
+        if i == 0 and p.tokens[i].raw.isupper() and p.any_of(i + 1, _MADE_OF):
+            yield (letter, False), p.reach(i + 1)
         if (
             p.words[i - 1 : i] in (["a"], ["an"])
             and i > 0
@@ -100,6 +106,12 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
             inner = p.lex(j, lexicon.STRUCTURE)
             if inner:
                 yield (inner[0], False), p.opt(j + 1, "sign", "shape")
+
+
+_MADE_OF = tuple(
+    f"{of} {n}" for of in ("of", "from", "out of", "made of", "made from", "built from")
+    for n in ("three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", *map(str, range(3, 12)))
+)  # fmt: skip
 
 
 def _letter_at(p: Parser, i: int) -> str | None:

@@ -35,7 +35,7 @@ _BEGINNING = {
     "starting on the left": ("left", "y"), "starting on the right": ("right", "y"),
     "starting at the right": ("right", "y"), "starting from the front": ("front", "x"),
     "starting from the back": ("back", "x"), "upwards": ("bottom", "z"), "going right": ("left", "y"),
-    "going left": ("right", "y"), "downwards": ("top", "z"), "going down": ("top", "z"),
+    "going left": ("right", "y"), "downwards": ("top", "z"), "downward": ("top", "z"), "going down": ("top", "z"),
     "bottom up": ("bottom", "z"), "top down": ("top", "z"), "upward": ("bottom", "z"),
     "starting at the top": ("top", "z"), "starting at the front": ("front", "x"),
     "starting with the bottom": ("bottom", "z"), "from near to far": ("front", "x"),

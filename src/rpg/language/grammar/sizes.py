@@ -9,7 +9,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.meaning import Amount, Size
 
 _BY = frozenset({"by", "x", "times"})
-_BLOCKS = ("block", "blocks", "cube", "cubes", "level", "levels", "layer", "layers")
+_BLOCKS = ("block", "blocks", "cube", "cubes", "brick", "bricks", "level", "levels", "layer", "layers")
 IN_TOTAL = ("in total", "in all", "altogether", "all in all", "total")
 _UNITS = {
     "high": "high", "tall": "high", "in height": "high", "long": "long", "in length": "long", "wide": "wide",
@@ -139,7 +139,7 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
     k = p.opt(k, "a", "an", "the", "its")
     for found, e in amounts.amount(p, k):
         for part, end in p.standing(e, _PARTS):
-            yield Size(what=_PARTS[part], amount=found, span=p.span(i, end)), end
+            yield Size(what=_PARTS[part], amount=found, span=p.span(i, end)), p.opt(end, "only")
         for phrases, what, cost in _COUNTED:
             if end := p.any_of(e, phrases):
                 yield Size(what=what, amount=found, span=p.span(i, end), cost=cost), end
@@ -220,6 +220,7 @@ _OF_HEIGHTS = (
     "with steps of heights", "with columns of height", "with columns of heights", ": heights", ", heights",
     "with columns", ": column heights", ", column heights", "with column heights", "with column heights of",
     ": columns of heights", ": columns of height", ": steps of heights", ": steps of height", ": heights of",
+    "whose steps are", "whose columns are", "whose heights are", "with steps that are", "with columns that are",
     ", with steps of height", ", with steps of heights", ", with columns of heights", ", with columns of height",
     ", with columns", "with steps", ":", "with the columns", "having heights", ", columns", ", steps of height",
 )  # fmt: skip
@@ -234,7 +235,7 @@ def heights_of_steps(p: Parser, j: int) -> Results[Size]:
         listed.append(n)
         end = p.any_of(at + 1, ("blocks high", "blocks", "block", "cubes", "cube", "high", "block high")) or at + 1
         on = p.opt(end, ",")
-        ends = on == end or p.number(on) is None
+        ends = p.number(p.any_of(on, ("and then", "then", "and")) or on) is None
         if ends and len(listed) > 1 and listed == list(range(1, len(listed) + 1)):
             amount = Amount(len(listed), len(listed))
             yield Size(what="steps", amount=amount, span=p.span(j, end)), p.any_of(end, ("high", "blocks high")) or end

@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from rpg.blocks.figures import FEWEST, takes
+from rpg.blocks.figures import FEWEST, NATURAL, takes
 from rpg.ir import structures as s
 from rpg.language.meaning import Structure
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.grids import grid
 from rpg.passes.schema.resolve.hubs import hub_of, with_hub
+from rpg.passes.schema.resolve.limbs import limbs_of
 from rpg.passes.schema.resolve.members import members_of
 from rpg.passes.schema.resolve.parts import place_of, widened
 from rpg.passes.schema.resolve.patterns import pattern_of
 from rpg.passes.schema.resolve.spec import Spec
+from rpg.passes.schema.resolve.things import amount_of
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -50,6 +52,8 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         )
         if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
             return grid(shape, spec, theme, scene, scope)
+    if count is None and spec.usings and shape.kind in ("T", "L"):
+        count = amount_of(spec.usings[0].members)
     sides, need = _outline(shape, count)
     pointing = _pointing(shape.kind, spec)
     filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
@@ -103,6 +107,8 @@ def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sc
 
 def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | None, int | None]:
     """The sides of an outline and the number of blocks on it, where they were said."""
+    if shape.kind in ("T", "L"):
+        return limbs_of(shape, count)
     side = shape.extent("side")
     deep, wide, long = (shape.extent(*said) for said in (("rows", "deep"), ("wide", "columns"), ("long",)))
     dims = shape.dims or tuple(n for n in (deep, wide, long) if n is not None)
@@ -137,6 +143,11 @@ _POINTERS = {"V": ("tip", "point", "apex", "corner", "base"), "triangle": ("tip"
 
 def _pointing(kind: str, spec: Spec) -> str | None:
     found = next((m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"), None)
+    upright = next((m for m in spec.manners if (m.kind, m.value) == ("turn", 0.0)), None)
+    if upright is not None and kind in _POINTERS:
+        spec.manners.remove(upright)
+        if found is None:
+            return NATURAL.get(kind, "front")
     if found is None:
         return None
     spec.manners.remove(found)

@@ -280,6 +280,8 @@ def _further(item: Absolute, kind: str, own: Sequence[str | None]) -> Noun | Non
     ends = isinstance(place, Places) and place.side in ("ends", "outer")
     if theme.det not in ("a", "bare") or (not ends and (theme.amount is None or amount_of(theme) is None)):
         return None
+    if ends and (theme.det, theme.head, theme.amount, theme.plural) == ("bare", "any", None, False):
+        return None
     if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
         return None
     count = 2 if ends else amount_of(theme) or 1

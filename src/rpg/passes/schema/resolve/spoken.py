@@ -5,9 +5,9 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Noun, Structure, Traits
+from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits
 from rpg.passes.schema.resolve.things import matching
-from rpg.passes.schema.resolve.world import Built, Ref, Scene, refuse
+from rpg.passes.schema.resolve.world import Built, Ref, Scene, Thing, refuse
 
 _FAMILY = {"line": "row", "column": "row"}
 
@@ -50,10 +50,20 @@ def _fitting(shape: Structure, scene: Scene) -> list[Built]:
             and any(t.color not in shape.members.traits.colors for t in things)
         ):
             continue
+        if not _of_these(shape, things):
+            continue
         if (n := exact_size(shape)) is not None and n != len(things):
             continue
         found.append(built)
     return _ranked(shape, _holding(shape, found, scene), scene)
+
+
+def _of_these(shape: Structure, things: list[Thing]) -> bool:
+    """Whether "the tower of green on pink" can be one of these blocks."""
+    items = [x for order in shape.details if isinstance(order, OrderBy) for x in order.items if isinstance(x, Noun)]
+    told = [x.traits for x in items if x.traits == Traits(colors=x.traits.colors, labels=x.traits.labels)]
+    looks = {look for thing in things for look in (thing.color, thing.label)}
+    return all({*traits.colors, *traits.labels} <= looks for traits in told)
 
 
 def _holding(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
@@ -80,6 +90,8 @@ def _with_its_color(shape: Structure, scene: Scene) -> list[Built]:
     there = [built for built in scene.built if built.kind == shape.kind]
     found = [b for b in there if any(scene.things[n].color in colors for n in b.members)]
     if not found and (shape.sizes or whole is not None):
+        return []
+    if len(found) > 1 and whole is not None:
         return []
     if there and len(found) != 1:
         raise refuse("ambiguous", "it is not clear which of those spoken of this is", shape.span, "name its blocks")

@@ -40,6 +40,8 @@ _SAME_BACK = (
 _MIRRORED = Patterns(
     f"which|that|so_that_it|so_it|such_that_it? should|must|can_be|to? read|reads|reading|look|looks|is|be "
     f"{_SAME_BACK}",
+    "whose|with|so_that|such_that|where|in_which the|its|their? colors|order|pattern|it|they is|are|being|be|reads? "
+    "mirror_symmetric|mirror_symmetrical|mirrored|symmetric|symmetrical|palindromic|a_palindrome|a_mirror_image",
     "mirrored|symmetric|symmetrical|symmetrically around|about|to|with_respect_to|in the|its middle|center",
 )
 _ALONE = Patterns(

@@ -11,6 +11,8 @@ from rpg.language.phrases import Beginnings, by_first
 from rpg.language.tokens import Token
 
 _ANYWHERE = (
+    "once upon a time", "as a result", "long story short", "in short", "as discussed", "as agreed", "as requested",
+    "to sum up", "in summary", "pretty please", "as promised", "as usual", "as mentioned", "as planned",
     "um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh", "yeah", "yep", "yup", "lol", "haha",
     "cheers", "thx", "ty", "tx", "thanks", "thanks a lot", "thanks so much", "thanks in advance", "many thanks",
     "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
@@ -71,6 +73,7 @@ _FREE = (
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
+_LINES = frozenset({"row", "line", "tower", "stack", "column"})
 _BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
 _DEGREES = frozenset(
     {
@@ -120,6 +123,12 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         if end == at:
             out.append(tokens[at])
             at += 1
+        elif "order" in words[at:end] and words[at] in ("in", "any") and not _LINES.isdisjoint(words[:at]):
+            # A list tells an order unless this is said; where it cannot be read, it says nothing.
+            if out and out[-1].word == ",":
+                out[-1] = replace(out[-1], value=SOFT)
+            out += [replace(token, value=SOFT) for token in tokens[at:end]]
+            at = end
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
     return rephrased([token for n in range(len(out)) for token in _meant(out, n)])

@@ -65,7 +65,15 @@ _PAIRS = tuple(
     for the in ("", "the ")
 )
 """Both ends of a line, named one by one."""
-_REST = ("everything else", "all else", "all the rest", "all the others", "all others", "every other block")
+_REST = (
+    "everything else", "all else", "all the rest", "all the others", "all others", "every other block",
+    *(
+        f"{rest} {between}"
+        for rest in ("everything", "all", "the ones", "all those", "all blocks", "the blocks", "all the blocks",
+                     "all the ones", "every block")
+        for between in ("between them", "in between", "in between them")
+    ),
+)  # fmt: skip
 _BETWEEN = (
     "around it",
     "all around it",

@@ -33,6 +33,10 @@ _SHOWN = (
     *(f"as an equation{of}" for of in ("", " of blocks", " of cubes", " in blocks", " in cubes", " with blocks")),
 )  # fmt: skip
 """What says no more of an equation than that blocks show it."""
+_SAYS = ("that says", "which says", "saying", "that reads", "which reads", "reading", "stating", "stating that",
+         "that states", "which states", "showing", "showing that", "that shows", "namely", ", namely",
+         "that says that")  # fmt: skip
+"""What the text of an equation follows."""
 _TRUE = tuple(
     f"{that} {true}"
     for that in ("that is", "which is", "that", "which", "so that it is")
@@ -168,6 +172,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             and len(before.dims) != 3
             and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "that is made of", "built of"))
             and not ((m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, EDGES)))
+            and not (p.number(k) is not None and p.stands(k + 1, ("wide", "long", "deep", "high", "tall")))
         ):
             continue
         if before.parallel and (not plural or kind not in ("row", "column")):
@@ -217,7 +222,8 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     if base.kind == "equation" and (k := p.any_of(j, _TRUE)):
         yield replace(base, span=p.span(i, k)), k
     if base.kind == "equation":
-        for text, k in (*equation(p, p.opt(j, ":")), *unequal(p, p.opt(j, ":")), *promised(p, j)):
+        told = p.any_of(j, _SAYS) or p.opt(j, ":")
+        for text, k in (*equation(p, told), *unequal(p, told), *promised(p, j)):
             yield replace(base, letter=text, span=p.span(i, k)), k
     for pattern, k in per_color(p, j):
         base = replace(base, plural=True, details=(*base.details, pattern))

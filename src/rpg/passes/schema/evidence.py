@@ -17,7 +17,7 @@ from pydantic import BaseModel
 from rpg.ir.assets import FACES, Asset, SemanticCube
 from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Figure
+from rpg.ir.structures import Figure, Pyramid, Staircase
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -179,6 +179,10 @@ def _numbers(task: TaskSchema) -> Iterator[float]:
         yield from (float(symbol) for symbol in _symbols(asset) if symbol.isdigit())
     for part in (task.goal, *task.init.arranged, *task.init.heaps):
         yield from _inside(part)
+    # The columns of stairs and the layers of a pyramid have every height, or length, up to the largest.
+    for atom in atoms(task.goal):
+        if isinstance(atom, Staircase | Pyramid):
+            yield from range(1, (atom.steps if isinstance(atom, Staircase) else max(atom.base)) + 1)
 
 
 def _edges(task: TaskSchema) -> set[float]:

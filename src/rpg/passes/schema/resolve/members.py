@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun, Size, Structure, Traits
 from rpg.passes.schema.resolve.onward import in_between, onward
 from rpg.passes.schema.resolve.orders import implied_kind
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
-from rpg.passes.schema.resolve.things import amount_of, create, matching, plain_colors
+from rpg.passes.schema.resolve.things import alike, amount_of, create, matching, plain_colors
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
 
@@ -49,7 +49,8 @@ def members_of(
                 "name one colour for both",
             )
         spec.listed = spec.listed or named.listed
-        if named.op == "then" and shape.kind in ("stack", "row", "line", "column") and not spec.orders:
+        in_turn = named.op == "then" or (_named_one_by_one(source) and not spec.absolutes)
+        if in_turn and shape.kind in ("stack", "row", "line", "column") and not spec.orders:
             spec.orders.append(OrderBy(by="given", span=source.span))
         names = scene.fit(
             named.names, count or (default if all(scene.things[n].elastic for n in named.names) else None)
@@ -130,6 +131,25 @@ def certain(ref: Ref, scene: Scene) -> Ref:
     return replace(ref, names=ref.names[: ref.quant.low], quant=None)
 
 
+def of_look_alikes(theme: Ref, spec: Spec, scene: Scene) -> Ref:
+    """ "stack two of the three white blocks": of look-alikes it does not matter which, and no more of them."""
+    told = theme.quant is not None and theme.op == "and" and not theme.mixed and theme.quant.low == theme.quant.high
+    things = [scene.things[n] for n in theme.names]
+    if spec.places or spec.sizes:
+        return theme
+    if theme.quant is None and len(theme.names) > 1 and set(theme.names) < set(scene.whole):
+        many = Amount(len(theme.names), len(theme.names))
+        spec.sizes.append(Size(what="size", amount=many, span=theme.span))
+    if not told or theme.quant is None:
+        return theme
+    if not alike(things) or not 1 < theme.quant.low < len(things):
+        return theme
+    spec.sizes.append(Size(what="size", amount=Amount(theme.quant.low, theme.quant.low), span=theme.span))
+    scene.whole = theme.names
+    scene.parted.update(theme.names[: theme.quant.low])
+    return certain(theme, scene)
+
+
 def _fix_parts(named: Ref) -> None:
     if named.patch or named.table:
         raise refuse("misplaced", "structures are made of blocks", named.span, "name blocks")
@@ -144,6 +164,17 @@ def _name_items(spec: Spec, whole: Ref) -> None:
                 by="read" if order.by == "read" else "given",
                 items=tuple(Pronoun(word="=" + " ".join(part.names), span=order.span) for part in whole.parts),
             )
+
+
+def _named_one_by_one(source: Meaning) -> bool:
+    """ "green, green, pink, pink": who counts says "two green ones"; this tells how they stand."""
+    if isinstance(source, Noun):
+        looks: list[object] = list(source.traits.colors) if not source.traits.either else []
+    else:
+        items = source.items if isinstance(source, Coord) and source.op == "and" else ()
+        bare = all(isinstance(x, Noun) and x.det == "bare" and x.amount is None and not x.plural for x in items)
+        looks = [x.traits for x in items if isinstance(x, Noun)] if bare else []
+    return 1 < len(set(looks)) < len(looks)
 
 
 def _order_items(spec: Spec) -> tuple[Meaning, ...]:

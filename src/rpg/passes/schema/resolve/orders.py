@@ -33,6 +33,8 @@ def implied_kind(spec: Spec) -> str | None:
 def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, span: Span) -> Order:
     """The order of `names` in a line or stack of `kind`."""
     sides = SIDES[kind]
+    if any(o.by == "any" for o in spec.orders):
+        spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
     spec.orders += sorted_from(spec, names, kind, scene)
     pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
     first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides and o not in pointed), None)
@@ -175,10 +177,8 @@ def _merge(
             _alternate(order, things, scene)
             return Order(by="alternating", attribute="color")
         case "alternating" | "mirrored":
-            _two_colors(things, order.by, scene)
-            attribute = (
-                "kind" if len({t.kind for t in things}) == 2 and len({t.color for t in things}) == 1 else "color"
-            )
+            if (attribute := _telling(things)) == "color":
+                _two_colors(things, order.by, scene)
             return Order(by=order.by, attribute=attribute)  # type: ignore[arg-type]
         case "even_first" | "odd_first" | "vowel_first" | "consonant_first":
             return _quality_first(order, things, kind, scene, first)
@@ -286,6 +286,16 @@ def _symbolic(order: OrderBy, things: list[Thing], kind: str, scene: Scene, firs
         first = "top" if kind == "stack" else _default_side(kind)
         _read_from("top" if kind == "stack" else _default_side(kind), scene)
     return Order(by=by, descending=order.descending, first=first)  # type: ignore[arg-type]
+
+
+def _telling(things: list[Thing]) -> str:
+    """What tells blocks apart that take turns: their colours; of those in one colour, their kinds or their symbols."""
+    if len({t.color for t in things}) > 1 or not any(t.kind for t in things):
+        return "color"
+    if len({t.kind for t in things}) == 2:
+        return "kind"
+    labels = {t.label for t in things}
+    return "label" if None not in labels and 1 < len(labels) < len(things) else "color"
 
 
 def _by_size(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.verbs import ever
-from rpg.language.meaning import Clause, In, Loc, Manner
+from rpg.language.meaning import Amount, Clause, In, Loc, Manner, Noun
 
 _NOT = frozenset({"not", "never"})
 _ALL = (["both"], ["all"])
@@ -49,3 +50,12 @@ def stays(found: Clause, allowed: bool) -> Clause:
         gone = Manner(kind="gone", span=found.span)
         return replace(found, adjuncts=(*found.adjuncts, gone)) if found.negated else found
     return ever(found, placed)
+
+
+def leave(found: Clause, only: bool, span: Span) -> Clause:
+    """ "A may be there" asks for nothing; "only two of the four may be there": no more than two."""
+    theme = found.theme
+    amount = theme.amount if isinstance(theme, Noun) else None
+    if only and isinstance(theme, Noun) and amount is not None and amount.strict and amount.low == amount.high:
+        return replace(found, theme=replace(theme, amount=Amount(0, amount.high, True)))
+    return replace(found, adjuncts=(*found.adjuncts, Manner(kind="allowed", span=span)))

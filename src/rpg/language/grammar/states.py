@@ -9,7 +9,7 @@ from rpg.language.grammar.adjectives import adjectives, of_quality
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.becoming import becoming, staying
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.denials import denied_of_all, stays
+from rpg.language.grammar.denials import denied_of_all, leave, stays
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.manners import direction, manner
 from rpg.language.grammar.nouns import noun_phrase
@@ -86,8 +86,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             if idle and isinstance(found, Clause):
                 found = replace(found, negated=False)
             if isinstance(found, Clause) and (idle or (words & {"may", "might"} and not asked)):
-                allowed = Manner(kind="allowed", span=p.span(j, k))
-                found = replace(found, adjuncts=(*found.adjuncts, allowed))
+                found = leave(found, p.words[i] in ("only", "just") and not idle, p.span(j, k))
             yield (ever(found, lasting) if isinstance(found, Clause) else found), end
 
 
@@ -313,10 +312,10 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
     if j := p.one(k, frozenset({"touch", "touches"})):
         for other, end in noun_phrase(p, j):
             touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
-            yield (
-                Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end)),
-                end,
-            )
+            said = Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end))
+            for when, last in adjuncts(p, end):
+                if all(isinstance(a, Manner) for a in when):
+                    yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
         touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
         yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
     if j := p.one(k, frozenset({"face", "faces", "point", "points"})):

@@ -48,10 +48,11 @@ from rpg.passes.schema.resolve.heaps import from_heaps, told_later
 from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.inventory import each_agrees
 from rpg.passes.schema.resolve.kept import brought_about
+from rpg.passes.schema.resolve.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.moments import in_time
 from rpg.passes.schema.resolve.of_each import each_later
-from rpg.passes.schema.resolve.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.premises import keep_premises
+from rpg.passes.schema.resolve.rest import speaks_of_rest
 from rpg.passes.schema.resolve.rows_told import words_in_rows
 from rpg.passes.schema.resolve.sized import sized
 from rpg.passes.schema.resolve.spare import definite, none_ignored, without_spare
@@ -181,11 +182,13 @@ def _resolved(
         scene.assume(note)
     links, chains = counted_later(links, each_later(chains))
     links, chains = sized(links, tuple(without_spare(chain) for chain in chains), scene)
-    scene.speaks_of_rest = any(_rest(part) for chain in chains for part in parts_of(chain))
+    scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))
     chains = chains if pointed else kinds_last(chains)
-    late = [n for n, chain in enumerate(chains) if _of_everything(chain, pointed) or (not pointed and waits(chain, chains))]
+    late = [
+        n for n, chain in enumerate(chains) if _of_everything(chain, pointed) or (not pointed and waits(chain, chains))
+    ]
     order = sorted(
         range(len(chains)),
         key=lambda n: (n in late, not _sets_scene(chains[n]), not _counts_each(chains[n]), n),
@@ -298,17 +301,6 @@ def _selects(part: Meaning) -> bool:
     whole = part.part_of if isinstance(part, Noun) and part.det == "no" else part
     marks = whole.traits if isinstance(whole, Noun) and (whole is not part or whole.det in _SELECTING) else Traits()
     return bool(marks.colors or marks.kind or marks.size or marks.edge) and not marks.labels
-
-
-def _rest(part: Meaning) -> bool:
-    """ "the others", "the rest", "another red block": what is left when some are spoken of."""
-    if isinstance(part, Noun):
-        return part.det in ("other", "another")
-    return (
-        isinstance(part, Pronoun)
-        and ("other" in part.word or "rest" in part.word or "remain" in part.word)
-        and part.word not in ("each other", "one another")
-    )
 
 
 def _counts_each(chain: Chain) -> bool:

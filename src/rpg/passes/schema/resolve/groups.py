@@ -31,7 +31,7 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
             scene.things[name].declared = True
         return [scene.add_built("pile", names, False, shape.span)], []
     if not several:
-        names = members_of(shape, spec, theme, None, 4, scene, scope)
+        names = members_of(shape, spec, theme, group_size(shape), 4, scene, scope)
         return [scene.add_built("pile", names, False, shape.span)], [s.GroupBy(groups=(names,), span=shape.span)]
     if attribute is None and spec.absolutes:
         return told_lots(shape, spec, theme, scene)

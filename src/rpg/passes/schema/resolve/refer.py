@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Refusal
 from rpg.language.grammar.retold import retold
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
+from rpg.passes.schema.resolve.alls import note_all
 from rpg.passes.schema.resolve.counting import counted_among, denied, elliptical, not_of_a_structure
 from rpg.passes.schema.resolve.extras import extras
 from rpg.passes.schema.resolve.listing import bounded, fewer_than, listed, quantified, repeats
@@ -41,6 +42,7 @@ def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
         case _:
             raise refuse("misplaced", "this is no description of blocks or patches", meaning.span)
     found = replace(found, span=meaning.span)
+    note_all(meaning, found, scene, scope)
     if not found.reciprocal:
         scene.mention(found, scope.role, scope.rel, getattr(meaning, "word", ""))
     if found.names and scope.role == "landmark":

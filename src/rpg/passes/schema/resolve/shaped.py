@@ -29,7 +29,10 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         shapes = list(clause.theme.items) if isinstance(clause.theme, Coord) else [clause.theme]
     parts: list[Ref] = []
     goals = []
+    of_each = [replace(z, what="size") for z in spec.sizes if z.what == "columns"] if len(shapes) > 1 else []
     for shape in shapes:
+        if of_each:
+            spec.sizes = [*(z for z in spec.sizes if z.what not in ("columns", "size")), *of_each]
         if is_extra(shape) and len(shapes) > 1:
             refer(shape, scene, Scope())
             scene.mentions.pop()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.ir.walk import names as names_in
+from rpg.passes.schema.resolve.alls import none_after_all
 from rpg.passes.schema.resolve.world import Scene, Thing, refuse, said
 
 _UNCOUNTED = (
@@ -58,6 +59,7 @@ def no_strangers(scene: Scene) -> None:
     _uncounted(scene)
     _like_distractors(scene)
     _uncoloured(scene)
+    none_after_all(scene)
     _after_the_start(scene)
 
 

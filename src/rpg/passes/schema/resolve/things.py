@@ -101,7 +101,14 @@ def open_to(thing: Thing, traits: Traits) -> bool:
         return False
     if traits.labels and (thing.label is not None or (thing.color is not None and thing.kind is None)):
         return False
+    if traits.labels and thing.quality and not _shows_such(traits.labels, thing.quality):
+        return False
     return bool(traits.colors or traits.labels or traits.size)
+
+
+def _shows_such(labels: tuple[str, ...], quality: str) -> bool:
+    """Whether a vowel may turn out to be one of these symbols."""
+    return all(quality_fits(Thing(name="", label=label), quality) for label in labels)
 
 
 def give(thing: Thing, traits: Traits) -> None:

@@ -158,6 +158,7 @@ class Scene:
     last_landmark_patch: bool = False
     last_landmark_at: int = 0
     alike: bool = False
+    universals: list[tuple[int, tuple[str, ...], Span]] = field(default_factory=list)
     region: str = ""
     region_at: int = -1
     told: set[str] = field(default_factory=set)

@@ -1,0 +1,43 @@
+"""What is said of all letters or all digits is said of those that the rest of the instruction names."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Chain, Clause, Meaning, Noun, Structure, Traits, parts_of
+
+
+def of_a_kind(clause: Meaning) -> bool:
+    """ "All letters should be upright", "every digit is on the mat": of blocks that nothing else here names."""
+    theme = clause.theme if isinstance(clause, Clause) and clause.verb in ("be", "turn", "keep", "place") else None
+    if not isinstance(clause, Clause) or not isinstance(theme, Noun) or theme.head != "block":
+        return False
+    if clause.mode not in ("goal", "command") or theme.det not in ("all", "each") or theme.amount or theme.part_of:
+        return False
+    kind = theme.traits.kind
+    return kind in ("letter", "digit", "symbol") and theme.traits == Traits(kind=kind) and not _names(clause)
+
+
+def _names(meaning: Meaning) -> bool:
+    """Whether symbols are named: "A, B and C", "the word CAT"."""
+    parts = parts_of(meaning)
+    return any((isinstance(x, Noun) and x.traits.labels) or (isinstance(x, Structure) and x.letter) for x in parts)
+
+
+def kinds_last(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """In each sentence whose clauses follow one another in no time, those of a kind behind those that name symbols."""
+    return tuple(_last(chain) for chain in chains)
+
+
+def _last(chain: Chain) -> Chain:
+    told = [c for c in chain.clauses if of_a_kind(c)]
+    rest = [c for c in chain.clauses if not of_a_kind(c)]
+    if not told or not any(map(_names, rest)) or any(link != "and" for link in chain.links):
+        return chain
+    return replace(chain, clauses=(*rest, *told))
+
+
+def waits(chain: Chain, chains: tuple[Chain, ...]) -> bool:
+    """Whether a sentence of a kind alone is to be read behind the others, for these name its symbols."""
+    others = [other for other in chains if other is not chain]
+    return all(map(of_a_kind, chain.clauses)) and any(map(_names, others))

@@ -8,13 +8,13 @@ from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import adjectives, color
 from rpg.language.grammar.core import Parser, Results
-from rpg.language.grammar.retold import (
 from rpg.language.grammar.labels import label_list
+from rpg.language.grammar.retold import (
     bare_color,
     extra_alike,
     mere_size,
-    named_together,
     named_by,
+    named_together,
     part_after,
     restates,
     retelling,
@@ -24,6 +24,7 @@ from rpg.language.grammar.labels import label_list
     tally,
     the_other,
     universal,
+    what_is_left,
 )
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
 
@@ -135,7 +136,6 @@ def _of_kind(item: Meaning, whole: Noun) -> Meaning:
     return replace(item, head=whole.head) if isinstance(item, Noun) and item.head == "any" else item
 
 
-def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
 _NAMELY = ("that is", "namely", "that is to say", "meaning", "which are", "these are", "i . e .", "ie")
 
 
@@ -150,10 +150,25 @@ def _namely(p: Parser, i: int, whole: Noun, j: int) -> Results[Meaning]:
             yield from ((named, last) for last in {end: None, p.opt(end, ","): None})
 
 
+def _left(p: Parser, j: int) -> Results[Meaning]:
+    """ "The remaining blocks, green and white, go on the mat": green and white."""
+    from rpg.language.grammar.nouns import simple
+
+    for first, k in simple(p, p.opt(j, "namely")):
+        for listed, end in [(first, k), *more(p, j, (first,), k, None)]:
+            items = listed.items if isinstance(listed, Coord) and listed.op == "and" else (listed,)
+            plain = all(isinstance(x, Noun) and x.traits.colors + x.traits.labels and not x.part_of for x in items)
+            if plain and p.one(end, ","):
+                yield replace(listed, cost=0), end + 1
+
+
+def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     """ "three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
-    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, frozenset({",", ":"})):
     if isinstance(whole, Noun) and whole.plural and p.one(j, frozenset({",", ":", "("})):
         yield from _namely(p, i, whole, j + 1)
+    if what_is_left(whole) and p.one(j, ","):
+        yield from _left(p, j + 1)
+    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, frozenset({",", ":"})):
         return
     for found, k in amounts.quantity(p, j + 1):
         counts = whole.amount is None and whole.det in ("bare", "some") and found.det == "some"
@@ -224,7 +239,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             continue
         if joined and isinstance(items[-1], Structure) and isinstance(item, Structure) and _amid_colors(p, at):
             continue
-        if not joined and isinstance(item, Noun) and mere_size(item):
+        if not joined and isinstance(item, Noun) and (mere_size(item) or (bare_color(item) and _of_sizes(items[-1]))):
             continue
         if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
             yield from ((replace(again, span=p.span(i, j)), end) for end in {j: None, p.opt(j, ","): None})
@@ -256,6 +271,12 @@ def _amid_colors(p: Parser, at: int) -> bool:
     """ "a staircase of red, blue and green steps": the list of colours goes on here."""
     comma = p.words[at - 2 : at - 1] == [","]
     return comma and p.words[at - 1] in lexicon.COLOR and p.words[at - 3] in lexicon.COLOR
+
+
+def _of_sizes(before: Meaning) -> bool:
+    """ "cubes with edges of 5, 4 and 3 cm": a colour behind them is that of all."""
+    items = before.items if isinstance(before, Coord) else ()
+    return bool(items) and all(isinstance(x, Noun) and x.traits == Traits(edge=x.traits.edge) for x in items)
 
 
 def _is_extra(item: Meaning) -> bool:

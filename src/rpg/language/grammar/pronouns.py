@@ -40,6 +40,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
             "the top faces", "their symbols", "the letters on top", "their numbers", "the up facing faces")
     ):  # fmt: skip
         yield Pronoun(word="them", span=p.span(i, j), cost=int(p.words[j - 1] == "faces")), j
+    if j := p.any_of(i, ("the rest of them", "the rest of these", "the rest of those")):
+        yield Pronoun(word="the rest", span=p.span(i, j)), j
     for phrase, j in p.standing(i, ("each other", "one another", "the other ones", "the other one", "the others",
                    "the rest", "others",
                    "the other two",

@@ -57,6 +57,8 @@ def retelling(items: tuple[Meaning, ...], item: Meaning) -> tuple[Noun, ...] | N
     """ "some distractors, exactly three purple ones": the first thing with what a comma adds to it; with nothing where
     "digits, A, B, C" would list things beside a word for all of them. None: the list goes on."""
     first = items[-1]
+    if len(items) == 1 and what_is_left(first) and isinstance(item, Noun) and item.traits != Traits():
+        return ()
     if len(items) == 1 and isinstance(first, Noun) and isinstance(item, Noun) and _counted_symbols(first, item):
         many = len(item.traits.labels)
         named = replace(item, det="the" if first.det == "the" else "bare", cost=0)
@@ -71,6 +73,17 @@ def retelling(items: tuple[Meaning, ...], item: Meaning) -> tuple[Noun, ...] | N
     if general and len(items) == 1 and first.det in ("all", "the") and _named_by(first, item):
         return (replace(first, traits=replace(first.traits, labels=item.traits.labels), cost=0),)
     return () if general and not first.traits.colors and item.traits.labels and item.det == "bare" else None
+
+
+def what_is_left(whole: Meaning) -> bool:
+    """ "The remaining blocks, green and white, ...": what follows tells which these are."""
+    if isinstance(whole, Pronoun):
+        return whole.word in _LEFT
+    return isinstance(whole, Noun) and whole.det == "other" and whole.plural and whole.traits == Traits()
+
+
+_LEFT = frozenset({"the rest", "the others", "the other ones", "the remaining ones", "the remainder", "all the rest",
+                   "all the others", "everything else", "all others"})  # fmt: skip
 
 
 def _named_by(first: Noun, item: Noun) -> bool:

@@ -164,11 +164,13 @@ def _all_such(labels: tuple[str, ...], quality: str | None, span: Span) -> None:
 def _clause(clause: Clause) -> None:
     theme = clause.theme
     if isinstance(theme, Noun) and theme.traits.quality:
-        shown = (i for a in clause.adjuncts if isinstance(a, OrderBy) for i in a.items if isinstance(i, Noun))
+        orders = (a for a in parts_of(clause.adjuncts) if isinstance(a, OrderBy))
+        shown = (i for a in orders for i in a.items if isinstance(i, Noun))
         _all_such(tuple(label for item in shown for label in item.traits.labels), theme.traits.quality, clause.span)
         _among(clause)
     if isinstance(theme, Noun) and clause.verb == "be":
         _run_of(theme, clause)
+        _numbers_below(theme, clause)
     if _open(theme):
         _alternatives(clause)
     if isinstance(theme, Noun):
@@ -195,6 +197,14 @@ def _among(clause: Clause) -> None:
     marks = [a.landmark for a in clause.adjuncts if isinstance(a, Loc) and a.rel == "between"]
     if any(isinstance(mark, Noun) and mark.traits.labels for mark in marks):
         raise _unfit("it is not clear which of these are meant", clause.span, "name them one by one")
+
+
+def _numbers_below(theme: Noun, clause: Clause) -> None:
+    """Refuse "the digits below 8", of which it would be said that they lie under it."""
+    marks = [a.landmark for a in clause.adjuncts if isinstance(a, Loc) and a.rel in ("under", "above")]
+    single = any(isinstance(x, Noun) and len(x.traits.labels) == 1 and x.traits.labels[0].isdigit() for x in marks)
+    if single and theme.plural and theme.traits.kind == "digit" and not theme.traits.labels:
+        raise _unfit("smaller ones, or ones that lie there?", clause.span, "name them one by one")
 
 
 def _run_of(theme: Noun, clause: Clause) -> None:

@@ -32,7 +32,7 @@ def check(goal: g.Goal, scene: Scene) -> None:
 
 def _between_neighbours(parts: list[g.Goal]) -> None:
     """Nothing is between two blocks that lie right on each other."""
-    direct = [part for part in parts if not isinstance(part, r.Above)]
+    direct: list[g.Goal] = [part for part in parts if not isinstance(part, r.Above)]
     touching = {frozenset((a, b)) for a, b, _ in _supports(direct)}
     for part in parts:
         if not isinstance(part, r.Between) or not isinstance(part.b, tuple) or not isinstance(part.c, tuple):

@@ -61,10 +61,7 @@ def members_of(
         scene.mentions.pop()
         _name_items(spec, whole)
         return whole.names
-    spec.absolutes = onward(spec.absolutes) if shape.kind == "stack" else spec.absolutes
-    spec.absolutes = in_between(spec.absolutes) if need in (None, 3) else spec.absolutes
-    absolute = _from_absolutes(spec, need, scene)
-    if absolute:
+    if absolute := _from_absolutes(shape, spec, need, scene):
         return absolute
     there = declared(shape.traits, scene)
     if len(there) > 1 and (count is None or len(there) == count):
@@ -209,10 +206,12 @@ def _checked(names: tuple[str, ...], need: int | None, span: Span, scene: Scene)
     return names
 
 
-def _from_absolutes(spec: Spec, need: int | None, scene: Scene) -> tuple[str, ...]:
+def _from_absolutes(shape: Structure, spec: Spec, need: int | None, scene: Scene) -> tuple[str, ...]:
     """ "a tower with a red block at the bottom and a blue one on top": its members, when their number agrees."""
     from rpg.language.meaning import At
 
+    spec.absolutes = onward(spec.absolutes) if shape.kind == "stack" else spec.absolutes
+    spec.absolutes = in_between(spec.absolutes) if need in (None, 3) else spec.absolutes
     inside = [a for a in spec.absolutes if isinstance(a.adjuncts[0], At)]
     if not inside or (need is not None and sum(amount_of(item.theme) or 1 for item in inside) < need):
         return ()

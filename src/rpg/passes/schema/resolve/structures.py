@@ -201,15 +201,8 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         and not any(scene.things[n].elastic for n in theme.names)
     ):
         theme = replace(theme, names=_alike(theme, shape, scene)[:need])
-    names = members_of(
-        shape,
-        spec,
-        theme,
-        need if not least else shape.size.low if shape.size else None,
-        amount_of(shape.members) or 3,
-        scene,
-        scope,
-    )
+    wanted = need if not least else shape.size.low if shape.size else None
+    names = members_of(shape, spec, theme, wanted, amount_of(shape.members) or 3, scene, scope)
     if len(names) < 2:
         raise refuse("too-few", "a lone block is no tower", shape.span, "name at least two blocks", blocks=len(names))
     named = any(o.items and o.by != "alternating" for o in spec.orders)

@@ -125,9 +125,18 @@ def _gathers(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
             yield said, end
 
 
+_PLACE = tuple(
+    f"{its} {place}" for its in ("its", "their", "its current", "its original", "its starting", "their current")
+    for place in ("place", "places", "position", "positions", "spot", "spots")
+)  # fmt: skip
+
+
 def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Clause]:
     """ "(the red block) must never leave the patch": it is on it all the time."""
     j = p.one(k, frozenset({"leave", "leaves"}))
+    if end := p.any_of(j, _PLACE) if j else 0:
+        stay = Manner(kind="stay", span=p.span(j, end))
+        yield Clause(verb="be", theme=theme, adjuncts=(stay,), mode=mode, span=p.span(i, end)), end
     for mark, end in noun_phrase(p, j) if j else ():
         if isinstance(mark, Noun) and mark.det in ("the", "bare"):
             on = Loc(rel="on", landmark=mark, span=p.span(k, end))

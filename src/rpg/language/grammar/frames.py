@@ -129,7 +129,8 @@ DONT = (
 )  # fmt: skip
 """What is said behind these must not be done."""
 THEN = (
-    "continue with", "continue by", "second of all", "and only then", "only then", "and only after that", "only after that", "and at last", "at last",
+    "continue with", "continue by", "second of all",
+    "and only then", "only then", "and only after that", "only after that", "and at last", "at last",
     "and at the very end",
     "and finish by", "finish by", "and end by", "end by", "and conclude by", "conclude by", "and finish off by",
     "and then after that", "and then finally", "and after that", "and afterwards", "and finally", "and then",

@@ -16,7 +16,7 @@ _PHRASES = {
     **{f"{on} the {floor}": f"{on} the table" for on in ("on", "onto", "to") for floor in ("floor", "ground")},
     **{f"{how} {heap}": heap for how in _MESSY for heap in ("heap", "pile", "jumble", "bunch")},
     **{f"{how} {at}": at for how in _TOGETHER for at in ("in one heap", "in a heap", "in one pile", "in a pile")},
-    "not a single": "no", "not even one": "no", "not even a single": "no",
+    "prior to": "before", "not a single": "no", "not even one": "no", "not even a single": "no",
     **{f"{one} and {the}{two} {what}": f"{one} {what} and {the}{two} {what}" for the in ("", "the ")
        for one, two in (("odd", "even"), ("even", "odd")) for what in ("digits", "numbers")},
     "an other": "another", "the both": "both", "both the two": "both",
@@ -37,6 +37,11 @@ _PHRASES = {
         for be, verbs in (("is", ("reads", "looks", "appears")), ("are", ("look", "appear")))
         for looks in verbs
         for way in ("upside down", "upright", "sideways")
+    },
+    **{
+        f"none {touch} {other}": f"none of them {touch} {other}"
+        for touch in ("touches", "touch", "may touch", "is touching", "must touch", "should touch", "is next to")
+        for other in ("another", "any other", "the other", "each other", "another one", "any of the others")
     },
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
 }  # fmt: skip

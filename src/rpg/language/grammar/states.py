@@ -268,6 +268,19 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
         yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
 
 
+def _touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Clause]:
+    """ "the red block touches the blue one (at the start)", "the blocks touch"."""
+    if j := p.one(k, frozenset({"touch", "touches"})):
+        for other, end in noun_phrase(p, j):
+            touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
+            said = Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end))
+            for when, last in adjuncts(p, end):
+                if all(isinstance(a, Manner) for a in when):
+                    yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
+        touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
+        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
+
+
 def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
     """ "the blocks form a ring", "the cubes spell CAT", "the red block touches the blue one", "it faces left"."""
     using = Using(members=theme, span=theme.span)
@@ -301,23 +314,15 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
     ) and not negated:
         yield Clause(verb="swap", lemma="swap", theme=theme, mode=mode, span=p.span(i, j)), j
     if j := p.one(k, frozenset({"alternate", "alternates"})):
-        for found, end in adjuncts(p, j):
+        for turns_, end in adjuncts(p, j):
             turns = Clause(
-                verb="arrange", lemma="alternate", theme=theme, adjuncts=found, mode=mode, span=p.span(i, end)
+                verb="arrange", lemma="alternate", theme=theme, adjuncts=turns_, mode=mode, span=p.span(i, end)
             )
             yield replace(turns, negated=negated), end
     if negated and (j := p.one(k, _MOVE)):
         unmoved = Clause(verb="place", lemma="move", theme=theme, negated=True, mode=mode, span=p.span(i, j))
         yield replace(unmoved, word=p.span(k, j)), j
-    if j := p.one(k, frozenset({"touch", "touches"})):
-        for other, end in noun_phrase(p, j):
-            touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
-            said = Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end))
-            for when, last in adjuncts(p, end):
-                if all(isinstance(a, Manner) for a in when):
-                    yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
-        touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
-        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
+    yield from _touches(p, i, k, theme, mode, negated)
     if j := p.one(k, frozenset({"face", "faces", "point", "points"})):
         for side, end in direction(p, j):
             faced = Manner(kind="facing", value=side, span=p.span(k, end))

@@ -127,6 +127,9 @@ _PREFACES = (
     "easy|simple|quick|hard|tricky one|task|job|question|request|thing|exercise|puzzle|challenge :",
     "do|would_you_do me|us a|one|this small|little|big? favor ,|:|and please?",
     "goal|aim|objective|target|task is to?",
+    "per|as_per|following|according_to the|our|my|your? client|customer|boss|teacher|user|manager 's? "
+    "request|wish|order|instruction|instructions ,|:",
+    "before anything|all|everything else ,",
     "here_is|this_is|that_is the deal|thing|story|point :|,",
     "whatever you do|happens ,",
     "no matter what happens? ,",
@@ -287,6 +290,12 @@ STATE_WISHES = Patterns(
     f"you|we|i|the_robot are|is|have|will_be|will_have|'ve {_DONE} {_WHEN}",
     f"success is|will_be|gets {_DONE} {_WHEN}",
     f"success {_WHEN}",
+    f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",
+    f"the|this check|test|trial passes|is_passed|is_met {_WHEN}",
+    "the|this|our|my? episode|task|game|run|trial|robot must|should|has_to|shall|will|needs_to end|finish|conclude|close "
+    "with|in",
+    "end|final|desired|goal|target state|result|picture|layout|scene|arrangement|outcome wanted|desired|required|needed :",
+    "arrange|see_to_it for",
     "success|done|finished|win|victory|completion means? that? :",
     "what should|must|has_to|will come_out|result|be_there|be_seen|stand_there|appear in_the_end|at_the_end? is|:",
     f"the|our|my end|final|desired|target|goal? {_RESULT} "

@@ -33,6 +33,7 @@ from rpg.passes.schema.resolve.between import by_sandwiching
 from rpg.passes.schema.resolve.centred import by_centring, centred
 from rpg.passes.schema.resolve.corners import one_for_each_corner
 from rpg.passes.schema.resolve.denials import denied, denied_once
+from rpg.passes.schema.resolve.heaps import heaped_up
 from rpg.passes.schema.resolve.inventory import blocks_and_patches, tally, told_apart
 from rpg.passes.schema.resolve.leftovers import nothing_left
 from rpg.passes.schema.resolve.logic import conj
@@ -162,6 +163,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     by_centring(clause, spec)
+    clause = heaped_up(clause, spec)
     clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)
     if clause.lemma in LEAVING and clause.verb in ("place", "use") and not clause.negated:
         spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TypeGuard
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, Structure, Traits, Using
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, Noun, Structure, Traits, Using
+from rpg.passes.schema.resolve.spec import Spec
 
 
 def told_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
@@ -65,6 +66,16 @@ def _listed(begun: Meaning, tally: Meaning) -> Clause | None:
         return None
     many = sum(x.amount.low if x.amount else len(x.traits.labels) for x in items.items if isinstance(x, Noun))
     return replace(begun, theme=items) if blocks.amount in (None, Amount(many, many)) else None
+
+
+def heaped_up(clause: Clause, spec: Spec) -> Clause:
+    """ "The blocks start heaped up": in a heap, for nothing is said of what lies on what."""
+    told = spec.places or spec.intos or spec.orders or spec.toward or spec.ats or spec.absolutes
+    if clause.verb != "stack" or clause.lemma not in ("heap", "pile") or clause.mode != "start" or told:
+        return clause
+    shape = Structure(kind="pile", span=clause.word or clause.span)
+    spec.intos.append(Into(structure=shape, span=shape.span))
+    return replace(clause, verb="arrange")
 
 
 def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:

@@ -79,7 +79,10 @@ def without(that: That, scene: Scene) -> Goals:
         if any(m.kind == "time" for m in manners):
             raise refuse("ambiguous", "it is not clear when this is forbidden", that.span, "say 'without ever ...'")
         if clause.verb in ("place", "touch", "turn", "swap", "pick") and len(clause.adjuncts) == lasting:
+            before = len(scene.goals.get(scene.clause, []))
             theme = refer(_moved_theme(clause), scene, Scope(role="landmark"))
+            scene.start_goals += scene.goals.get(scene.clause, [])[before:]
+            del scene.goals.get(scene.clause, [])[before:]
             still = _untouched(clause, theme, scene, that.span)
             goals.append(g.Always(goal=still, span=that.span) if lasting else still)
         elif clause.verb in ("place", "stack", "use"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 from rpg.blocks.english import describe, describe_goal
 from rpg.blocks.equivalence import equivalent
@@ -76,11 +77,22 @@ def _unspanned(data: object, blocks: int) -> object:
         whole = data.get("kind") == "stack" and len(data["blocks"]) == blocks
         named = data.get("kind") == "group_by" and not data["outliers"]
         told = "exact" if whole else "by" if named else ""
-        kept = {k: _unspanned(v, blocks) for k, v in data.items() if k not in ("span", told)}
+        kept = {k: _unspanned(v, blocks) for k, v in _one_way(data).items() if k not in ("span", told)}
         return {k: sorted(v, key=repr) if k in _UNORDERED and isinstance(v, list) else v for k, v in kept.items()}
     if isinstance(data, list):
         return [_unspanned(v, blocks) for v in data]
     return data
+
+
+_OTHER_END = {"top": "bottom", "right": "left", "back": "front"}
+
+
+def _one_way(data: dict[str, Any]) -> dict[str, Any]:
+    """Ascending from the top is descending from the bottom: orders are told from one side."""
+    first = _OTHER_END.get(data.get("first") or "")
+    if first is None or data.get("by") not in ("label", "number", "size"):
+        return data
+    return {**data, "first": first, "descending": not data.get("descending")}
 
 
 def _wording(task: TaskSchema, read: Reader) -> str | None:

@@ -31,7 +31,7 @@ from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.logic import conj, negation
-from rpg.passes.schema.resolve.members import certain
+from rpg.passes.schema.resolve.members import certain, of_look_alikes
 from rpg.passes.schema.resolve.mutual import of_every_two
 from rpg.passes.schema.resolve.orders import order_of
 from rpg.passes.schema.resolve.parts import place_of
@@ -320,6 +320,7 @@ def _stacked(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span, hea
         if not spec.places and not heaped:
             raise refuse("no-goal", "it is not said on what to stack it", span, "say 'on the blue block'")
         return theme, []
+    theme = of_look_alikes(theme, spec, scene)
     if theme.quant is not None or theme.op == "or" or theme.mixed:
         raise refuse("ambiguous", "it is not said which of the blocks are stacked", theme.span, "name the blocks")
     items = next((o.items for o in spec.orders if o.items and o.by in ("given", "run", "read")), ())

@@ -26,6 +26,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.hubs import emptied, in_the_middle, outlines, told_inside
 from rpg.passes.schema.resolve.inside_lines import as_a_grid, in_a_line
+from rpg.passes.schema.resolve.one_each import plainly
 from rpg.passes.schema.resolve.overs import in_one_tower
 from rpg.passes.schema.resolve.told_towers import one_more_tower, side_by_side, told_towers
 from rpg.passes.schema.resolve.world import refuse
@@ -43,6 +44,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(said, Clause):
                 kept.append((link, said))
                 continue
+            said = plainly(said)
             said = as_a_grid(said)
             if parts := in_a_line(said):
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]

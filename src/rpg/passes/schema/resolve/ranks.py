@@ -30,6 +30,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         if len(sized) > 1 and sized[0][0] != sized[1][0]:
             return Ref(names=(sized[0][1],))
         raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
+    if (left := _left_of_so_many(noun, rank, scene)) is not None:
+        return left
     there = () if noun.head == "patch" else _candidates(noun, rank, scene)
     if len(set(there)) > 1:
         raise refuse("ambiguous", "this could be a block of several structures", noun.span, "name its colour or label")
@@ -47,6 +49,17 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     raise refuse(
         "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
     )
+
+
+def _left_of_so_many(noun: Noun, rank: str, scene: Scene) -> Ref | None:
+    """ "the third one" where two of three were spoken of: the one that is left."""
+    left = [name for name in scene.whole if name not in scene.parted]
+    plain = noun.head == "any" and noun.det == "the" and noun.traits == Traits(rank=rank)
+    if not plain or len(left) != 1 or rank not in (str(len(scene.whole)), "last"):
+        return None
+    scene.parted.add(left[0])
+    scene.used.add(left[0])
+    return Ref(names=(left[0],))
 
 
 def _candidates(noun: Noun, rank: str, scene: Scene) -> tuple[str, ...]:

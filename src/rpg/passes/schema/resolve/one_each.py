@@ -1,0 +1,63 @@
+"""Clauses that say twice how things are shared out, in plainer words: "four blocks, one in every corner"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    Clause,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Size,
+    Structure,
+    Traits,
+)
+
+_CORNERS = Amount(4, 4)
+
+
+def plainly(clause: Clause) -> Clause:
+    """The clause without what says once more how many go where."""
+    if clause.negated:
+        return clause
+    kept = clause.adjuncts
+    if clause.verb == "sort" and len(kept) == 1 and _one_group(kept[0]) and isinstance(clause.theme, Noun):
+        return replace(clause, verb="place", lemma="put")
+    amount = clause.theme.amount if isinstance(clause.theme, Noun) and clause.theme.part_of is None else None
+    corners = [a for a in kept if isinstance(a, In) and a.region.startswith("each_corner")]
+    if amount == _CORNERS and len(kept) == 1 and (place := _one_in_each(kept[0])) is not None:
+        return replace(clause, adjuncts=(place,))
+    if amount == Amount(1, 1) and corners:
+        kept = tuple(a for a in kept if not (isinstance(a, Size) and a.what == "total" and a.amount == _CORNERS))
+    if amount is not None and amount.low > 1 and any(_as_many(a, amount) for a in kept):
+        kept = tuple(a for a in kept if not (isinstance(a, Size) and a.what == "columns" and a.amount == Amount(1, 1)))
+    return replace(clause, adjuncts=kept) if kept != clause.adjuncts else clause
+
+
+def _one_group(part: Meaning) -> bool:
+    """ "sort the vowels A, E and I into one group": they are put there."""
+    shape = part.structure if isinstance(part, Into) else None
+    plain = isinstance(shape, Structure) and shape.kind == "pile" and not shape.plural and shape.members is None
+    return plain and isinstance(shape, Structure) and shape.amount == Amount(1, 1) and shape.traits == Traits()
+
+
+def _one_in_each(part: Meaning) -> In | None:
+    """ ", one in every corner" behind four blocks."""
+    if not isinstance(part, Absolute) or len(part.adjuncts) != 1:
+        return None
+    place, one = part.adjuncts[0], part.theme
+    bare = isinstance(one, Noun) and one.head == "any" and one.traits == Traits() and one.amount in (None, Amount(1, 1))
+    bare = bare or (isinstance(one, Pronoun) and one.word == "one")
+    return place if bare and isinstance(place, In) and place.region.startswith("each_corner") else None
+
+
+def _as_many(part: Meaning, amount: Amount) -> bool:
+    """ "on the two black ones, one each": as many landmarks as blocks."""
+    mark = part.landmark if isinstance(part, Loc) and part.rel == "on" and not part.negated else None
+    return isinstance(mark, Noun) and mark.amount is not None and mark.amount[:2] == amount[:2] and mark.head != "patch"

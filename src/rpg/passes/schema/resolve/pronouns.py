@@ -264,6 +264,8 @@ def _told_together(ref: Ref) -> bool:
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "one":
         free = _left_over(scene)
+        if len({(t.color, t.label, t.size) for t in free}) > 1:
+            raise refuse("ambiguous", "it is not said which of these blocks is meant", word.span, "name the block")
         if free:
             scene.used.add(free[0].name)
             return Ref(names=(free[0].name,))

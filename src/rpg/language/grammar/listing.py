@@ -12,7 +12,7 @@ from rpg.language.meaning import Clause, Coord, Noun, Toward, Traits
 @rule
 def looks_told(p: Parser, i: int) -> Results[Clause]:
     """A list of colours and no more, with the direction in which it is read."""
-    if i >= p.end or p.words[i] not in lexicon.COLOR:
+    if p.lex(i, lexicon.COLOR) is None:
         return
     for items, j in listed(p, i):
         if not all(

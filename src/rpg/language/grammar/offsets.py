@@ -48,7 +48,8 @@ def offset(p: Parser, i: int) -> Results[Loc]:
     start = p.opt(i, "and")
     if j := p.any_of(start, _CENTERED):
         yield from _limit(p, i, p.any_of(j, _WITHIN) or j)
-    lead = 0 if p.words[start + 1] in ("most", "least") else p.any_of(start, ("with", "at", "having"))
+    lead = p.any_of(start, ("with", "at", "having"))
+    lead = 0 if lead and p.words[start + 1] in ("most", "least") else lead
     j = p.opt(lead or start, "a", "an", "any")
     for far, k in _most(p, j):
         k = p.opt(p.opt(k, "of"), *_SIDEWAYS)

@@ -10,13 +10,24 @@ from rpg.language.grammar.prepositions import side_relation
 from rpg.language.grammar.regions import named_regions
 from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun, parts_of
 
-_OUT = ("outside of", "outside", "out of", "beyond the edge of", "clear of", "anywhere outside", "anywhere outside of",
-        "anywhere but on", "anywhere except on", "somewhere outside", "somewhere outside of", "not inside", "away off")  # fmt: skip
+_OUT = (
+    "outside of", "outside", "out of", "beyond the edge of", "clear of", "anywhere outside", "anywhere outside of",
+    "anywhere but on", "anywhere except on", "somewhere outside", "somewhere outside of", "not inside", "away off",
+)  # fmt: skip
+
+
+_TOUCHING_NONE = (
+    "touching neither", "touching neither of them", "touching neither of the two", "touching none of them",
+    "but touching neither",
+)  # fmt: skip
 
 
 @rule
 def outside(p: Parser, i: int) -> Results[Meaning]:
-    """ "outside of the mat", "out of the right half"."""
+    """ "outside of the mat", "out of the right half"; "(between A and B,) touching neither"."""
+    if j := p.any_of(i, _TOUCHING_NONE):
+        them = Pronoun(word="them", span=p.span(i, j))
+        yield Loc(rel="touching", landmark=them, negated=True, span=p.span(i, j)), j
     j = p.any_of(i, _OUT)
     if not j:
         return
@@ -37,8 +48,10 @@ def neither(p: Parser, i: int) -> Results[Meaning]:
     from rpg.language.grammar.relations import loc
 
     start = p.one(i, "neither")
+    if not start:
+        return
     sided = [(Loc(rel=s.rstrip("?"), span=p.span(i, j)), p.opt(j, "of")) for (s, _), j in side_relation(p, start)]
-    for one, j in [*loc(p, start), *sided] if start else ():
+    for one, j in [*loc(p, start), *sided]:
         nor = p.one(p.opt(j, ","), "nor")
         for two, k in loc(p, nor) if nor else ():
             first = one

@@ -125,7 +125,7 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         end = p.opt(p.reach(j + 2), "corner", "block", "one", "cell", "cube")
         yield Places(side=f"{along} {across}", unit="cell", span=p.span(i, end)), end
         return
-    if (line := _UNITS.get(p.words[j])) in _LAYERS and (turn := p.number(j + 1)) and p.number(j + 2) is None:
+    if (line := p.peek(j, _UNITS)) in _LAYERS and (turn := p.number(j + 1)) and p.number(j + 2) is None:
         yield Places(side="first", unit=line or "", index=turn, span=p.span(i, j + 2)), p.reach(j + 2)
     several = p.number(j)
     after = j + 1 if several is not None else j

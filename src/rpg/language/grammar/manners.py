@@ -128,7 +128,8 @@ def _pointed(p: Parser, i: int, comma: int) -> Results[Meaning]:
     j = p.any_of(comma, ("with its", "with the", "its", "with", "the", "whose", "with a"))
     j = j or (comma if comma > i else 0)
     if opened := p.any_of(comma, ("open to", "open towards", "open toward", "open on",
-                                  "with the opening at", "with its opening at", "with the open side at", "opening to", "opening towards", "open at",
+                                  "with the opening at", "with its opening at", "with the open side at",
+                                  "opening to", "opening towards", "open at",
                                   "that opens to", "which opens to", "opens to", "opened to")):  # fmt: skip
         for side, e in direction(p, p.opt(opened, "the")):
             yield Manner(kind="pointing:opening", value=side, span=p.span(i, e)), e
@@ -197,7 +198,8 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "currently": ("start", None), "at the start of the episode": ("start", None), "as distractors": ("extra", None),
     "as a distractor": ("extra", None), "lying around": ("extra", "around"),
     "there as distractors": ("extra", None), "also there": ("extra", "around"), "there too": ("extra", "around"),
-    "there as well": ("extra", "around"), "also present": ("extra", "around"), "also lying around": ("extra", "around"), "lying around as distractors": ("extra", None),
+    "there as well": ("extra", "around"), "also present": ("extra", "around"), "also lying around": ("extra", "around"),
+    "lying around as distractors": ("extra", None),
     "distractors": ("extra", None), "a distractor": ("extra", None), "just distractors": ("extra", None),
     "only distractors": ("extra", None), "as decoration": ("extra", None), ", which do not matter": ("extra", None),
     "that do not matter": ("extra", None), "irrelevant": ("extra", None),

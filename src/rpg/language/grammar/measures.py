@@ -171,7 +171,8 @@ def _bound(p: Parser, i: int, end: int, landmark: Meaning, metres: float, least:
 
 _BETWEEN_CENTERS = (
     "apart from each other", "from each other", "away from each other", "apart", "from one another", "of each other",
-    "of one another", "away", "to each other", "to one another", "center to center", "from center to center", "between centers", "apart from one another",
+    "of one another", "away", "to each other", "to one another", "center to center", "from center to center",
+    "between centers", "apart from one another",
 )  # fmt: skip
 _BETWEEN_FACES = (
     "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",

@@ -255,7 +255,8 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     """ "red on blue", "the other two", "A", "a red and a blue block"."""
     ranked = quantity.det == "the" and marks.get("rank") not in (None, "top", "bottom", "middle")
     named = j > start and p.words[j - 1] not in ("target", "goal") and "shape" not in marks
-    if named and ("edge" not in marks or p.words[j - 1] in lexicon.COLOR) and (marks.get("colors") or marks.get("size") or ranked):
+    looked = marks.get("colors") or marks.get("size") or ranked
+    if named and looked and ("edge" not in marks or p.words[j - 1] in lexicon.COLOR):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")
         if (several and _list_goes_on(p, j)) or (quantity.det == "both" and not several and p.words[j] == "and"):

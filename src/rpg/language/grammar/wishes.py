@@ -235,8 +235,8 @@ STATE_WISHES = Patterns(
     "to pass|win|succeed|finish ,",
     "a|the|every|any successful|good|correct|finished|complete episode|run|attempt|game|task|solution ends|finishes "
     "with|when|if|once|in",
-    "consider|count|regard|take it|this|the_task|the_job|the_episode as? solved|done|complete|finished|successful|a_success|"
-    "completed when|if|once|as_soon_as",
+    "consider|count|regard|take it|this|the_task|the_job|the_episode as? "
+    "solved|done|complete|finished|successful|a_success|completed when|if|once|as_soon_as",
     "it would make|makes me|us|them|my_boss|everyone really|very|so? happy|glad|proud to_see|to_have|if|when",
     f"{_WHO} {_WANT} a|the|some? nice|good? {_PICTURE} of|showing|with",
     f"{_WHO} says|say|said|thinks|think|believes that|: ,?",
@@ -292,9 +292,10 @@ STATE_WISHES = Patterns(
     f"success {_WHEN}",
     f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",
     f"the|this check|test|trial passes|is_passed|is_met {_WHEN}",
-    "the|this|our|my? episode|task|game|run|trial|robot must|should|has_to|shall|will|needs_to end|finish|conclude|close "
-    "with|in",
-    "end|final|desired|goal|target state|result|picture|layout|scene|arrangement|outcome wanted|desired|required|needed :",
+    "the|this|our|my? episode|task|game|run|trial|robot must|should|has_to|shall|will|needs_to "
+    "end|finish|conclude|close with|in",
+    "end|final|desired|goal|target state|result|picture|layout|scene|arrangement|outcome "
+    "wanted|desired|required|needed :",
     "arrange|see_to_it for",
     "success|done|finished|win|victory|completion means? that? :",
     "what should|must|has_to|will come_out|result|be_there|be_seen|stand_there|appear in_the_end|at_the_end? is|:",

@@ -239,7 +239,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             continue
         if joined and isinstance(items[-1], Structure) and isinstance(item, Structure) and _amid_colors(p, at):
             continue
-        if not joined and isinstance(item, Noun) and (mere_size(item) or (bare_color(item) and _of_sizes(items[-1]))):
+        told = bare_color(item) and _of_sizes(items[-1]) if isinstance(item, Noun) else False
+        if not joined and isinstance(item, Noun) and (mere_size(item) or told or _of_them(items[-1], item)):
             continue
         if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
             yield from ((replace(again, span=p.span(i, j)), end) for end in {j: None, p.opt(j, ","): None})
@@ -271,6 +272,13 @@ def _amid_colors(p: Parser, at: int) -> bool:
     """ "a staircase of red, blue and green steps": the list of colours goes on here."""
     comma = p.words[at - 2 : at - 1] == [","]
     return comma and p.words[at - 1] in lexicon.COLOR and p.words[at - 3] in lexicon.COLOR
+
+
+def _of_them(before: Meaning, item: Noun) -> bool:
+    """ "two blocks of 3 cm, both purple": said of these, they are no further ones."""
+    counted = isinstance(before, Noun) and before.plural and not before.traits.colors and not before.traits.labels
+    alone = item.head == "any" and item.det in ("both", "all") and item.traits == Traits(colors=item.traits.colors)
+    return counted and alone
 
 
 def _of_sizes(before: Meaning) -> bool:

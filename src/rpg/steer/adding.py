@@ -149,7 +149,7 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         "have",
     )
     j = p.one(i, ADD) or longest(p, i, leads) or i
-    j = longest(p, j, ("in", "back")) or j
+    j = longest(p, j, ("in", "back")) or j if j > i else j
     verb = p.words[i] in ADD
     for theme, k in things(p, j):
         if (j == i or p.words[i] == "with") and _only_a_kind(theme):

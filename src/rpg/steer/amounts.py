@@ -332,12 +332,12 @@ def _valued(p: Parser, i: int, k: int, what: str, factor: float) -> Iterator[tup
     """A new value, or a factor where none is given."""
     if n := longest(p, k, "to | of | be | at | a"):
         for metres, end in length(p, n):
-            yield r.Loosen(what=what, value=metres, span=p.span(i, end)), end
+            yield r.Loosen(what=what, value=metres, bare=True, span=p.span(i, end)), end
     for phrase, change in _CHANGES.items():
         if end := p.seq(k, phrase):
             yield r.Loosen(what=what, factor=change, span=p.span(i, end)), end
     for metres, end in length(p, k):
-        yield r.Loosen(what=what, value=metres, span=p.span(i, end)), end
+        yield r.Loosen(what=what, value=metres, bare=True, span=p.span(i, end)), end
     if end := longest(p, k, ("even", "equal", "the same")):
         yield r.Loosen(what="even", span=p.span(i, end)), end
     if factor != 1.0:

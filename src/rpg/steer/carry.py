@@ -19,7 +19,7 @@ from rpg.steer.operations.add import add
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
 from rpg.steer.operations.move import move
-from rpg.steer.operations.order import group, reorder, trade
+from rpg.steer.operations.order import group, reorder
 from rpg.steer.operations.parties import new_tower, told_apart
 from rpg.steer.operations.parts import drop_part, part
 from rpg.steer.operations.remove import remove
@@ -29,6 +29,7 @@ from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.starts import begin
 from rpg.steer.operations.symbols import carry_on, equate, other_word
 from rpg.steer.operations.terse import bound, bring, more, pile_up, shift, tint
+from rpg.steer.operations.trading import trade
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.operations.vary import climb, closer, copies, divide, enough, some, turn
 from rpg.steer.parties import NewTower

@@ -274,6 +274,7 @@ def paint(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     if j := longest(p, i, "in | all in | everything in | all of it in"):
         everything = m.Pronoun(word="them", span=p.span(i, j))
         for (listed, either), end in colors(p, j):
+            end = longest(p, end, "letters | blocks | cubes | ones | bricks | digits | color") or end
             traits = m.Traits(colors=listed, either=either)
             yield (r.Restyle(theme=everything, traits=traits, span=p.span(i, end), cost=2), end)
     if j := p.one(i, frozenset({"relabel", "label", "rename"})):

@@ -164,7 +164,7 @@ def _distance(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     start = longest(p, i, "make it | change it to | it should be | make that | change that to | let it be") or i
     for metres, j in length(p, start):
         end = longest(p, j, "instead | apart | away | instead of that") or j
-        yield r.Loosen(what="distance", value=metres, span=p.span(i, end), cost=3), end
+        yield r.Loosen(what="distance", value=metres, bare=True, span=p.span(i, end), cost=3), end
 
 
 def _some(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -307,10 +308,12 @@ def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
     counted = any(text.startswith("the number of ") for text in found.task.assumptions)
     looks = [look(block) for block in found.task.blocks]
     there = [look(block) for block in old.blocks]
+    fewer = Counter(map(repr, looks)) < Counter(map(repr, there))
     made_up = of_all(found.request) and any("not said" in text for text in found.task.assumptions)
-    if made_up or (counted and all(each in there for each in looks) and len(looks) != len(there)):
+    if made_up or fewer or (counted and all(each in there for each in looks) and len(looks) != len(there)):
         message = "this may be about the blocks that are there, or about others"
         hint = "say 'the red blocks', or how many there should be"
+        hint = "say 'move ...' for what is there, or 'new task: ...'" if fewer else hint
         span = (0, len(found.request))
         raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
 

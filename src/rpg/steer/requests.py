@@ -136,12 +136,14 @@ class Reshape(Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Loosen(Request):
-    """Tolerances or gaps change: by a factor, or to a value in metres. `what`: "tolerance", "gap", "even" ..."""
+    """Tolerances or gaps change: by a factor, or to a value in metres. `what`: "tolerance", "gap", "even" ...
+    `bare`: the value is said without a bound, so that it takes the place of the one that there is."""
 
     what: str
     factor: float | None = None
     value: float | None = None
     low: float | None = None
+    bare: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

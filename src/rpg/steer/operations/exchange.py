@@ -56,7 +56,10 @@ def _respell(draft: Draft) -> None:
     """Words and equations read what their cubes show now."""
     traits = Traits(draft.view.world)
     for line in draft.view.lines:
-        if isinstance(line.node, Equation) and line.node.text is not None:
+        node = line.node
+        if not isinstance(node, Equation) or node.text is None:
+            continue
+        if sorted(node.text) != sorted(traits.symbol(name) for name in node.blocks):
             draft.do(SetField(at=line.path, field="text", value=None))
     for path, atom in draft.view.atoms:
         if isinstance(atom, Spells) and sorted(atom.word) != sorted(traits.symbol(n) for n in atom.blocks):

@@ -18,7 +18,7 @@ from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.kinds import convert
-from rpg.steer.operations.lines import arranged, pin
+from rpg.steer.operations.lines import arranged
 from rpg.steer.operations.mirror import mirrored
 from rpg.steer.operations.sort import BY, color_pattern, ranks_by_class, sorted_members
 from rpg.steer.operations.steps import of_steps, turn_steps
@@ -357,31 +357,3 @@ def group(draft: Draft, request: r.Group) -> None:
         if figure.node.by == by and now == wanted:
             return
     _group(draft, members, by, request.span, figure)
-
-
-def trade(draft: Draft, request: r.Trade) -> None:
-    """Two blocks, or two groups of one size, take each other's parts in the goal."""
-    a, b = resolve(draft.view, request.a).names, resolve(draft.view, request.b).names
-    if len(a) != len(b):
-        raise draft.refusal(
-            "edit-unclear",
-            f"{len(a)} blocks cannot change places with {len(b)}",
-            request.span,
-            "name as many blocks on both sides",
-        )
-    looks = draft.view.world.look
-    if any(looks.get(one) != looks.get(other) for one, other in zip(a, b, strict=True)):
-        for name in (*a, *b):
-            pin(draft, (name,), request.span)
-    before = draft.schema.goal
-    permute(draft, {**dict(zip(a, b, strict=True)), **dict(zip(b, a, strict=True))}, request.span)
-    if draft.schema.goal == before:
-        raise draft.refusal(
-            "nothing-to-do",
-            "the goal does not tell these blocks apart",
-            request.span,
-            "swap blocks that the goal has a place for",
-        )
-    draft.aim("MODIFY")
-    draft.note("swap", [list(a), list(b)])
-    draft.look_at((*a, *b))

@@ -202,6 +202,8 @@ def _distance(draft: Draft, path: Path, atom: rel.Distance, request: r.Loosen) -
     if request.low is not None and request.value is None:
         _set(draft, path, "minimum", request.low)
         return _set(draft, path, "maximum", None)
+    if request.bare and atom.maximum is None and request.value is not None:
+        return _set(draft, path, "minimum", request.value)
     if request.value is not None:
         low, high = request.low, request.value
         if low is None and atom.minimum is not None and atom.maximum is not None:

@@ -1,0 +1,62 @@
+"""Two blocks, or two groups of one size, change places in the goal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rpg.core.diagnostics import Span
+from rpg.ir.structures import Equation, Row, Spells, Stack
+from rpg.steer import requests as r
+from rpg.steer.draft import Draft
+from rpg.steer.operations.lines import pin
+from rpg.steer.operations.order import permute, put_in_order
+from rpg.steer.refer import resolve
+from rpg.steer.view import Line
+
+
+def _trade_symbols(draft: Draft, line: Line, a: Sequence[str], b: Sequence[str], span: Span) -> None:
+    """Cubes of a word change places, which makes it another word; an equation is given as a whole."""
+    if not isinstance(line.node, Spells) or not line.ordered or line.node.reverse:
+        told, hint = "this changes what the cubes have to show", "say what they show: 'change it to 3 + 2 = 5'"
+        raise draft.refusal("breaks-structure", told, span, hint)
+    new = {**dict(zip(a, b, strict=True)), **dict(zip(b, a, strict=True))}
+    draft.aim("MODIFY")
+    put_in_order(draft, line, [new.get(name, name) for name in line.members], span)
+    draft.note("swap", [list(a), list(b)])
+    draft.look_at((*a, *b))
+
+
+def trade(draft: Draft, request: r.Trade) -> None:
+    """Two blocks, or two groups of one size, take each other's parts in the goal."""
+    a, b = resolve(draft.view, request.a).names, resolve(draft.view, request.b).names
+    if len(a) != len(b):
+        raise draft.refusal(
+            "edit-unclear",
+            f"{len(a)} blocks cannot change places with {len(b)}",
+            request.span,
+            "name as many blocks on both sides",
+        )
+    looks = draft.view.world.look
+    if any(looks.get(one) != looks.get(other) for one, other in zip(a, b, strict=True)):
+        for name in (*a, *b):
+            pin(draft, (name,), request.span)
+    line = draft.view.line_of((*a, *b))
+    if line is not None and isinstance(line.node, Spells | Equation):
+        _trade_symbols(draft, line, a, b, request.span)
+        return
+    free = isinstance(line.node, Stack | Row) and line.node.order.by == "any" if line is not None else False
+    if line is not None and free and not line.ordered:
+        told, hint = "the order of these blocks is free, so that they have no places to change", "give the order first"
+        raise draft.refusal("nothing-to-do", told, request.span, hint)
+    before = draft.schema.goal
+    permute(draft, {**dict(zip(a, b, strict=True)), **dict(zip(b, a, strict=True))}, request.span)
+    if draft.schema.goal == before:
+        raise draft.refusal(
+            "nothing-to-do",
+            "the goal does not tell these blocks apart",
+            request.span,
+            "swap blocks that the goal has a place for",
+        )
+    draft.aim("MODIFY")
+    draft.note("swap", [list(a), list(b)])
+    draft.look_at((*a, *b))

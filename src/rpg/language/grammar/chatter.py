@@ -23,15 +23,15 @@ _OPEN = (
     "what_color|what_color_it_is|what_color_they_are|which_color|which_colors|which_color_it_is|which_colors_they_have"
 )
 _FREE = (
-    "up_to_you|irrelevant|unimportant|not_important|of_no_importance|your_choice|your_decision|free|left_to_you|"
-    "left_open|all_the_same_to_me|all_the_same|not_relevant|arbitrary|open|for_you_to_decide|for_you_to_choose"
+    "up_to_you|irrelevant|unimportant|not_important|of_no_importance|your_choice|your_decision|left_to_you|"
+    "all_the_same_to_me|all_the_same|not_relevant|arbitrary|for_you_to_decide|for_you_to_choose"
 )
 CHATTER = Patterns(
     "i|we|my_boss|my_teacher|they do|does|really not really|particularly|much|actually? care|mind|worry|bother "
     f"about|at_all|much? {_OPEN}?",
     f"it|that does not really|actually? matter|make_a_difference|make_any_difference at_all|to_me|here? {_OPEN}?",
     f"it|that is|remains|stays really|entirely|completely|totally|quite? {_FREE} {_OPEN}?",
-    f"{_OPEN} is|are|remains|stays entirely|completely|totally|really|quite? {_FREE}",
+    f"{_OPEN} is|are|remains|stays entirely|completely|totally|really|quite? {_FREE}|free|open|left_open",
     f"{_OPEN} do|does not really|actually? matter at_all|to_me|here?",
     f"you can|may|are_free_to choose|pick|decide|select|decide_on yourself|freely? {_OPEN} yourself|freely?",
     f"i|we have|'ve|got|brought a|an|another|one|this|some|your? new|little|small|simple|quick|easy|nice|special? "

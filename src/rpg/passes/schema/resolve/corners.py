@@ -25,13 +25,18 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     if len(names) == len(CORNERS):
         things = [scene.things[n] for n in names]
         if all(t.color is None and t.label is None and t.kind is None for t in things):
+            if any(thing.scheme not in (None, "same") for thing in things):
+                return [_some_in(names, where, span) for where in CORNERS]
             for thing in things:
-                thing.scheme = thing.scheme or "same"
+                thing.scheme = "same"
         elif not alike(things):
             return [_some_in(names, where, span) for where in CORNERS]
         lots: list[tuple[str, ...]] = [(n,) for n in names]
     elif indefinite(theme):
         lots = one_lot_each(theme, len(CORNERS), scene)
+        for thing in (scene.things[n] for lot in lots for n in lot):
+            if thing.color is None and thing.label is None and thing.kind is None:
+                thing.scheme = thing.scheme or "same"
     else:
         raise refuse("count-mismatch", f"{len(names)} blocks cannot be in each of four corners", span,
                      "name four blocks, or say 'a red block in each corner'")  # fmt: skip

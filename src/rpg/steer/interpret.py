@@ -141,7 +141,7 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
     if _BESIDES.match(request) and not all(
         part in conjuncts(draft.schema.goal) for part in conjuncts(past.schema.goal)
     ):
-        told, hint = "this cannot be besides what the task asks for already", "leave out 'also' to change it"
+        told, hint = "this cannot be besides what the task asks for already", "leave out 'also' or 'and' to change it"
         raise draft.refusal("edit-unclear", told, (0, len(request)), hint)
     return finish(request, draft, past)
 
@@ -153,8 +153,11 @@ _INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
 
 
 _BESIDES = re.compile(
-    r"^\W*(?:also|in addition|additionally|furthermore|moreover)\b\W*(?:put|place|stack|set|lay|add)\b", re.IGNORECASE
+    r"^\W*(?:(?:also|in addition|additionally|furthermore|moreover)\b\W*(?:put|place|stack|set|lay|add)"
+    r"|and\s+(?:the\s+)?\w+(?:\s+(?:block|cube|one))?\s+(?:to|on|in|at|behind|next|left|right))\b",
+    re.IGNORECASE,
 )
+"""Words that only add: "also put ...", "and red to the left"."""
 
 
 def _staged(draft: Draft, before: g.Goal) -> None:

@@ -171,9 +171,8 @@ def _measured(request: r.Loosen) -> bool:
 
 
 def _row(draft: Draft, path: Path, atom: Row, request: r.Loosen) -> bool:
-    field = (
-        "spacing" if request.what == "spacing" and (request.value is not None or atom.spacing is not None) else "gap"
-    )
+    centers = atom.spacing is not None and (request.what == "spacing" or (request.what == "distance" and request.bare))
+    field = "spacing" if centers or (request.what == "spacing" and request.value is not None) else "gap"
     other = "gap" if field == "spacing" else "spacing"
     if request.low is not None and request.value is None:
         told, hint = "a row has gaps of one size, or up to one", "say how wide: with gaps of 4 cm"

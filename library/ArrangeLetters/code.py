@@ -6,7 +6,7 @@ from rpg.env import BlockTask, Order, SemanticCube, Verdict
 class ArrangeLetters(BlockTask):
     """Five letter blocks (A, B, C, D, E).
 
-    Goal: The blocks A, B, C, D and E must be in a row from left to right in alphabetical order.
+    Goal: The blocks A to E must be in a row from left to right in alphabetical order.
     Success: letters_in_row_alphabetically; every block released, supported and at rest.
     """
 

@@ -79,7 +79,8 @@ def of_each_color(p: Parser, i: int) -> Results[Clause]:
         by = OrderBy(by="attribute", span=span)
         word = p.span(i, i + 1)
         said = Clause(verb=verb, lemma=verb, theme=blocks, adjuncts=(by,), mode="goal", span=span, word=word, cost=cost)
-        yield said, j
+        if not p.seq(j, ", each"):  # that is said of the stacks or groups, of which this names none
+            yield said, j
         for found, k in loc(p, j) if verb == "stack" or p.words[j : j + 1] == ["on"] else ():
             mark = found.landmark if isinstance(found, Loc) else None
             if isinstance(mark, Noun) and mark.head == "patch" and isinstance(found, Loc) and mark.traits.matching:

@@ -45,6 +45,7 @@ library: setup ## build the reference tasks of library/ anew
 
 bench: setup ## measure speed, each figure beside its floor
 	$(BIN)/python benchmarks/bench.py
+	$(BIN)/python -m benchmarks.corpus
 	$(BIN)/python benchmarks/batches.py
 
 bench-memory: setup ## compile 10,000 instructions in one process and watch its memory

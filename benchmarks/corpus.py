@@ -10,8 +10,9 @@ import sys
 from functools import partial
 
 from benchmarks.bench import alternately, mandated
-from rpg.pipeline import CompileOptions, compile_instruction
 from tests.corpus.entries import SPLITS, load
+
+from rpg.pipeline import CompileOptions, compile_instruction
 
 BUDGET = 2.0
 """Times of MuJoCo's share that the warm compile of a sentence may take, without its paraphrases."""

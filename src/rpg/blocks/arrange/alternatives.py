@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, islice
 from typing import NamedTuple
 
+from rpg.blocks.predicates.region import CORNERS
 from rpg.blocks.state import Look, World
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, members
@@ -35,6 +36,12 @@ class Literal(NamedTuple):
     atom: g.Atom
     holds: bool = True
     hint: g.Atom | None = None
+
+
+class _At(NamedTuple):
+    block: str
+    place: str
+    holds: bool
 
 
 MOST_CHOICES = 2000
@@ -115,13 +122,33 @@ def _parts(atom: g.Atom) -> Iterator[g.Atom]:
             return
 
 
-def _all(goals: tuple[g.Goal, ...], world: World, wanted: bool) -> Iterator[Conjunction]:
+def _all(
+    goals: tuple[g.Goal, ...], world: World, wanted: bool, before: frozenset[_At] = frozenset()
+) -> Iterator[Conjunction]:
     if not goals:
         yield ()
         return
     for first in alternatives(goals[0], world, wanted):
-        for rest in _all(goals[1:], world, wanted):
-            yield first + rest
+        there = before.union(*map(_at, first))
+        if len(there) == len(before) or _possible(there):
+            for rest in _all(goals[1:], world, wanted, there):
+                yield first + rest
+
+
+def _at(literal: Literal) -> Iterator[_At]:
+    """Where single blocks are or are not, as far as one place rules the other ones out: patches, corners."""
+    atom = literal.atom
+    if not isinstance(atom, OnPatch | InRegion) or isinstance(atom.a, Lowest | Highest):
+        return
+    exclusive = isinstance(atom, OnPatch) or atom.region in CORNERS
+    if exclusive and (literal.holds or len(atom.a) == 1):
+        yield from (_At(name, _place(atom), literal.holds) for name in atom.a)
+
+
+def _possible(there: Iterable[_At]) -> bool:
+    """Is no block at two places, or where it must not be?"""
+    found = {at.block: at.place for at in there if at.holds}
+    return all((found.get(at.block) == at.place) == at.holds for at in there)
 
 
 def _any(goals: tuple[g.Goal, ...], world: World, wanted: bool) -> Iterator[Conjunction]:

@@ -146,7 +146,17 @@ class Search:
         """Arrangements that meet all rules, as they are found."""
         if not all(rule.blocks or rule.open_ended or rule.slack(self.state) is not None for rule in self.rules):
             return
-        yield from self._descend(self.assembly.pieces())
+        if all(self._sound(piece) for piece in self.assembly.pieces()):
+            yield from self._descend(self.assembly.pieces())
+
+    def _sound(self, piece: Piece) -> bool:
+        """Do the conditions within a piece hold, which is so wherever it stands?"""
+        within = [r for r in self.touching[id(piece)] if not r.per_place and (r.holds or not r.open_ended)]
+        self._write(piece, (0.0, 0.0))
+        sound = all((rule.slack(self.state) or 0.0) > LEAST_MARGIN for rule in within)
+        for name in piece.position:
+            del self.position[name]
+        return sound
 
     def _descend(self, waiting: list[Piece]) -> Iterator[BlockState]:
         if not waiting:
@@ -187,7 +197,7 @@ class Search:
         return all(
             (rule.slack(self.state) or 0.0) > LEAST_MARGIN
             for rule in self.rules
-            if (rule.open_ended or not rule.per_place) and all(n in self.position for n in rule.blocks)
+            if rule.open_ended and all(n in self.position for n in rule.blocks)
         )
 
     def _ranked(self, piece: Piece) -> list[Origin]:

@@ -68,13 +68,18 @@ def row(node: s.Row, say: Speaker) -> str:
     order = along(node.order, say)
     space = " without gaps" if node.touching else ""
     space += f" with {cm(node.spacing)} between centers" if node.spacing is not None else ""
-    space += f" with gaps of {cm(node.gap)}" if node.gap is not None else ""
+    space += f" with gaps of {_gap(node.gap, node.tolerance)}" if node.gap is not None else ""
     space += ", evenly spaced" if node.evenly else ""
     if node.readable and node.order.by == "given" and node.order.first:
         read = say.do(node.blocks, "read", "reads")
         return f"{say.the(node.blocks)} {read} {said_in_turn(node.order, say)}{from_to(node.order.first)}{space}"
     blocks = say.ordered(node.blocks, node.order.ranks)
     return f"{blocks} {say.be(node.blocks)} {near}{kind}{order}{space}"
+
+
+def _gap(gap: float, tolerance: float) -> str:
+    """A gap; one that may be nothing as the most that it may be."""
+    return f"at most {cm(gap + tolerance)}" if tolerance >= gap else cm(gap)
 
 
 def _halfway(node: s.Row, say: Speaker) -> str | None:

@@ -130,7 +130,7 @@ def spacing(node: Row, sequence: Sequence[str], state: BlockState) -> float:
     if node.touching:
         margins += [1.0 - gap / TOUCH for gap in gaps]
     if node.gap is not None:
-        margins += [slack(abs(gap - node.gap), node.tolerance) for gap in gaps]
+        margins += [slack(abs(max(gap, 0.0) - node.gap), node.tolerance) for gap in gaps]
     if node.spacing is not None:
         position = state.position
         steps = [math.dist(position[a][:2], position[b][:2]) for a, b in pairs]

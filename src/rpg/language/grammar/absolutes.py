@@ -31,7 +31,8 @@ _LEADS = (
     "topped with", "that has", "which has", "and has", "that have", "which have",
 )  # fmt: skip
 _PART_LEADS = (
-    "in which", "of which", "so that", "such that", "except that", "except", "but", "but where", "but whose", "only",
+    "in which", "of which", "so that", "such that", "except that", "except", "except for", "apart from",
+    "save for", "but", "but where", "but whose", "only",
     "and where", "and whose", "with just", "with only", "and", "that has", "which has", "that have", "and has",
 )  # fmt: skip
 """What only a statement about a part of the structure follows, beside the others."""

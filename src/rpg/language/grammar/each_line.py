@@ -8,7 +8,7 @@ from rpg.language.grammar.adjectives import color
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.sides import OPPOSITE, SIDES, toward
 from rpg.language.grammar.wishes import Patterns
-from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Places, Toward, Traits
+from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Places, Toward, Traits
 
 _UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer"}
 _WHERE = "with|where|and|so_that|such_that|having|in_which|whose|while?"
@@ -26,6 +26,7 @@ def _openings(unit: str) -> Patterns:
         f"{_WHERE} the|its {unit}s are|being|should_be|must_be|in_the_colors|colored|in|colored_in|have_the_colors",
         f"{_WHERE} the|its? {unit}s :",
         f"color|paint the|its|all {unit}s",
+        f"the|its|all? {unit}s",
         f"with|whose the|its? {unit}s are|being|colored|in?",
     )
 
@@ -54,9 +55,17 @@ def each_line(p: Parser, i: int) -> Results[Meaning]:
     start = p.opt(i, ",", ":")
     if not p.anywhere(_MARKED):
         return
+    for way, j in toward(p, start):
+        if isinstance(way, Toward) and way.first is not None and (are := p.any_of(p.opt(j, ","), _THE_LINES)):
+            unit = next(u for w, u in _UNITS.items() if f"{w}s" in p.words[j:are])
+            told, end = _told(p, p.opt(are, ":"), unit)
+            yield from _whole(p, i, end, told, unit, way.first)
     for word, unit in _UNITS.items():
         for k in _OPENINGS[word].matches(p, start):
-            led = p.words[start] in ("with", "whose") and p.words[k - 1] == f"{word}s"
+            bare = p.words[k - 1] == f"{word}s"
+            led = p.words[start] in ("with", "whose") and bare
+            if bare and p.words[start] not in ("with", "whose", "color", "paint") and not p.one(i, _SET_OFF):
+                continue
             closed = p.words[k - 1] in (":", "are", "being", "in", "colored") or p.any_of(k, _COLON)
             if led or p.one(i, ",") or closed:
                 yield from _colors(p, i, k if p.words[k - 1] == ":" else p.any_of(k, (":", ",", "-")) or k, unit)
@@ -71,6 +80,10 @@ def _colors(p: Parser, i: int, start: int, unit: str) -> Results[Meaning]:
         if isinstance(way, Toward) and way.first is not None:
             told, end = _told(p, p.opt(j, ":", ","), unit)
             yield from _whole(p, i, end, told, unit, way.first)
+    if (begun := p.any_of(start, _BEGUN)) and (side := _ITEM_SIDES.get(p.words[begun])) and unit != "layer":
+        k = p.opt(p.opt(p.reach(begun + 1), unit, "side", "end", "one"), ":", ",", "with")
+        told, end = _told(p, k, unit)
+        yield from _whole(p, i, end, told, unit, side)
     told, end = _told(p, p.opt(start, "from"), unit)
     yield from _whole(p, i, end, told, unit, None)
     for way, j in toward(p, p.opt(end, ",")) if told else ():
@@ -78,21 +91,34 @@ def _colors(p: Parser, i: int, start: int, unit: str) -> Results[Meaning]:
             yield from _whole(p, i, j, told, unit, way.first)
 
 
-Told = tuple[tuple[str, str, tuple[int, int]], ...]
+_BEGUN = ("from the", "starting from the", "starting at the", "starting with the", "beginning with the",
+          "beginning at the", "starting in the", "counted from the", "beginning from the")  # fmt: skip
+_SET_OFF = frozenset({",", ":", "-"})
+_THE_LINES = tuple(
+    f"{the}{unit}s {are}"
+    for the in ("the ", "its ", "")
+    for unit in _UNITS
+    for are in ("are", "should be", "must be", "are colored", "have the colors", ":", "being", "shall be")
+)
+Told = tuple[tuple[Noun, str, tuple[int, int]], ...]
 """Colours, each with the side where it is said to be, or with none."""
 
 
 def _told(p: Parser, i: int, unit: str) -> tuple[Told, int]:
     """ "red, white, blue", "red far, white middle, blue near", "red in the far one, then white": all of them."""
-    found: list[tuple[str, str, tuple[int, int]]] = []
+    found: list[tuple[Noun, str, tuple[int, int]]] = []
     at = end = i
     while len(found) < 12:
-        named = next(iter(color(p, at)), None)
+        many = p.number(at)
+        named = next(iter(color(p, p.opt(at, "all", "only") if many is None else at + 1)), None)
         if named is None:
             break
         k = p.opt(named[1], "again")
+        k = p.opt(k, "blocks", "cubes", "bricks", "ones") if many else k
         side, end = _side(p, k, unit)
-        found.append((named[0], side, p.span(at, end)))
+        amount = Amount(many, many) if many else None
+        look = Noun(head="any", amount=amount, traits=Traits(colors=(named[0],)), span=p.span(at, end))
+        found.append((look, side, p.span(at, end)))
         comma = p.opt(end, ",")
         at = p.any_of(comma, _NEXT) or comma
     return tuple(found), end
@@ -125,8 +151,7 @@ def _whole(p: Parser, i: int, j: int, told: Told, unit: str, first: str | None) 
             for n, (_, _, span) in zip(numbers, told, strict=True)
         ]
     parts = tuple(
-        Absolute(theme=Noun(head="any", traits=Traits(colors=(named,)), span=span), adjuncts=(place,), span=span)
-        for place, (named, _, span) in zip(places, told, strict=True)
+        Absolute(theme=look, adjuncts=(place,), span=span) for place, (look, _, span) in zip(places, told, strict=True)
     )
     yield Coord(op="absolutes", items=parts, span=p.span(i, j)), j
 

@@ -104,8 +104,8 @@ def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "a tower of red on green on blue"."""
     from rpg.language.grammar.onto import one_on_another
 
-    lead = p.any_of(k, ("of", ",", ":", "with", "in which", "where", "made of", ", with", "that is", "that has",
-                        "which has", "having"))  # fmt: skip
+    lead = p.any_of(k, (",", ":", "in which", "where", ", with", "that is", "that has", "which has", "having"))
+    lead = lead or p.any_of(k, _OF)
     lead = lead or (k if base.det in ("the", "a") and k < p.end and p.words[k] in lexicon.COLOR else 0)
     if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
         return
@@ -188,10 +188,14 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     for blocks, k in apposed_blocks(p, j) if plain else ():
         yield replace(base, members=blocks, span=p.span(i, k)), k
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
-    if plain and (comma > j or base.kind == "checkerboard"):
-        for (named, either), k in colors(p, p.any_of(comma, _ALL_IN) or comma):
+    flat = base.kind in _FLAT
+    every = p.any_of(j, _ALL_ARE) if flat else 0
+    if plain and (comma > j or every or base.kind == "checkerboard"):
+        for (named, either), k in colors(p, every or p.any_of(comma, _ALL_IN) or comma):
             k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 else k
-            if not either and (len(named) == 1 or base.kind == "checkerboard") and (k >= p.end or p.words[k] == ","):
+            k = p.opt(k, "everywhere") if flat else k
+            closed = k >= p.end or p.words[k] == "," or (flat and p.words[k] in _CLOSED)
+            if not either and (len(named) == 1 or base.kind == "checkerboard") and closed:
                 painted = replace(base.traits, colors=named)
                 cost = base.cost + (0 if p.words[comma] == "all" else 1)
                 yield replace(base, traits=painted, span=p.span(i, k), cost=cost), k
@@ -209,7 +213,18 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 
 
 _FLAT = ("grid", "square", "rectangle", "wall", "pyramid", "circle", "plus", "staircase", "cube")
-_CLOSED = frozenset({",", "with", "except", "but", "where", ":"})
+_CLOSED = frozenset({",", "with", "except", "but", "where", ":", "apart", "save"})
+_ALL_ARE = (
+    *(
+        f"{lead}{every}"
+        for lead in (", where ", "where ", "in which ", ", in which ", "with ", ", with ")
+        for every in ("all blocks are", "all the blocks are", "all cubes are", "all the cubes are", "every block is",
+                      "every cube is", "everything is", "each block is", "all blocks being", "all blocks", "all cubes",
+                      "all of the blocks are", "all the blocks")
+    ),
+    ": all", ": all in", ": everything", ": all blocks", ": all cubes",
+)  # fmt: skip
+"""What says of all blocks of a figure which colour they have."""
 _ALL_IN = ("all in", "all", "in", "all blocks", "all cubes", "all of them", "all of it", "every block",
            "all the blocks", "all blocks in", "all are", "everything")  # fmt: skip
 

@@ -11,9 +11,10 @@ from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import literal
+from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.sizes import dimensions
-from rpg.language.meaning import Absolute, Amount, At, Meaning, Noun, Places, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
 
 _SIDES = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
@@ -107,7 +108,7 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
         yield Places(side="rest", unit="block", span=p.span(i, k)), k
     j, each, owned = p.opt(i, "only", "just"), False, False
     while k := p.one(j, _OWN):
-        each = each or p.words[j] in ("each", "every", "either", "both")
+        each = each or p.words[j] in ("each", "every", "either")
         owned, j = True, k
     if k := p.any_of(j, ("of the", "of its")):
         j = k
@@ -222,12 +223,36 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
         j = p.any_of(j, _OF_IT) or j
         if isinstance(place, At) and p.words[j : j + 1] == ["one"]:  # "the top one red" is no top of one red block
             continue
+        lines = list(_cells(p, i, j, place))
+        yield from lines
         for theme, k in _looks(p, p.any_of(j, (", which is", "which is")) or p.any_of(j, IS) or j):
-            yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
+            if all(k != end for _, end in lines):
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
         for word, k in _word(p, j) if isinstance(place, Places) else ():
             yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k
     yield from _coloured(p, i)
     yield from _put(p, i, unit)
+    yield from _place_first(p, i, unit)
+
+
+@choice
+def _place_first(p: Parser, i: int, unit: str) -> Results[Absolute]:
+    """ "at both ends a red block", "in the far row blue", "on both sides of it a white one"."""
+    if (end := p.any_of(i, _EACH_SIDE)) and p.anywhere(_LINES):
+        both = Places(side="beside", unit="block", each=True, span=p.span(i, end))
+        for theme, k in _looks(p, p.any_of(end, IS) or p.opt(end, ",", "there")):
+            yield Absolute(theme=theme, adjuncts=(both,), span=p.span(i, k)), k
+    lead = p.any_of(i, ("at", "in", "on", "for"))
+    for place, j in part(p, lead, unit) if lead else ():
+        if isinstance(place, Places) and place.side != "rest":
+            lines = list(_cells(p, i, j, place))
+            yield from lines
+            for theme, k in _looks(p, p.any_of(j, _THERE_IS) or j):
+                if all(k != end for _, end in lines):
+                    yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
+
+
+_THERE_IS = ("there is", "there are", "comes", "come", "is", "are", "goes", "go", "stands", "stand", ":")
 
 
 def _word(p: Parser, j: int) -> Results[Structure]:
@@ -243,6 +268,22 @@ def _looks(p: Parser, j: int) -> Results[Noun]:
     for theme, k in simple(p, j):
         if isinstance(theme, Noun) and _plain(theme) and not (theme.plural and theme.det == "the"):
             yield theme, k
+
+
+def _cells(p: Parser, i: int, j: int, place: Meaning) -> Results[Absolute]:
+    """ "(the far row:) red, white, red": the blocks of a row one by one."""
+    if not isinstance(place, Places) or place.unit not in ("row", "layer") or place.several is not None:
+        return
+    for items, k in listed(p, p.any_of(j, IS) or j):
+        if all(map(_single, items)) and (len(items) > 2 or "and" not in p.words[j:k]):
+            line = Coord(op="then", items=items, span=p.span(j, k))
+            yield Absolute(theme=line, adjuncts=(place,), span=p.span(i, k)), k
+
+
+def _single(theme: Meaning) -> bool:
+    """One block, told by its look and without an article."""
+    one = isinstance(theme, Noun) and theme.det == "bare" and theme.amount is None and not theme.plural
+    return one and _plain(theme) and len(theme.traits.colors + theme.traits.labels) == 1  # type: ignore[attr-defined]
 
 
 def _plain(theme: Meaning) -> bool:
@@ -280,6 +321,9 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
         if end := p.any_of(k, _BETWEEN):
             rest = Places(side="rest", unit="block", span=p.span(k, end))
             yield Absolute(theme=theme, adjuncts=(rest,), span=p.span(i, end)), end
+        if (end := p.any_of(k, _EACH_SIDE)) and p.anywhere(_LINES):
+            both = Places(side="beside", unit="block", each=True, span=p.span(k, end))
+            yield Absolute(theme=theme, adjuncts=(both,), span=p.span(i, end)), end
         yield from _as_base(p, i, theme, k) if isinstance(theme, Noun) else ()
         if lead := p.any_of(k, _LEADS):
             for place, end in part(p, lead, unit):
@@ -288,6 +332,22 @@ def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
                 own = p.words[lead] in ("its", "each", "every", "either") or getattr(place, "index", None) is not None
                 if (isinstance(place, Places) or own) and not on_block:
                     yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
+_SIDES_OF_IT = tuple(
+    f"{on}{of}"
+    for on in ("on each side", "on both sides", "on either side", "left and right", "to the left and right",
+               "to the left and to the right", "on the left and right", "on the left and the right",
+               "on its left and right", "at each side", "at both sides")
+    for of in (" of it", " of that", " of this", " of them", "")
+)  # fmt: skip
+_EACH_SIDE = (
+    *_SIDES_OF_IT,
+    *(f"{by} {on}" for by in ("next to it", "beside it", "beside that", "next to that")
+      for on in ("on each side", "on both sides", "on either side", "left and right")),
+)  # fmt: skip
+"""Places of a line on both sides of what was told before."""
+_LINES = frozenset({"row", "line", "column"})
 
 
 def _as_base(p: Parser, i: int, theme: Noun, k: int) -> Results[Absolute]:

@@ -89,10 +89,11 @@ def _before(p: Parser, i: int) -> Results[_Before]:
 
 def _join(a: _Before, b: _Before) -> _Before | None:
     marks = merge(a.marks, b.marks)
-    if marks is None or (a.sizes and b.sizes) or (a.dims and b.dims):
+    whats = [size.what for size in (*a.sizes, *b.sizes)]
+    if marks is None or (a.sizes and b.sizes and set(whats) != {"rows", "columns"}) or (a.dims and b.dims):
         return None
     return _Before(
-        marks, a.sizes or b.sizes, a.dims or b.dims,
+        marks, (*a.sizes, *b.sizes), a.dims or b.dims,
         a.upright if a.upright is not None else b.upright,
         a.filled if a.filled is not None else b.filled, a.operator or b.operator,
         a.parallel or b.parallel, (*a.details, *b.details),
@@ -105,6 +106,7 @@ _BEFORE_UNITS = {
     "block": "size", "blocks": "size", "cube": "size", "cubes": "size", "level": "layers", "layer": "layers",
     "step": "steps", "story": "layers",
     "tier": "layers", "letter": "size", "stepped": "steps", "tiered": "layers", "layered": "layers", "digit": "size",
+    "row": "rows", "rows": "rows", "column": "columns", "columns": "columns",
     "block wide": "wide",
     "blocks wide": "wide", "brick": "size", "item": "size", "wide": "wide",
 }  # fmt: skip

@@ -162,7 +162,7 @@ def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "red pile right", "purple block: far left corner": a part of the table ends the note."""
     for theme, j in noun_phrase(p, i):
         bare = isinstance(theme, Noun) and theme.head == "any" and not (theme.traits.colors or theme.traits.labels)
-        if bare or not isinstance(theme, Noun | Structure | Coord):
+        if bare or not isinstance(theme, Noun | Structure | Coord) or getattr(theme, "op", "and") == "except":
             continue
         for region, k in named(p, p.opt(j, ":", ",")):
             if k >= p.end or p.words[k] in (",", ";", "and"):

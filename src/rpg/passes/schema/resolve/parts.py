@@ -159,7 +159,7 @@ def counted(theme: Meaning, groups: Groups, place: At | Places) -> Meaning:
     each = getattr(place, "each", False) or getattr(place, "side", "") in ("ends", "outer", "corners")
     if theme.det == "a" or (amount == 1 and each):
         amount = len(groups) if each else 1
-    elif amount is not None and each and amount != places:
+    elif amount is not None and each and (amount != places or getattr(place, "each", False)):
         amount *= len(groups)
     if amount is not None and amount != places:
         raise refuse(
@@ -203,7 +203,7 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
             continue
         if not groups:
             raise refuse("misplaced", "the structure has no such part", place.span, "name one of its rows or layers")
-        found.append((item, place, groups))
+        found += [(item, place, groups)] if not in_turn(item) else _cell_by_cell(item, place, groups)
     _which_way(found, node)
     for item, place in rest:
         taken = {k for _, _, groups in found for group in groups for k in group}
@@ -216,12 +216,28 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
     return found
 
 
+def in_turn(item: Absolute) -> bool:
+    """ "far row: red, white, red": its blocks one by one."""
+    return isinstance(item.theme, Coord) and item.theme.op == "then" and place_of(item) is not None
+
+
+def _cell_by_cell(item: Absolute, place: At | Places, groups: Groups) -> list[Claim]:
+    """Each block of a row at its place, from left to right."""
+    items = item.theme.items if isinstance(item.theme, Coord) else ()
+    if len(groups) != 1 or getattr(place, "unit", "") not in ("row", "layer"):
+        raise refuse("ambiguous", "it is not clear which block is where in this part", item.span, "tell it by rows")
+    if len(groups[0]) != len(items):
+        raise refuse("count-mismatch", f"this part has {len(groups[0])} places, but {len(items)} blocks are named",
+                     item.span, f"name {len(groups[0])}", places=len(groups[0]), named=len(items))  # fmt: skip
+    return [(replace(item, theme=one), place, [[k]]) for one, k in zip(items, groups[0], strict=True)]
+
+
 def _which_way(found: list[Claim], node: s.Cells) -> None:
     """ "a 3x2 grid, the top row red and the bottom row blue" could have two rows as well as three."""
     if not isinstance(node, s.Grid) or node.rows == node.columns or node.layers > 1 or node.rows == 1:
         return
     for unit, there, other in (("row", node.rows, node.columns), ("column", node.columns, node.rows)):
-        said = sum(len(groups) for _, place, groups in found if getattr(place, "unit", "") == unit)
+        said = sum({id(p): len(groups) for _, p, groups in found if getattr(p, "unit", "") == unit}.values())
         if said == other != there:
             place = found[0][1]
             raise refuse("ambiguous", f"it is not clear whether there are {there} {unit}s or {other}", place.span,
@@ -264,8 +280,10 @@ def parted(spec: Spec, node: s.Cells, names: tuple[str, ...], scene: Scene, scop
     if not found:
         return None
     held: dict[int, str] = {}
+    spec.absolutes = [item for item in spec.absolutes if not in_turn(item)]
     for item, place, groups in found:
-        spec.absolutes.remove(item)
+        if item in spec.absolutes:
+            spec.absolutes.remove(item)
         if not _told(item.theme):
             counted(item.theme, groups, place)
             kind = getattr(getattr(item.theme, "traits", None), "kind", None)

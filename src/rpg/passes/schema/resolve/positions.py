@@ -8,6 +8,7 @@ from itertools import combinations
 
 from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Size, Structure
+from rpg.passes.schema.resolve.mirrored import mirrored
 from rpg.passes.schema.resolve.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.spec import Spec
@@ -215,6 +216,8 @@ def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ..
 def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[Structure, Ref | None]:
     """ "three red blocks in a row with a white one at each end": further blocks in the line."""
     source = shape.members
+    if theme is None and mirrored(shape, spec):
+        return replace(shape, members=None, sizes=()), None
     if (told := _told_through(shape, spec, theme)) is not None:
         return told, theme
     counted_ = theme is not None or amount_of(source) is not None
@@ -266,7 +269,11 @@ def _ends_and_rest(spec: Spec, places: list[At | Places | None]) -> int | None:
     if len(sides) - len(ends) != 1 or not (ends in (["ends"], ["outer"]) or set(ends) in _BOTH) or None in counts:
         return None
     total = sum(n or 0 for n in counts)
-    return total + 1 if len(ends) == 1 and counts[sides.index(ends[0])] == 1 else total
+    if len(ends) > 1:
+        return total
+    at = sides.index(ends[0])
+    each = counts[at] == 1 or getattr(places[at], "each", False)
+    return total + (counts[at] or 0) if each else total
 
 
 _BOTH = ({"left", "right"}, {"top", "bottom"}, {"front", "back"})

@@ -30,16 +30,19 @@ def words_in_rows(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
     parts = [part for _, _, found in told for part in found]
     sides = [place.side for part in parts for place in part.adjuncts if isinstance(place, Places)]
     first = next(((n, k) for n, k, found in told if found), None)
+    last = max(((n, k) for n, k, found in told if found), default=(0, 0))
     if first is None or len(parts) < 2 or len(set(sides)) < len(sides) or _in_time(links, chains):
         return links, chains
-    if any(_hosts(c, len(parts)) for chain in chains for c in chain.clauses):
+    hosts = [(n, k) for n, chain in enumerate(chains) for k, c in enumerate(chain.clauses) if _hosts(c, len(parts))]
+    host = hosts[0] if hosts else first
+    if len(hosts) > 1 or (hosts and (host < last or not _bare_grid(chains[host[0]].clauses[host[1]]))):
         return links, chains
     out = []
     for n, chain in enumerate(chains):
         kept = [
-            (link, _rows(parts) if (n, k) == first else c)
+            (link, _rows(parts, c if hosts else None) if (n, k) == host else c)
             for k, (link, c) in enumerate(zip(chain.links, chain.clauses, strict=True))
-            if (n, k) == first or not (_told(c) or _announced(c, len(parts)))
+            if (n, k) == host or not (_told(c) or _announced(c, len(parts)))
         ]
         if kept:
             whole = replace(chain, links=tuple(link for link, _ in kept), clauses=tuple(c for _, c in kept))
@@ -51,11 +54,33 @@ def _in_time(links: list[str], chains: tuple[Chain, ...]) -> bool:
     return any(link != "and" for link in (*links, *(link for chain in chains for link in chain.links[1:])))
 
 
-def _rows(parts: list[Absolute]) -> Clause:
+def _bare_grid(clause: Meaning) -> bool:
+    """ "..., together a 2x3 grid": told behind its rows, and nothing else said of it."""
+    if not isinstance(clause, Clause) or any(getattr(a, "rel", "") != "together" for a in clause.adjuncts):
+        return False
+    shape = clause.theme if clause.verb == "build" else None
+    plain = isinstance(shape, Structure) and shape.kind in ("grid", "square") and shape.members is None
+    return plain and isinstance(shape, Structure) and shape.traits == Traits() and not shape.details
+
+
+def _rows(parts: list[Absolute], host: Meaning | None = None) -> Clause:
     span = (parts[0].span[0], parts[-1].span[1])
+    if isinstance(host, Clause):
+        return replace(host, adjuncts=(Coord(op="absolutes", items=tuple(parts), span=span),))
+    parts = [_listed(part) for part in parts]
     rows = Structure(kind="row", det="bare", amount=Amount(len(parts), len(parts)), plural=True, span=span)
     whole = Coord(op="absolutes", items=tuple(parts), span=span)
     return Clause(verb="build", theme=rows, adjuncts=(whole,), mode="goal", span=span)
+
+
+def _listed(part: Absolute) -> Absolute:
+    """Blocks told one by one, as rows of their own have them."""
+    items = part.theme.items if isinstance(part.theme, Coord) else ()
+    marks = [x.traits for x in items if isinstance(x, Noun)]
+    if not marks:
+        return part
+    all_ = Traits(colors=tuple(c for m in marks for c in m.colors), labels=tuple(c for m in marks for c in m.labels))
+    return replace(part, theme=Noun(head="any", plural=bool(all_.labels), traits=all_, span=part.theme.span))
 
 
 def _told(clause: Meaning) -> tuple[Absolute, ...]:
@@ -88,6 +113,10 @@ def _in_row(part: Absolute) -> bool:
     if isinstance(part.theme, Structure):
         return _word(part.theme)
     theme = part.theme
+    if isinstance(theme, Coord):
+        return place.unit == "row" and theme.op == "then"
+    if isinstance(theme, Noun) and theme.amount is not None and theme.amount.low == theme.amount.high != 1:
+        return place.unit == "row" and theme.part_of is None and bool(theme.traits.colors) and theme.det == "bare"
     if not isinstance(theme, Noun) or theme.det != "bare" or theme.amount is not None or theme.traits.either:
         return False
     return place.unit == "row" and max(len(theme.traits.labels), len(theme.traits.colors)) > 1

@@ -11,9 +11,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from functools import cache
 from operator import attrgetter
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar, dataclass_transform
 
 from rpg.core.diagnostics import Span
+
+R = TypeVar("R")
+
+
+@dataclass_transform(frozen_default=True, kw_only_default=True)
+def record(kind: type[R]) -> type[R]:
+    """Makes a class a record. None is ever changed, which types tell and nothing at run time: a sentence makes hundreds
+    of them, and one that defends itself takes several times as long to make."""
+    return dataclass(slots=True, kw_only=True)(kind)
 
 
 class Amount(NamedTuple):
@@ -33,7 +42,7 @@ class _Remembered:
     _whole_cost: int
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Meaning(_Remembered):
     """The root of every record."""
 
@@ -53,7 +62,7 @@ class Meaning(_Remembered):
             return found
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Traits:
     """What a noun phrase says of each of its objects (colours and labels: of all of them together)."""
 
@@ -76,8 +85,11 @@ class Traits:
     target: bool = False
     shade: str | None = None
 
+    def __hash__(self) -> int:
+        return hash(_values(Traits)(self))
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+
+@record
 class Noun(Meaning):
     """Blocks or patches by description. `head`: "block", "patch", or "any" for "one" and bare adjectives.
 
@@ -93,7 +105,7 @@ class Noun(Meaning):
     conditions: tuple[Meaning, ...] = ()
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Size(Meaning):
     """Dimensions said after the noun: "three blocks high", "with a base of 3 x 3"."""
 
@@ -102,7 +114,7 @@ class Size(Meaning):
     dims: tuple[int, ...] = ()
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Structure(Meaning):
     """Something that blocks form. `size`: blocks along it; `dims`: its extents; `details`: adjuncts of its own."""
 
@@ -131,7 +143,7 @@ class Structure(Meaning):
         return next((s.amount for s in self.sizes if s.amount is not None), None)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Coord(Meaning):
     """Several noun phrases joined by "and" or "or"."""
 
@@ -139,19 +151,19 @@ class Coord(Meaning):
     items: tuple[Meaning, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Pronoun(Meaning):
     """ "it", "them", "each other", "one", "other": something mentioned before."""
 
     word: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class TableTop(Meaning):
     """The table."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class PartOf(Meaning):
     """The top, bottom, middle ... of a structure, or an end of it."""
 
@@ -159,7 +171,7 @@ class PartOf(Meaning):
     whole: Meaning | None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Loc(Meaning):
     """A relation to a landmark (`second`: the other end of "between"). Distances in metres.
 
@@ -176,7 +188,7 @@ class Loc(Meaning):
     negated: bool = False
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class In(Meaning):
     """A region of the table. `vague`: it is not said of what this is a corner or an edge."""
 
@@ -185,7 +197,7 @@ class In(Meaning):
     vague: bool = False
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class OrderBy(Meaning):
     """How the members of a line are ordered."""
 
@@ -197,7 +209,7 @@ class OrderBy(Meaning):
     reverse: bool = False
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Toward(Meaning):
     """The side where an order begins ("from left to right": left), or an axis alone."""
 
@@ -205,7 +217,7 @@ class Toward(Meaning):
     axis: str | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class At(Meaning):
     """A place inside the structure spoken of: "at the bottom", "in the middle", "third from the left".
 
@@ -218,7 +230,7 @@ class At(Meaning):
     own: bool = False
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Places(Meaning):
     """Some places of a structure: "the first row" (`side` "first", `index` 1), "the two middle blocks", "each corner".
 
@@ -234,7 +246,7 @@ class Places(Meaning):
     of: int | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Absolute(Meaning):
     """ "with the red block on top": a thing and what is said of it."""
 
@@ -242,7 +254,7 @@ class Absolute(Meaning):
     adjuncts: tuple[Meaning, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Using(Meaning):
     """ "with / from / using" the blocks to be used; `lead`: which of these words was said."""
 
@@ -250,14 +262,14 @@ class Using(Meaning):
     lead: str = ""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Into(Meaning):
     """ "into a tower", "in a row", "so that they form a circle"."""
 
     structure: Meaning
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Pattern(Meaning):
     """ "each row a different colour": members of each unit agree; units differ if `different`."""
 
@@ -267,7 +279,7 @@ class Pattern(Meaning):
     values: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Spacing(Meaning):
     """ "evenly", "touching", "5 cm apart" inside a structure."""
 
@@ -276,7 +288,7 @@ class Spacing(Meaning):
     high: float | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Manner(Meaning):
     """How a verb is meant: "upside down", "clockwise", "by 90 degrees", "upright"; values by kind."""
 
@@ -284,7 +296,7 @@ class Manner(Meaning):
     value: str | float | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Quality(Meaning):
     """A predicate adjective: "are blue", "is long", "of the same colour"."""
 
@@ -292,7 +304,7 @@ class Quality(Meaning):
     negated: bool = False
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class That(Meaning):
     """ "so that ..." with the clauses that follow, or "without ..." (`kind` "without")."""
 
@@ -300,7 +312,7 @@ class That(Meaning):
     clauses: Meaning
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Clause(Meaning):
     """A verb with its theme and adjuncts. `verb` is a sense of the lexicon, "be" for states, "exist" for "there is"."""
 
@@ -313,7 +325,7 @@ class Clause(Meaning):
     word: Span | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Chain(Meaning):
     """Clauses in a row; `links[i]` joins clause i to the one before it: "and", "then", "or", "before", "after"."""
 

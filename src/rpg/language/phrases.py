@@ -22,11 +22,12 @@ def by_first(phrases: tuple[str, ...]) -> Beginnings:
 def tree_of(phrases: Collection[str]) -> dict[str | None, Any]:
     """Phrases word by word: what may follow each word, and under None the rank and the phrase that ends there.
 
-    Phrases are known by where they are kept: to compare them all would take longer than to look for them.
+    Phrases are known by where they are kept: to compare them all would take longer than to look for them. So a rule
+    names them in one place, and does not put them together anew for every sentence.
     """
-    kept = TREES.get(id(phrases))
-    if kept is not None and kept[0] is phrases:
-        return kept[1]
+    found = TREES.get(id(phrases))
+    if found is not None:
+        return found
     tree: dict[str | None, Any] = {}
     for rank, phrase in enumerate(phrases):
         branch = tree
@@ -35,12 +36,16 @@ def tree_of(phrases: Collection[str]) -> dict[str | None, Any]:
         branch.setdefault(None, (rank, phrase))
     if len(TREES) >= MOST_TREES:
         TREES.clear()
-    TREES[id(phrases)] = (phrases, tree)
+        _KEPT.clear()
+    _KEPT.append(phrases)
+    TREES[id(phrases)] = tree
     return tree
 
 
 MOST_TREES = 4096
-TREES: dict[int, tuple[Collection[str], dict[str | None, Any]]] = {}
+TREES: dict[int, dict[str | None, Any]] = {}
+_KEPT: list[Collection[str]] = []
+"""The phrases of these trees, so that nothing else comes to be where they are."""
 
 
 @lru_cache(maxsize=4096)

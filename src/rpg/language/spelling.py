@@ -120,10 +120,27 @@ def distance(a: str, b: str, limit: int) -> int:
 
 def nearest(word: str, limit: int) -> list[str]:
     """Known words within `limit` slips, nearest first."""
+    letters = _letters(word)
     scored = sorted(
-        (distance(word, known, limit), known) for known in vocabulary() if abs(len(known) - len(word)) <= limit
+        (distance(word, known, limit), known)
+        for known, theirs in _spelt()
+        if abs(len(known) - len(word)) <= limit and (letters ^ theirs).bit_count() <= 2 * limit
     )
     return [known for slips, known in scored if slips <= limit]
+
+
+@cache
+def _spelt() -> tuple[tuple[str, int], ...]:
+    """Every word of the language with its letters."""
+    return tuple((word, _letters(word)) for word in vocabulary())
+
+
+def _letters(word: str) -> int:
+    """Which letters a word has, one bit for each: a slip takes away one of them at most, and adds one."""
+    found = 0
+    for letter in word:
+        found |= 1 << (ord(letter) & 31)
+    return found
 
 
 def _one_match(word: str) -> str | None:

@@ -112,9 +112,8 @@ class Parser:
         """The position after the longest of `phrases` that stands here, or 0."""
         if i >= self.end:
             return 0
-        kept = TREES.get(id(phrases))  # as in tree_of, without a call: nothing is asked as often
-        tree = kept[1] if kept is not None and kept[0] is phrases else tree_of(phrases)
-        branch = tree.get(self.words[i])
+        tree = TREES.get(id(phrases))  # as in tree_of, without a call: nothing is asked as often
+        branch = (tree_of(phrases) if tree is None else tree).get(self.words[i])
         if branch is None:
             return 0
         found = self._met(i, branch)

@@ -11,13 +11,17 @@ from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.sides import at
 from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That
 
-_GAPS = (
-    ("gap", "faces"),
-    ("space", "faces"),
-    ("distance", "centres"),
-    ("spacing", "centres"),
-    ("separation", "centres"),
-)
+_GAPS = tuple(
+    (noun, measure, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}"),
+     (f"{noun} from", f"{noun} of"))
+    for noun, measure in (("gap", "faces"), ("space", "faces"), ("distance", "centres"), ("spacing", "centres"),
+                          ("separation", "centres"))
+)  # fmt: skip
+"""Words for a distance, what it is measured between, what of them follows a length, and what precedes two blocks."""
+_LEAVE = (
+    "leave", "keep", "have", "put", "make", "maintain", "there should be", "there must be", "there is",
+    "there has to be", "there needs to be", "leaving",
+)  # fmt: skip
 
 
 _IS = (
@@ -42,36 +46,14 @@ def gap(p: Parser, i: int) -> Results[Clause]:
 
 def _left_between(p: Parser, i: int) -> Results[Clause]:
     """ "leave a gap of 6 cm between the red and the green block": the distance comes first."""
-    j = (
-        p.any_of(
-            i,
-            (
-                "leave",
-                "keep",
-                "have",
-                "put",
-                "make",
-                "maintain",
-                "there should be",
-                "there must be",
-                "there is",
-                "there has to be",
-                "there needs to be",
-                "leaving",
-            ),
-        )
-        or i
-    )
+    j = p.any_of(i, _LEAVE) or i
     j = p.opt(j, "a", "an", "the")
     spans: list[tuple[Any, int, str]] = []
-    for noun, measure in _GAPS:
+    wide = bounds(p, j)
+    for noun, measure, behind, _ in _GAPS:
         if (k := p.one(j, noun)) and (k := p.one(k, "of")):
             spans += [(b, e, measure) for b, e in bounds(p, k)]
-        spans += [
-            (b, e, measure)
-            for b, k in bounds(p, j)
-            if (e := p.any_of(k, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}")))
-        ]
+        spans += [(b, e, measure) for b, k in wide if (e := p.any_of(k, behind))]
         if (k := p.one(j, noun)) and (k := p.any_of(k, ("between the faces of", "between", "of"))):
             measure = "faces" if p.words[k - 2] == "faces" else measure
             for theme, end in noun_phrase(p, k):
@@ -79,9 +61,9 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                 end = p.any_of(end, _IS) or made
                 for (low, high), last in bounds(p, end) if end else ():
                     yield _far_apart(p, i, last, theme, low, high, measure), last
-    for noun, measure in _GAPS:
-        yield from _from_to(p, i, p.any_of(j, (f"{noun} from", f"{noun} of")), measure)
-    spans += [(b, e, "faces") for b, e in bounds(p, j)]
+    for _, measure, _, before in _GAPS:
+        yield from _from_to(p, i, p.any_of(j, before), measure)
+    spans += [(b, e, "faces") for b, e in wide]
     for (low, high), k, measure in spans:
         if m := p.one(k, "between"):
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):

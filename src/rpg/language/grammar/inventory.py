@@ -254,6 +254,9 @@ def _counted(theme: Noun, definite: bool) -> bool:
     return plain and (exact or (bool(marks.labels) and theme.amount is None and not marks.open_ended))
 
 
+_OF_THEM = ("in number", "of them", *IN_TOTAL)
+
+
 @choice
 def _numbered(p: Parser, i: int) -> Results[Clause]:
     """ "the blue cubes are three", "the blocks are two red and two green"."""
@@ -266,7 +269,7 @@ def _numbered(p: Parser, i: int) -> Results[Clause]:
         if isinstance(theme, Noun) and theme.plural and theme.head == "block" and theme.amount is None:
             for many, end in amounts.amount(p, k):
                 if p.words[end] not in lexicon.BLOCK and p.words[end] not in lexicon.UNIT:
-                    end = p.any_of(end, ("in number", "of them", *IN_TOTAL)) or end
+                    end = p.any_of(end, _OF_THEM) or end
                     counted = replace(theme, det="bare", amount=many, span=p.span(i, end))
                     yield given(p, i, end, counted, (), 1), end
         told = isinstance(theme, Pronoun) and theme.word in ("they", "these", "those")

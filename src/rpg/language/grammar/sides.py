@@ -92,15 +92,11 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
         yield Toward(axis=_ALONG[phrase], span=p.span(i, k)), k
 
 
+_FLAT = (("row", "row"), ("line", "row"), ("column", "row"))
 _WHOLES = (
-    ("row", "row"),
-    ("line", "row"),
-    ("column", "row"),
-    ("stack", "stack"),
-    ("tower", "stack"),
-    ("pile", "stack"),
-    ("pyramid", "pyramid"),
-)
+    *_FLAT, ("stack", "stack"), ("tower", "stack"), ("pile", "stack"), ("pyramid", "pyramid"),
+)  # fmt: skip
+_WHOLE_OF = {noun: (f"of the {noun}", f"of this {noun}", f"of that {noun}") for noun, _ in _WHOLES}
 
 
 _EXTREMES = {
@@ -117,8 +113,7 @@ _LEADS = (
     "forming the",
 )  # fmt: skip
 _TAILS = ("end", "side", "most", "layer", "layers", "position", "level", "hand", "block", "spot", "place")
-_FLAT = (("row", "row"), ("line", "row"), ("column", "row"))
-_MIDDLES = {"middle": "middle", "center": "middle", "hole": "middle"}
+_INSIDES = {**SIDES, "middle": "middle", "center": "middle", "hole": "middle"}
 
 
 @rule
@@ -134,11 +129,12 @@ def at(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _EITHER_END):
         yield At(side="end", span=p.span(i, j)), j
     ordinal = p.lex(i, lexicon.ORDINAL)
-    for side in ("left", "right", "bottom", "top") if ordinal else ():
-        if k := p.any_of(i + 1, (f"from the {side}", f"from {side}")):
+    for side, phrases in _FROM_SIDES.items() if ordinal else ():
+        if k := p.any_of(i + 1, phrases):
             yield At(side=side, index=ordinal, span=p.span(i, k)), k
 
 
+_FROM_SIDES = {side: (f"from the {side}", f"from {side}") for side in ("left", "right", "bottom", "top")}
 _EITHER_END = tuple(
     f"{at} {end}"
     for at in ("at", "on")
@@ -151,11 +147,11 @@ def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     word = p.words[j] if j < p.end else ""
     if word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end":
         j, word = p.reach(j + 1), p.words[j + 1]
-    side = {**SIDES, **_MIDDLES}.get(word)
+    side = _INSIDES.get(word)
     if side and word not in ("ground", "near", "far"):
         k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")
         for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
-            if end := p.any_of(k, (f"of the {noun}", f"of this {noun}", f"of that {noun}")):
+            if end := p.any_of(k, _WHOLE_OF[noun]):
                 yield At(side=side, whole=whole, span=p.span(i, end)), end
         if p.words[k - 1] == "block" and p.words[i] == "on":
             return

@@ -42,6 +42,10 @@ _SWAPPED = tuple(
     f"{been}{swapped} {places}" for been in ("", "been ") for swapped in ("swapped", "traded", "changed", "exchanged",
     "switched") for places in ("places", "positions")
 )  # fmt: skip
+_SWAP = (
+    *_SWAPPED, "swap places", "swap positions", "trade places", "change places", "exchange places", "switch places",
+    "be swapped", "exchange positions", "swap", "switch positions",
+)  # fmt: skip
 _MOVE = frozenset({"move", "shift", "budge"})
 _HAVE = frozenset({"have", "has"})
 _BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come"})
@@ -294,24 +298,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
                 ]
             for found, end in readings:
                 yield replace(found, adjuncts=(using, *found.adjuncts), negated=negated, mode=mode), end
-    if (
-        j := p.any_of(
-            k,
-            (
-                *_SWAPPED,
-                "swap places",
-                "swap positions",
-                "trade places",
-                "change places",
-                "exchange places",
-                "switch places",
-                "be swapped",
-                "exchange positions",
-                "swap",
-                "switch positions",
-            ),
-        )
-    ) and not negated:
+    if (j := p.any_of(k, _SWAP)) and not negated:
         yield Clause(verb="swap", lemma="swap", theme=theme, mode=mode, span=p.span(i, j)), j
     if j := p.one(k, frozenset({"alternate", "alternates"})):
         for turns_, end in adjuncts(p, j):

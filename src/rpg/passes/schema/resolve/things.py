@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import string
-from dataclasses import dataclass
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits, record
 from rpg.passes.schema.resolve.world import Scene, Thing, refuse
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
@@ -162,7 +161,7 @@ def compared(meaning: Meaning | None) -> bool:
     return meaning.traits.matching or (meaning.traits.scheme == "same" and one)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@record
 class Premise(Meaning):
     """What a relative clause takes for granted of some objects."""
 

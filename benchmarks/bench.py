@@ -25,6 +25,7 @@ import numpy as np
 
 from rpg.benchmark.suites import SUITES, read_suite
 from rpg.blocks.constants import SUBSTEPS
+from rpg.blocks.heaps import FALL_STEPS
 from rpg.blocks.physics import QUIET_STEPS, Physics
 from rpg.blocks.scene import build_spec
 from rpg.blocks.state import World
@@ -125,16 +126,16 @@ def processes_time() -> float:
 
 def mandated(outcome: Outcome) -> Callable[[], None]:
     """The least physics that the gates call for, as raw MuJoCo calls that keep everything awake: the scene compiled, a
-    look at every reset (where blocks start on each other, after they have settled), the smoke steps, the goal settled
-    and held. The process that repeats resets for the gate of determinism works beside this one; it is left out here as
-    it is in the figure."""
+    look at every reset (where blocks start on each other, after they have settled; heaps fall first), the smoke steps,
+    the goal settled and held. The process that repeats resets for the gate of determinism works beside this one; it is
+    left out here as it is in the figure."""
     program, measures = outcome.program, Measures()
     assert program is not None
     task = load(program.code, program.goal_code)[0]()
     goal = state_of(program.path[-1], World(program.task.assets))
     starts = [task.reset(seed) for seed in range(measures.resets)]
-    built = program.task.init.arranged or program.task.init.heaps
-    look = 1 + QUIET_STEPS if built else 1
+    init = program.task.init
+    look = 1 + (QUIET_STEPS if init.arranged or init.heaps else 0) + (FALL_STEPS if init.heaps else 0)
 
     def work() -> None:
         physics = Physics(goal.world, build_spec(program.task.assets).compile())

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import islice, permutations
 from random import Random
 
+from rpg.blocks.arrange import CHANGES
 from rpg.blocks.arrange.alternatives import alternatives
 from rpg.blocks.arrange.explain import conditions
 from rpg.blocks.arrange.pieces import Assembly, Clash, Piece
@@ -24,7 +25,7 @@ from rpg.ir.node import members
 from rpg.ir.relations import On, OnPatch
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Stack, Towers
-from rpg.ir.walk import instances, names
+from rpg.ir.walk import atoms, instances, names
 
 SPACE = 0.01
 """Room around what lies on a patch, and between its pieces (m)."""
@@ -191,13 +192,20 @@ def _placed(schema: TaskSchema, sized: dict[str, GoalPatch]) -> dict[str, GoalPa
     fits = (layout for layout in _layouts(list(sized.values())) if _honours(layout, between))
     for layout in islice(fits, CHECKED_LAYOUTS):
         world = World(tuple(layout.get(a.name, a) for a in schema.assets))
-        if Solver(schema.goal, world, None, ARRANGE_TRIES).solve(Random(0)) is not None:
+        if Solver(schema.goal, world, _imagined(schema, world), ARRANGE_TRIES).solve(Random(0)) is not None:
             return layout
         fallback = fallback or layout
     fallback = fallback or next(_layouts(list(sized.values())), None)
     if fallback is None:
         raise Refusal([_no_room(list(sized.values()))])
     return fallback
+
+
+def _imagined(schema: TaskSchema, world: World) -> BlockState | None:
+    """A start, for goals that compare with one."""
+    if not any(atom.kind in CHANGES for atom in atoms(schema.goal)):
+        return None
+    return Solver(g.All(goals=schema.init.arranged), world, None, ARRANGE_TRIES).solve(Random(0))
 
 
 def _no_room(patches: list[GoalPatch]) -> Diagnostic:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from random import Random
 
-from rpg.blocks.arrange import arrange
+from rpg.blocks.arrange import CHANGES, arrange
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.initial import sample_start
 from rpg.blocks.state import BlockState, World
@@ -14,14 +14,12 @@ from rpg.ir import goal as g
 from rpg.ir.schema import InitialState
 from rpg.ir.walk import atoms, children
 
-LOOKING_BACK = frozenset({"stayed", "moved", "swapped", "turned"})
-"""Atoms that compare with the start of the episode."""
 STARTS = 50
 
 
 def looks_back(goal: g.Goal) -> bool:
     """Does the goal depend on more than the state in which it is judged?"""
-    return _over_time(goal) or any(atom.kind in LOOKING_BACK for atom in atoms(goal))
+    return _over_time(goal) or any(atom.kind in CHANGES for atom in atoms(goal))
 
 
 def waypoints(

@@ -28,6 +28,8 @@ from rpg.ir.node import Node
 
 ATTEMPTS = 100
 """Starts drawn in search of one where the goal is still ahead."""
+MOST_AHEAD = 10
+"""Starts drawn in search of one where no later stage holds, once there is one where the first does not."""
 AT_REST = "every block is at rest, released and supported"
 HOLD: Action = np.zeros(ACTION_SIZE)
 NOTHING: frozenset[str] = frozenset()
@@ -239,6 +241,8 @@ class BlockTask(Relations, Structures, Setup):
             if not any(memory.ahead for memory in self._memories):
                 return
             fallback = fallback or start
+            if attempt >= MOST_AHEAD:
+                break
         if fallback is None:
             raise Refusal([_solved_at_start()])
         self._begin(fallback)

@@ -10,9 +10,10 @@ from rpg.blocks.state import BlockState, World
 from rpg.ir import goal as g
 from rpg.ir.walk import atoms
 
-__all__ = ["Impossible", "arrange"]
+__all__ = ["CHANGES", "Impossible", "arrange"]
 
 CHANGES = frozenset({"stayed", "moved", "swapped", "turned"})
+"""Atoms that compare with the start of the episode."""
 
 
 def arrange(

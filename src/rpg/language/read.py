@@ -11,6 +11,7 @@ from rpg.language.grammar.chains import chain
 from rpg.language.grammar.chatter import idle
 from rpg.language.grammar.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
+from rpg.language.grammar.lists import with_commas
 from rpg.language.grammar.smalltalk import without_talk
 from rpg.language.grammar.wishes import AFTER_THAT
 from rpg.language.meaning import Chain, Clause, cost_of
@@ -262,6 +263,8 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         raise Refusal([stuck(p) if thorough else _tangled(p)]) from None
     if not found and any(t.value == SOFT for t in tokens):
         return read_sentence([t for t in tokens if t.value != SOFT], thorough)
+    if not found and (listed := with_commas(tokens)) is not None:
+        return read_sentence(listed, thorough)
     if not found and _adds(tokens):
         return read_sentence(_unbracketed(tokens), thorough)
     if not found:

@@ -194,6 +194,11 @@ def _next_clause(first: Meaning, second: Meaning) -> bool:
     return isinstance(mark, Coord) or (isinstance(mark, Noun) and len(mark.traits.labels) > 1)
 
 
+_STACKED = ("stacked", "stacked up", "all stacked", "all stacked up", "piled up", "one stacked on the other")
+_AFTER_STACKED = frozenset({",", ";", "and", "with", "from", "in", "by"})
+"""What "stacked" is said of all of a clause before: ", stacked in rainbow order", but not ", stacked on the mat"."""
+
+
 @choice
 def _into(p: Parser, i: int) -> Results[Meaning]:
     for target, k in simple(p, i + 1) if p.words[i : i + 1] == ["to"] and p.words[i + 1] in _ONE else ():
@@ -217,6 +222,8 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
                          "so the equation is true", "so that the math is right",
                          "so that the math is correct")):  # fmt: skip
         yield Into(structure=Structure(kind="equation", span=p.span(i, j)), span=p.span(i, j)), j
+    if p.follows(i, (",",)) and (j := p.any_of(i, _STACKED)) and (j >= p.end or p.words[j] in _AFTER_STACKED):
+        yield Into(structure=Structure(kind="stack", det="a", span=p.span(i, j)), span=p.span(i, j)), j
     for _, j in p.standing(i, _INTO):
         for target, k in simple(p, j):
             if isinstance(target, Structure):

@@ -96,8 +96,9 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         previous = had[-1] if isinstance(had[-1], Clause) else None
         if previous is not None and previous.negated and link in ("before", "after"):
             continue
-        if previous is not None and not previous.adjuncts and _in_list(p, j):
-            continue
+        ended = p.words[j - 3] == "and" and previous is not None and previous.verb in _WHOLE_ALONE
+        if previous is not None and not previous.adjuncts and not ended and _in_list(p, j):
+            continue  # unless its last thing was named: "swap red and blue, green stays where it is"
         items = [
             *clause(p, j),
             *(carried_on(p, j, previous) if previous is not None else ()),
@@ -138,6 +139,10 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 whole = (*_shared(had, item), item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
+
+
+_WHOLE_ALONE = ("swap", "stack", "sort", "reverse", "unstack")
+"""Verbs that need no more than their blocks."""
 
 
 def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], colon: int) -> Results[Chain]:

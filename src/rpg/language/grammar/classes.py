@@ -1,4 +1,4 @@
-"""Two classes that tell blocks apart: "into the odd ones and the even ones", "vowels and consonants"."""
+"""Classes that tell blocks apart: "into the odd ones and the even ones", "letters, digits and plain cubes"."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ _CLASSES = {
     "vowel": ("vowel", "vowel"), "vowels": ("vowel", "vowel"), "consonant": ("vowel", "consonant"),
     "consonants": ("vowel", "consonant"), "letter": ("kind", "letter"), "letters": ("kind", "letter"),
     "number": ("kind", "digit"), "numbers": ("kind", "digit"), "digit": ("kind", "digit"), "digits": ("kind", "digit"),
+    "plain": ("kind", "plain"),
 }  # fmt: skip
 """What a word says of a block: of which attribute, and its value."""
 _HEADS = (
     "ones", "numbers", "digits", "letters", "blocks", "cubes", "group", "pile", "heap", "bunch", "number cubes",
-    "number blocks", "letter blocks", "letter cubes",
+    "number blocks", "letter blocks", "letter cubes", "colored blocks", "colored cubes", "colored ones", "bricks",
 )  # fmt: skip
 _LEADS = ("into", "in", "as", "by")
 _OF = tuple(
@@ -27,9 +28,14 @@ _OF = tuple(
 
 @rule
 def classes(p: Parser, i: int) -> Results[Meaning]:
-    """Both classes, after "into" or behind a comma or a colon."""
+    """Both classes, or all three kinds, after "into" or behind a comma or a colon."""
     j = p.any_of(i, _LEADS) or p.opt(i, ",", ":")
     for (attribute, one), k in _class(p, j) if j > i else ():
+        for (other, two), end in _class(p, p.one(k, ",")) if p.one(k, ",") else ():
+            joint = p.one(p.opt(end, ","), "and")
+            for (third, three), last in _class(p, joint) if joint else ():
+                if attribute == other == third and len({one, two, three}) == 3:
+                    yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, last)), last
         joint = p.one(p.opt(k, ","), "and")
         for (other, two), end in _class(p, joint) if joint else ():
             if attribute == other and one != two:
@@ -45,5 +51,6 @@ def _class(p: Parser, i: int) -> Results[tuple[str, str]]:
         return
     k = p.any_of(j + 1, _HEADS)
     plural = p.words[j].endswith("s") or k > 0 or p.words[j] in ("odd", "even")
+    plural = plural and (k > 0 or p.words[j] != "plain")
     if plural:
         yield found, k or j + 1

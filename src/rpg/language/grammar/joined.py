@@ -127,7 +127,7 @@ def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
     start = p.opt(j, "namely")
     for first, k in simple(p, start):
         for found, end in more(p, i, (first,), k, None):
-            if isinstance(found, Coord) and found.op == "and" and tally(found.items) == count:
+            if isinstance(found, Coord) and found.op in ("and", "then") and tally(found.items) == count:
                 yield replace(found, cost=0), end
 
 
@@ -213,6 +213,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
     comma = p.opt(at, ",", ";", "/")
     joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
     word = p.words[comma] if joined else ""
+    if op == "comma" and (k := p.any_of(comma, _AT_LAST)):
+        joined, word = k, "then"
     yield from _except(p, i, items, comma)
     if not joined and (k := p.any_of(comma, ("followed by", "then"))):
         joined, word = k, "then"
@@ -231,6 +233,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
     for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
         if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
             continue
+        if isinstance(item, Noun) and p.words[j - 1] in ("one", "ones"):
+            item = _like(items[-1], item)
         if isinstance(item, Noun) and isinstance(item.part_of, Noun) and item.part_of.det == "bare" and not item.cost:
             item = replace(item, cost=2)
         if part_after(items[-1], item):
@@ -266,6 +270,17 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             if not restates(items[-1], item):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
+
+
+_AT_LAST = ("and finally", "and lastly", "and last", "and at last", "and last of all")
+"""Before the last thing of a list with commas: "red, green, blue and finally yellow"."""
+
+
+def _like(before: Meaning, one: Noun) -> Noun:
+    """ "a blue block, a red one and a white patch": "one" stands for what was named before it, not for the patch."""
+    told = isinstance(before, Noun) and before.head != "any" and bool(before.traits.colors or before.traits.labels)
+    further = one.head == "any" and one.det in ("a", "bare", "another") and one.part_of is None
+    return replace(one, head=before.head) if told and isinstance(before, Noun) and further else one
 
 
 def _amid_colors(p: Parser, at: int) -> bool:

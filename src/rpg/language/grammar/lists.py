@@ -4,10 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rpg.language import lexicon
 from rpg.language.grammar.adjectives import color
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import label_list
 from rpg.language.meaning import Meaning, Noun, Traits
+from rpg.language.tokens import Token
+
+_NEXT = ("and then", "and", "then", "followed by", "and finally", "finally", "and last", "and lastly", "lastly",
+         "and at last", "at last", "and then finally", "then finally", "and last of all", "and after that",
+         "after that", "and next", "next")  # fmt: skip
+"""What a further thing of a list may come after."""
 
 
 @rule
@@ -38,7 +45,7 @@ def _colors(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         if len(items) > 1:
             readings.append((tuple(items), at))
         at = p.opt(at, ",", "-")
-        at = p.any_of(at, ("and then", "and", "then", "to", "followed by")) or at
+        at = p.any_of(at, _NEXT) or p.opt(at, "to")
     yield from reversed(readings)
 
 
@@ -68,10 +75,38 @@ def _more(p: Parser, items: tuple[Meaning, ...], at: int) -> Results[tuple[Meani
     from rpg.language.grammar.nouns import simple
 
     j = p.opt(at, ",")
-    j = p.any_of(j, ("and then", "and finally", "and", "then", "followed by", "finally")) or j
+    j = p.any_of(j, _NEXT) or j
     if j == at or len(items) > 30:
         return
     for item, k in simple(p, j):
         if isinstance(item, Noun):
             yield (*items, item), k
             yield from _more(p, (*items, item), k)
+
+
+_RUN = 3
+"""So many colours one after the other are a list, for nothing has two of them."""
+
+
+def with_commas(tokens: list[Token]) -> list[Token] | None:
+    """ "The red orange yellow and green cubes": the tokens with commas in such lists; None where there is none."""
+    out: list[Token] = []
+    at, found = 0, False
+    while at < len(tokens):
+        end = at
+        while _colored(tokens, end):
+            end += 1
+        closed = end > at and end < len(tokens) and tokens[end].word == "and" and _colored(tokens, end + 1)
+        run = tokens[at : max(end, at + 1)]
+        listed = len(run) + closed >= _RUN and len({token.word for token in run}) == len(run)
+        for n, token in enumerate(run):
+            if n and listed:
+                out.append(Token("punct", ",", ",", token.span))
+                found = True
+            out.append(token)
+        at += len(run)
+    return out if found else None
+
+
+def _colored(tokens: list[Token], at: int) -> bool:
+    return at < len(tokens) and tokens[at].kind == "word" and tokens[at].word in lexicon.COLOR

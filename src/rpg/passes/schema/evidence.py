@@ -17,7 +17,7 @@ from pydantic import BaseModel
 from rpg.ir.assets import FACES, Asset, SemanticCube
 from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Figure, Pyramid, Staircase
+from rpg.ir.structures import Figure, Pyramid, Row, Staircase
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -208,6 +208,8 @@ def _inside(value: object) -> Iterator[float]:
         low, high = getattr(value, "minimum", None), getattr(value, "maximum", None)
         if low is not None and high is not None:
             yield from (*_inside((low + high) / 2), *_inside((high - low) / 2))
+        if isinstance(value, Row) and value.gap is not None:  # "gaps of at most 5 mm"
+            yield from _inside(value.gap + value.tolerance)
         for name, field in type(value).model_fields.items():
             told = getattr(value, name)
             if name != "span" and (told != field.default or name in LENGTHS):

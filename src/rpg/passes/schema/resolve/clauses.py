@@ -53,6 +53,7 @@ from rpg.passes.schema.resolve.spelled import spell
 from rpg.passes.schema.resolve.stacking import Towers
 from rpg.passes.schema.resolve.started import laid_down, was_so
 from rpg.passes.schema.resolve.structures import make
+from rpg.passes.schema.resolve.throughout import of_the_rest
 from rpg.passes.schema.resolve.towers import on_matching_patches
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -62,7 +63,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     scene.clause += 1
     number = scene.clause
     scope = Scope(start=start, given=clause.mode == "given" or start)
-    clause = denied_once(clause)
+    clause = of_the_rest(denied_once(clause))
     spec = sort_adjuncts(clause.adjuncts)
     if distractors(clause, spec, scene):
         nothing_left(spec, clause)

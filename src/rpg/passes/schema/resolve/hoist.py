@@ -26,6 +26,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.hubs import emptied, in_the_middle, outlines, told_inside
 from rpg.passes.schema.resolve.inside_lines import as_a_grid, in_a_line
+from rpg.passes.schema.resolve.listed_after import filled, shapes_pictured
 from rpg.passes.schema.resolve.one_each import plainly
 from rpg.passes.schema.resolve.overs import in_one_tower
 from rpg.passes.schema.resolve.told_towers import one_more_tower, side_by_side, told_towers
@@ -37,7 +38,7 @@ _VERBS = ("stack", "arrange")
 def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, with "the top block is red" said where the tower is built; sentences that say no more are gone."""
     found: list[list[tuple[str, Meaning]]] = []
-    for chain in chains:
+    for chain in shapes_pictured(chains):
         kept: list[tuple[str, Meaning]] = []
         found.append(kept)
         for link, said in zip(chain.links, chain.clauses, strict=True):
@@ -54,6 +55,8 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 continue
             clause = _of_one(said)
             if _asked_again(found, said, link) or _shape_alone(found, said, link) or _looks_listed(found, said, link):
+                continue
+            if link != "then" and _blocks_listed(found, said):
                 continue
             if said.lemma == "listed":
                 kept.insert(0, ("and", _there_are(said, _last(found))))
@@ -107,6 +110,17 @@ def _shape_alone(found: list[list[tuple[str, Meaning]]], said: Clause, link: str
     into = Into(structure=shape, span=said.span)
     line = max(n for n, lot in enumerate(found) if lot)
     found[line][-1] = (found[line][-1][0], replace(last, adjuncts=(*last.adjuncts, into, *said.adjuncts)))
+    return True
+
+
+def _blocks_listed(found: list[list[tuple[str, Meaning]]], said: Clause) -> bool:
+    """ "Make a row on the table: from left to right it is red, green": the blocks of the line that was asked for."""
+    last = _last(found)
+    built = filled(last, said) if last is not None else None
+    if built is None:
+        return False
+    line = max(n for n, lot in enumerate(found) if lot)
+    found[line][-1] = (found[line][-1][0], built)
     return True
 
 

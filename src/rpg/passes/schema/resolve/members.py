@@ -61,9 +61,16 @@ def members_of(
         scene.mentions.pop()
         _name_items(spec, whole)
         return whole.names
-    if absolute := _from_absolutes(shape, spec, need, scene):
-        return absolute
+    looks = all(isinstance(a.theme, Noun) and a.theme.traits.colors + a.theme.traits.labels for a in spec.absolutes)
+    absolute = _from_absolutes(shape, spec, need, scene)
     there = declared(shape.traits, scene)
+    fewer = bool(absolute) and set(absolute) < set(there)
+    if fewer and len(absolute) > 1:
+        raise refuse("ambiguous", "of these blocks alone, or of all the blocks there are?", shape.span,
+                     "say 'of all blocks', or name all its blocks")  # fmt: skip
+    alone = fewer and looks and len(absolute) == 1  # "3 blue, 1 red. Tower with red on top": of all of them
+    if absolute and not alone:
+        return absolute
     if len(there) > 1 and (count is None or len(there) == count):
         return there
     if count is not None and (some := some_of(there, count, shape, scene)):

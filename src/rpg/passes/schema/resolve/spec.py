@@ -77,6 +77,8 @@ def sort_adjuncts(adjuncts: tuple[Meaning, ...]) -> Spec:
             spec.places.append(item)
         elif isinstance(item, Manner) and item.kind == "idle":
             spec.any_way = spec.any_way or item.value == "any way"
+        elif isinstance(item, Manner) and any((m.kind, m.value) == (item.kind, item.value) for m in spec.manners):
+            pass  # "upright and readable" says one thing twice
         else:
             getattr(spec, _KINDS[type(item)]).append(item)
     return spec

@@ -349,6 +349,8 @@ def _spaced(place: object) -> dict[str, object]:
         return {"gap_edges": 1.0}
     if rel == "adjacent":
         return {"gap_edges": 0.5}
+    if low is None and high is not None and getattr(place, "measure", "") == "faces":
+        low = 0.0  # "gaps of at most 5 mm": none is fine, too
     if low is None or high is None:
         raise refuse(
             "ambiguous", "the spacing of a row is one distance", getattr(place, "span", None), "say '5 cm apart'"

@@ -32,7 +32,7 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         for item in spec.places:
             goals += place(theme, item, scene, scope, clause.span)
         spec.places = []
-        if clause.lemma == "keep":
+        if clause.lemma == "keep" or ever:
             from rpg.passes.schema.resolve.clauses import held_throughout
 
             there = len(scene.start_goals)
@@ -44,7 +44,8 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     spec.places = []
     if clause.verb == "place":
         scene.returned.update(theme.names)
-    return [_stayed(theme, clause.span), *more]
+    stayed = _stayed(theme, clause.span)
+    return [g.Always(goal=stayed, span=clause.span) if ever else stayed, *more]
 
 
 def _stayed(theme: Ref, span: Span) -> g.Goal:

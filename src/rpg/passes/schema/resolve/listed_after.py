@@ -1,0 +1,98 @@
+"""Lines whose blocks the sentence behind them lists: "make a row of three. From left to right: red, green, blue"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Spacing,
+    Structure,
+    TableTop,
+    Toward,
+    Traits,
+)
+
+_LINES = ("stack", "row", "line", "column")
+
+
+def shapes_pictured(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "There is a row of 4. From the left I see red, ...": what is built, where nothing is ordered and no start told.
+
+    Of the blocks of such a row nothing is known but what the picture tells.
+    """
+    clauses = [c for chain in chains for c in chain.clauses]
+    if not all(isinstance(c, Clause) and c.mode in ("goal", "given") for c in clauses) or len(clauses) < 2:
+        return chains
+    return tuple(replace(chain, clauses=tuple(map(_built, chain.clauses))) for chain in chains)
+
+
+def _built(clause: Meaning) -> Meaning:
+    there = isinstance(clause, Clause) and (clause.verb, clause.mode, clause.lemma) == ("exist", "given", "")
+    if not there or not isinstance(clause, Clause) or not _unlooked(clause.theme) or not _on_the_table(clause):
+        return clause
+    return replace(clause, verb="build", mode="goal")
+
+
+def _on_the_table(clause: Clause) -> bool:
+    """Whether it is at most said that something is on the table."""
+    return all(isinstance(a, Loc) and isinstance(a.landmark, TableTop) and not a.negated for a in clause.adjuncts)
+
+
+def _unlooked(shape: Meaning | None) -> bool:
+    """ "a row", "a tower of three (blocks)": of its blocks no more than the number is said."""
+    if not isinstance(shape, Structure) or shape.kind not in _LINES or shape.plural or shape.traits != Traits():
+        return False
+    blocks = shape.members
+    plain = isinstance(blocks, Noun) and blocks.head == "block" and blocks.traits == Traits() and not blocks.part_of
+    bare = isinstance(blocks, Noun) and blocks.det == "bare"
+    return shape.det in ("a", "bare") and not shape.details and (blocks is None or (plain and bare))
+
+
+def _many(shape: Structure) -> int | None:
+    """How many blocks it is said to have."""
+    told = shape.size or (shape.members.amount if isinstance(shape.members, Noun) else None)
+    return None if told is None else told.low if told.low == told.high else -1
+
+
+def filled(last: Clause, said: Clause) -> Clause | None:
+    """The clause that builds a line, with the blocks and their order, or the gaps, that the next one tells of it."""
+    if last.negated or last.mode == "start" or said.negated or said.mode == "start":
+        return None
+    if _gaps_of_it(said) and _one_line(last):
+        return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
+    items = next((a.items for a in said.adjuncts if isinstance(a, OrderBy) and a.by == "given" and a.items), ())
+    listed = said.verb == "arrange" and said.theme is None and said.mode == "goal"
+    if not listed or not items or any(not isinstance(a, OrderBy | Toward) for a in said.adjuncts):
+        return None
+    shape = last.theme
+    if last.verb != "build" or not isinstance(shape, Structure):
+        return None
+    told = any(isinstance(a, OrderBy | Toward | Into) for a in last.adjuncts)
+    if told or not _unlooked(shape) or _many(shape) not in (None, len(items)):
+        return None
+    return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
+
+
+def _gaps_of_it(said: Clause) -> bool:
+    """ "There must be at most 1 cm between them": of a line it is said of neighbours."""
+    told = said.adjuncts[0] if said.verb == "be" and len(said.adjuncts) == 1 else None
+    them = isinstance(said.theme, Pronoun) and said.theme.word in ("them", "they", "same")
+    mutual = isinstance(told, Loc) and getattr(told.landmark, "word", "") == "each other" and not told.negated
+    return them and mutual and isinstance(told, Loc) and told.rel == "distance" and told.high is not None
+
+
+def _one_line(last: Clause) -> bool:
+    """Whether a clause lays blocks in one line, and says nothing of its gaps."""
+    shapes = [a.structure for a in last.adjuncts if isinstance(a, Into)]
+    shapes += [last.theme] if isinstance(last.theme, Structure) else []
+    spaced = any(isinstance(a, Spacing) or (isinstance(a, Loc) and a.rel == "distance") for a in last.adjuncts)
+    line = shapes[0] if len(shapes) == 1 and not spaced else None
+    return isinstance(line, Structure) and line.kind in ("row", "line", "column") and not line.plural

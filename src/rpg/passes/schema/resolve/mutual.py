@@ -62,7 +62,9 @@ def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate)
 
 
 def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:
-    """No two of the blocks are so related."""
+    """No two of the blocks are so related; where these are all there are, nothing is on any of them."""
+    if theme.everything and loc.rel in ("on", "above", "heaped"):
+        return [r.Clear(a=theme.names, span=span)]
     return negation(of_every_two(theme.names, loc, span), span)
 
 

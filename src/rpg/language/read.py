@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
 from rpg.language.grammar.asides import SOFT
 from rpg.language.grammar.chains import chain
-from rpg.language.grammar.chatter import idle
+from rpg.language.grammar.chatter import announces, idle
 from rpg.language.grammar.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
 from rpg.language.grammar.lists import with_commas
@@ -166,9 +166,13 @@ _RELATIVE = frozenset({"where", "as", "what", "how", "that", "which"})
 
 
 def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
-    """ "A must be on the patch. C must not be.": one sentence, for the second has no predicate of its own."""
+    """ "A must be on the patch. C must not be.": one sentence, for the second has no predicate of its own; and so are
+    "The table looks like this." and what follows it."""
     out: list[list[Token]] = []
     for part in parts:
+        if out and announces(out[-1]):
+            out[-1] = [*out[-1], replace(part[0], kind="punct", word=":", raw=":", value=None), *part]
+            continue
         own = part[0].word in _ASKING or any(token.word in _RELATIVE for token in part)
         if out and len(part) > 1 and part[-1].word in _BARE and not own:
             joint = replace(part[0], kind="word", word="and", raw="and", value=None)

@@ -78,7 +78,7 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
         start = owns or (p.any_of(there, (", and", "and", ",", "with")) if there else 0)
         for ring, k in _rings(p, start):
             four = p.any_of(k, _ALL_SIDES) or (p.any_of(k, _EACH_SIDE) if ring.amount == _FOUR else 0)
-            if four and ring.amount in (None, _ONE, _FOUR):
+            if four and ring.amount in (None, _ONE, _FOUR) and not p.anywhere(_BY_THE_FACE):
                 yield from _plus(p, i, four, hub, ring)
             if end := p.any_of(k, _AROUND):
                 yield from _shaped(p, i, end, hub, ring)
@@ -92,6 +92,8 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
                 yield from _shaped(p, i, k, hub, ring)
 
 
+_BY_THE_FACE = frozenset({"touching", "touch", "touches"})
+"""Sides that are touched: a plus of touching blocks might touch by its edges alone."""
 _ONE, _FOUR = Amount(1, 1), Amount(4, 4)
 
 

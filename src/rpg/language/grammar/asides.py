@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.core import Parser
+from rpg.language.grammar.framing import VIEW
 from rpg.language.grammar.rephrased import rephrased
 from rpg.language.phrases import Beginnings, by_first
 from rpg.language.tokens import Token
@@ -115,11 +117,16 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         (by_first(_ANYWHERE), lambda first, last: True),
         (by_first(_EMPHASIS), lambda first, last: _emphatic(words, last)),
         (by_first(_FREE), lambda first, last: _set_off(words, first, last)),
+        (by_first(_BUILT), lambda first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
+        (by_first(_AT_ALL), lambda first, last: _denying(words, first, last)),
     )
+    p = Parser(tokens)
     out: list[Token] = []
     at = 0
     while at < len(tokens):
         end = max(_standing(words, at, phrases, fits) for phrases, fits in tables)
+        if words[at] in VIEW.begun:
+            end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if end == at:
             out.append(tokens[at])
             at += 1
@@ -160,6 +167,46 @@ def _set_off(words: list[str], at: int, end: int) -> bool:
     before = at == 0 or words[at - 1] in _BREAKS or words[at] in ("in", "regardless", "with", "using", "of")
     before = before and not (at and words[at - 1] in ("rest", "others"))
     return before and (end == len(words) or words[end] in _BREAKS)
+
+
+def _same_view(words: list[str], at: int, end: int) -> bool:
+    """ "when I look at it" in front of no "from behind"; "from top to bottom" is of no place to look from."""
+    after = words[end : end + 6]
+    if not after or after[0] in ("behind", "from"):
+        return not after or not {"to", "down", "up"}.isdisjoint(after)
+    opened = at == 0 or words[at - 1] in _BREAKS
+    return after[0] in _GOING_ON | _DOWNWARDS or (opened and words[at] not in ("when", "if"))
+
+
+_DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})
+_BUILT = ("finished", "completed", "resulting", "finalized")
+"""What carries nothing in front of what is built."""
+_AT_ALL = ("at all", "whatsoever")
+_DENYING = frozenset({"no", "not", "none", "nothing", "never", "without", "neither", "nor", "nobody"})
+_GOING_ON = _BREAKS | {
+    "",
+    "and",
+    "but",
+    "between",
+    "on",
+    "in",
+    "or",
+    "that",
+    "which",
+    "touching",
+    "left",
+    "is",
+    "are",
+    "may",
+    "must",
+    "should",
+}
+
+
+def _denying(words: list[str], at: int, end: int) -> bool:
+    """ "no gaps at all": what only underlines a denial."""
+    after = words[end] if end < len(words) else ""
+    return after in _GOING_ON and not _DENYING.isdisjoint(words[max(0, at - 8) : at])
 
 
 def _closed(tokens: list[Token], out: list[Token], end: int, whole: bool) -> int:

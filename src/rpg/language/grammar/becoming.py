@@ -10,6 +10,7 @@ from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
+from rpg.language.grammar.sides import toward
 from rpg.language.meaning import Clause, Coord, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 
 _IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")
@@ -20,7 +21,28 @@ _CONSISTS = (
     "comprises", "is built from", "is built of", "be made of", "be made from", "consist only of", "be built from",
     "be made up of", "is formed by", "is formed of", "are made of", "are made from",
 )  # fmt: skip
-_BECOMES = ("become", "becomes", "turn into", "turns into", "end up as", "ends up as", "end as", "change into")
+_BECOMES = (
+    "become",
+    "becomes",
+    "turn into",
+    "turns into",
+    "end up as",
+    "ends up as",
+    "end as",
+    "change into",
+    "look like",
+    "looks like",
+    "resemble",
+    "resembles",
+    "look as",
+    "take the shape of",
+    "takes the shape of",
+    "have the shape of",
+    "has the shape of",
+    "have the form of",
+    "has the form of",
+    "take the form of",
+)
 _GATHERS = frozenset({"gather", "cluster", "assemble", "group", "line", "align", "queue", "bunch", "unite", "stack",
                       "merge", "combine"})  # fmt: skip
 
@@ -31,6 +53,11 @@ def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
     if isinstance(theme, Structure):
         yield from _consists(p, i, k, theme, mode)
         yield from _goes(p, i, k, theme, mode)
+        for way, j in toward(p, comma) if (comma := p.one(k, ",")) else ():
+            end = p.one(j, ",")
+            for found, last in _goes(p, i, p.opt(end, "should", "must", "shall"), theme, mode) if end else ():
+                if isinstance(found, Clause):
+                    yield replace(found, adjuncts=(*found.adjuncts, way)), last
     elif isinstance(theme, Noun | Coord | Pronoun):
         yield from _becomes(p, i, k, theme, mode)
         yield from _gathers(p, i, k, theme, mode)
@@ -66,8 +93,8 @@ def _listing(
 
 def _goes(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterator[tuple[Meaning, int]]:
     """ "the tower goes brown, white, pink"."""
-    j = p.any_of(k, ("goes", "go", "runs", "run", "reads", "read", "be", "is", "has")) if theme.kind in _ORDERED else 0
-    lists = p.words[j - 1] in ("goes", "go", "runs", "run", "reads", "read") or p.words[j : j + 1] == [":"]
+    j = p.any_of(k, (*_LISTS, "be", "is", "has")) if theme.kind in _ORDERED else 0
+    lists = p.words[j - 1] in _LISTS or p.words[j : j + 1] == [":"]
     for items, end in listed(p, p.opt(j, ":")) if j else ():
         if lists or len(items) > 2:
             by = "read" if p.words[j - 1] in ("reads", "read") else "named"
@@ -76,6 +103,7 @@ def _goes(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterator[tu
                 yield replace(said, adjuncts=found, span=p.span(i, last)), last
 
 
+_LISTS = ("goes", "go", "runs", "run", "reads", "read", "shows", "show")
 _ORDERED = ("stack", "row", "line", "column")
 
 

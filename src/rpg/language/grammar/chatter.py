@@ -6,6 +6,8 @@ Patterns as in `wishes`: rows of slots with what may stand there.
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
+from rpg.language.grammar.frames import Phrases
+from rpg.language.grammar.framing import CLOSING, POINTING
 from rpg.language.grammar.wishes import FINE, PEOPLE, Patterns
 from rpg.language.tokens import Token
 
@@ -74,8 +76,18 @@ _TITLES = frozenset({"level", "task", "exercise", "problem", "example", "questio
 
 def idle(tokens: list[Token]) -> bool:
     """Whether a sentence asks for nothing."""
+    return _wholly(tokens, CHATTER, CLOSING, POINTING)
+
+
+def announces(tokens: list[Token]) -> bool:
+    """Whether a sentence says no more than that the next one describes it all: "The table looks like this."."""
+    return _wholly(tokens, POINTING)
+
+
+def _wholly(tokens: list[Token], *tables: Phrases) -> bool:
     p = Parser(tokens)
-    return any(p.opt(j, ",", ":") == p.end for j in CHATTER.matches(p, p.opt(0, ",")))
+    start = p.opt(0, ",")
+    return any(p.opt(j, ",", ":") == p.end for table in tables for j in table.matches(p, start))
 
 
 def untitled(tokens: list[Token]) -> list[Token]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.absent import never_there, nothing_at_all
+from rpg.language.grammar.absent import nothing_at_all
 from rpg.language.grammar.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.alike import all_alike
 from rpg.language.grammar.chatter import CHATTER
@@ -14,10 +14,10 @@ from rpg.language.grammar.denials import denied_of_all
 from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.each_color import of_each_color
 from rpg.language.grammar.frames import COMMAND_FRAMES, DONT, FIRST, START_FRAMES, STATE_FRAMES, TAG
+from rpg.language.grammar.framing import CLOSING, FRAMES
 from rpg.language.grammar.gaps import gap
-from rpg.language.grammar.having import finally_there, having, structure_is, with_more
+from rpg.language.grammar.having import finally_there, having, structure_is, topped
 from rpg.language.grammar.inventory import inventory
-from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.offsets import centering
 from rpg.language.grammar.piled import piled
@@ -26,6 +26,7 @@ from rpg.language.grammar.standby import leads
 from rpg.language.grammar.states import state
 from rpg.language.grammar.stock import stock
 from rpg.language.grammar.terse import about, said_of, terse
+from rpg.language.grammar.there import exists, listed_there, stands_there
 from rpg.language.grammar.verbs import PARTICLES, ever, verb_phrase
 from rpg.language.grammar.wishes import COMMAND_WISHES, DENIALS, START_WISHES, STATE_WISHES, TAGS
 from rpg.language.meaning import (
@@ -39,7 +40,6 @@ from rpg.language.meaning import (
     Manner,
     Meaning,
     Noun,
-    OrderBy,
     Pronoun,
     Structure,
     That,
@@ -76,13 +76,13 @@ def _unwanted(p: Parser, i: int) -> Results[Meaning]:
 @rule
 def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     when = "start" if mode == "start" else "goal"
-    if mode in ("command", "any"):
+    if mode in ("command", "any", "end"):
         yield from _command(p, i)
     yield from gap(p, i)
     yield from centering(p, i)
     yield from state(p, i, when)
-    for there, j in _exists(p, i):
-        there = finally_there(p, i, there)
+    for there, j in exists(p, i):
+        there = finally_there(p, i, there, mode == "end")
         begun = mode == "start" and isinstance(there, Clause) and there.mode == "given"
         yield (replace(there, lemma="begun") if begun and isinstance(there, Clause) else there), j
     yield from _describe(p, i, when)
@@ -147,7 +147,7 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
         if isinstance(first, Loc | In | At) and p.words[i] != "separately":
-            yield from _stands_there(p, i, j, first, mode)
+            yield from stands_there(p, i, j, first, mode)
         for found, end in _plain(p, j, mode):
             if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
                 yield replace(found, verb="build", theme=first.structure, span=p.span(i, end)), end
@@ -160,7 +160,7 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
             elif isinstance(found, Clause) and found.verb != "exist":
                 yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
         if isinstance(first, Toward):
-            yield from _listed_along(p, i, j, first)
+            yield from listed_there(p, i, j, first)
 
 
 def _of_a_place(first: Into, found: Clause) -> bool:
@@ -172,43 +172,6 @@ def _of_a_place(first: Into, found: Clause) -> bool:
 
 _NO_PLACE = frozenset({"there", "besides", "apart", "aside"})
 """What a place in front of its clause does not begin with: "apart from the red block there are two blue ones"."""
-_STANDS = (
-    "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
-    "stands", "lies", "go", "you put", "place", "put", "comes then", "come", "i want", "we want", "i need", "we need",
-    "i would like", "we would like", "there shall be", "there has to be", "there needs to be", "i want to see",
-)  # fmt: skip
-_FACTS = frozenset({"is", "are", "sits", "stands", "lies"})
-_SEEN = (
-    "there should be", "there must be", "there is", "there are", "put", "it is", "they are", "you see", "we see",
-    "i see", "one sees",
-)  # fmt: skip
-
-
-def _stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Results[Meaning]:
-    """ "on the left of the blue block there is a red one"."""
-    k = p.any_of(j, _STANDS)
-    lemma = "fact" if k and p.words[k - 1] in _FACTS else ""
-    for theme, end in noun_phrase(p, k or j):
-        bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
-        if bare and isinstance(theme, Noun) and not (theme.traits.colors or theme.traits.labels):
-            continue
-        for more, last in adjuncts(p, end):
-            verb = "build" if isinstance(theme, Structure) else "be"
-            when = "start" if mode == "start" else "goal"
-            span = p.span(i, last)
-            cost = 1 if k else 2
-            there = Clause(verb=verb, lemma=lemma, theme=theme, adjuncts=(first, *more), mode=when, span=span)
-            yield replace(there, cost=cost), last
-
-
-def _listed_along(p: Parser, i: int, j: int, first: Toward) -> Results[Meaning]:
-    """ "from left to right there should be red, green, blue"."""
-    there = p.opt(p.any_of(j, _SEEN) or j, ":")
-    for items, end in listed(p, there):
-        given = OrderBy(by="given", items=items, span=p.span(there, end))
-        for more, last in adjuncts(p, end):
-            span = p.span(i, last)
-            yield Clause(verb="arrange", adjuncts=(first, given, *more), mode="goal", span=span, cost=1), last
 
 
 def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
@@ -217,6 +180,7 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     seen = {i}
     for start, mode in found:
         for table, kind in (
+            (FRAMES, "end"),
             (COMMAND_FRAMES, "command"),
             (STATE_FRAMES, "state"),
             (START_FRAMES, "start"),
@@ -238,7 +202,8 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
                 j = p.opt(j, ",") if table in (FIRST, START_FRAMES) or dashed else j
                 if j not in seen and len(found) < 40:
                     seen.add(j)
-                    found.append((j, mode if mode in ("start", "denied") else kind))
+                    kept = mode in ("start", "denied") or (mode == "end" and kind == "state")
+                    found.append((j, mode if kept else kind))
     return found
 
 
@@ -280,45 +245,6 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
         yield ever(denied_of_all(p, i, found), never), k
 
 
-@rule
-def _exists(p: Parser, i: int) -> Results[Meaning]:
-    """ "there are three red blocks", "there should be a tower ...", "there must never be anything on ..."."""
-    yield from never_there(p, i)
-    j = p.any_of(
-        i,
-        (
-            "there should be",
-            "there must be",
-            "there has to be",
-            "there will be",
-            "there shall be",
-            "there needs to be",
-            "there should only be",
-        ),
-    )
-    mode = "goal"
-    if not j:
-        j = p.any_of(i, ("there are already", "there is already", "there are", "there is", "you have", "we have",
-            "i have", "you are given", "we are given", "you get",
-                         "given are", "here are", "the scene has", "the scene contains", "the table has",
-                         "the workspace contains", "the table holds", "there also are",
-                         "you start with", "there were", "there was", "the table contains", "on the table there are",
-                         "on the table are", "on the table there is"))  # fmt: skip
-        mode = "given"
-    if not j:
-        return
-    j = p.opt(j, "also", "now", "currently", "initially")
-    for theme, k in noun_phrase(p, j):
-        apart = adjuncts(p, k + 1) if p.words[k : k + 1] == [","] and isinstance(theme, Structure) else []
-        nothing = isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det == "no")
-        k = p.opt(k, *_LYING) if isinstance(theme, Noun) else k
-        for found, end in [*adjuncts(p, k), *(x for x in apart if x[0])]:
-            said = "goal" if nothing else mode
-            verb = "be" if said == "goal" and with_more(theme, found) else "exist"
-            yield Clause(verb=verb, theme=theme, adjuncts=found, mode=said, span=p.span(i, end)), end
-
-
-_LYING = ("lying", "standing", "sitting", "resting", "placed", "located", "positioned", "situated")
 _VAGUE = frozenset({"it", "them", "they", "that", "this", "one", "each", "all", "both"})
 _WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
 """After these "it" and "them" are what is described: "I want them in a row"."""
@@ -342,6 +268,7 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
             *((f, e) for f, e in (adjuncts(p, j + 1) if p.stands(j, _SET_OFF) else ()) if f),
         ]:
             if found or shaped:
+                found = topped(theme, found)
                 cost = 2 if found and isinstance(found[0], At) else 1
                 yield (
                     Clause(
@@ -393,7 +320,7 @@ def tail(p: Parser, i: int) -> int:
     """The position after closing words that carry nothing ("please", "thanks")."""
     while True:
         j = p.opt(i, ",")
-        k = max((m for tags in (TAG, TAGS) for m in tags.matches(p, j)), default=0)
+        k = max((m for tags in (TAG, TAGS, CLOSING) for m in tags.matches(p, j)), default=0)
         if not k:
             return i
         i = k

@@ -209,13 +209,36 @@ def _stated(p: Parser, i: int, end: int, theme: Meaning, places: tuple[Meaning, 
 
 
 _END = frozenset({"end", "final", "finally", "result", "finished", "done"})
+_LASTLY = frozenset({"finally", "eventually", "ultimately", "lastly"})
+REACH = 2
+"""So many words may lead to what there is finally: "Finally, there is ..."."""
 
 
-def finally_there(p: Parser, i: int, there: Meaning) -> Meaning:
-    """ "At the end there is a red block with a blue one on it": both are so in the end."""
-    if not isinstance(there, Clause) or _END.isdisjoint(p.words[:i]) or not with_more(there.theme, there.adjuncts):
+def finally_there(p: Parser, i: int, there: Meaning, end: bool = False) -> Meaning:
+    """ "At the end there is a red block with a blue one on it": both are so in the end. `end`: a frame tells of it."""
+    end = end or (p.stands(0, _LASTLY) and i <= REACH) or p.seq(0, "at last") > 0
+    if not isinstance(there, Clause) or (not end and _END.isdisjoint(p.words[:i])):
         return there
-    return replace(there, verb="be", mode="goal")
+    if with_more(there.theme, there.adjuncts):
+        return replace(there, verb="be", mode="goal")
+    told = end and there.mode == "given" and (there.adjuncts or isinstance(there.theme, Structure))
+    return replace(there, mode="goal") if told else there
+
+
+def topped(theme: Meaning | None, found: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "a red block with a blue one on top": on it, for a single block has no parts."""
+    single = isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and theme.det in ("a", "the")
+    return tuple(_on_it(a) for a in found) if single and len(found) == 1 else found
+
+
+def _on_it(part: Meaning) -> Meaning:
+    if not isinstance(part, Absolute) or len(part.adjuncts) != 1:
+        return part
+    place = part.adjuncts[0]
+    if not isinstance(place, At) or (place.side, place.index, place.whole) != ("top", None, None):
+        return part
+    on = Loc(rel="on", landmark=Pronoun(word="it", span=place.span), span=place.span)
+    return replace(part, adjuncts=(on,))
 
 
 def with_more(theme: Meaning | None, found: tuple[Meaning, ...]) -> bool:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.standby import AS_EXTRAS
+from rpg.language.grammar.framing import IN_PICTURE, WHEN_DONE
+from rpg.language.grammar.standby import AS_EXTRAS, said_idle
 from rpg.language.grammar.strangers import strangers
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Manner, Meaning
@@ -61,6 +62,9 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     for n, j in _degrees(p, p.opt(i, "turned", "rotated", "twisted", "spun")):
         yield from _spun(p, i, j, n)
     yield from strangers(p, i)
+    for kind, frame in (("finally", WHEN_DONE), ("idle", IN_PICTURE)):
+        for j in frame.matches(p, i):
+            yield Manner(kind=kind, span=p.span(i, j)), j
     if p.anywhere(_NO_MORE_OF) and (j := p.any_of(comma, _NO_MORE)):
         yield Manner(kind="idle", span=p.span(i, j)), j
     if j := p.any_of(i, _ONE_EACH) if i > 0 else 0:
@@ -68,6 +72,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
     if j := max((k for at in {i, comma} for k in _STREWN.matches(p, at)), default=0):
         yield Manner(kind="strewn", span=p.span(i, j)), j
     if j := max((k for at in {i, comma} for k in AS_EXTRAS.matches(p, at)), default=0):
+        yield Manner(kind="extra", span=p.span(i, j)), j
+    for j in said_idle(p, i):
         yield Manner(kind="extra", span=p.span(i, j)), j
     for phrase, j in p.standing(i, _LITTLE):
         kind, value = _LITTLE[phrase]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.slots import Classes, Rows
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Meaning, Pattern, Spacing
 
@@ -139,13 +140,39 @@ def _agree(p: Parser, i: int, k: int, unit: str) -> Results[Meaning]:
             yield Pattern(unit=unit, different=different, span=p.span(i, e)), e
 
 
+_GAPLESS = Rows(
+    Classes(
+        {
+            "between": (
+                "left|remaining|visible|allowed|anywhere",
+                "in_between|inbetween",
+                "between|among them|each_other|one_another|two_of_them|any_two|any_two_of_them|any_of_them",
+                "between|among the? neighbors|neighboring_ones",
+                "between|among all? the|any|any_two|neighboring|its|their? blocks|cubes|bricks|ones|members|letters",
+            ),
+            "gap": ("gap|gaps|space|spaces|spacing|holes|hole|empty_space|free_space|air|free_room",),
+            "next": ("the|its|their? next|neighbor|neighbors|neighboring|adjacent|following|other? one|block|cube?",),
+        }
+    ),
+    "with|having|leaving|there_being? no|zero|not_any <gap> <between>* at_all|whatsoever?",
+    "without a|any? <gap> <between>* at_all|whatsoever?",
+    "so|such|so_that|such_that|in_such_a_way_that|and? there is|are|must_be|should_be|shall_be|will_be|may_be|can_be|"
+    "has_to_be|have_to_be|remains|remain no <gap> <between>* at_all|whatsoever?",
+    "tightly",
+    "flush|packed|pressed|pushed tightly|closely|densely? together",
+    "tightly|closely|densely packed|pressed together?",
+    "touching each_other",
+    "side_by_side and touching",
+    "so_that|such_that|so|with|and? each|every one|block|cube? touching|touches <next>",
+)
+"""No gaps along a line."""
 _TOUCH = Patterns(
     "where|so_that|such_that|with|in_which|and|, all|each|every|their? the? block|blocks|cube|cubes|they|one|faces? "
     "touch|touches|touching their|its|the|each? both? next|neighbor|neighbors|other_one|next_one|next_block",
     ",? with? the|their? faces|sides|cubes|blocks touching",
     ",? touching cubes|blocks|bricks",
 )
-"""No gaps along a line."""
+"""The same, by what touches what."""
 
 
 @rule
@@ -161,15 +188,5 @@ def spacing(p: Parser, i: int) -> Results[Meaning]:
                          "evenly distributed", "with even gaps", "evenly apart",
                          "with equal distance between them", "equally far apart", "with uniform spacing")):  # fmt: skip
         yield Spacing(kind="even", span=p.span(i, j)), j
-    if j := p.any_of(i, ("without gaps", "with no gaps", "without any gaps", "with no gaps between them",
-        "with no space between them", "without gaps between them",
-                         "with no gap between them", "tightly", "touching each other", "packed together",
-                         "without space between them",
-                         "with each block touching the next", "each touching the next", "so that each touches the next",
-                         "so that each block touches the next",
-                         "such that each touches the next", "so each touches the next", "each one touching the next",
-                         "flush together",
-                         "without any gaps between them",
-                         "with no gap", "no gaps", "no gap", "no gaps between them",
-                         "with no space in between", "side by side and touching")):  # fmt: skip
+    if j := max(_GAPLESS.matches(p, i), default=0):
         yield Spacing(kind="touching", span=p.span(i, j)), j

@@ -9,8 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.labels import label_list
-from rpg.language.grammar.standby import THAT_EXTRAS
-from rpg.language.grammar.wishes import Patterns
+from rpg.language.grammar.standby import NO_ROLE
 from rpg.language.meaning import Loc, Meaning, Noun, Traits
 
 _THAT = frozenset({"that", "which", "who", "what"})
@@ -21,14 +20,6 @@ _THINGS = {"letters": "letter", "numbers": "digit", "digits": "digit", "symbols"
            "number": "digit"}  # fmt: skip
 
 
-_EXTRAS = Patterns(
-    "only|just|simply? serve|serves|act|acts|function|functions|are|is there? only|just|simply? there? "
-    "as? distractors|a_distractor|distraction|decoration|decorations",
-    "are|is not used|needed|required|part_of_it|involved|relevant",
-    "do|does|should|must|may|can not matter|count|play_a_role|belong_to_it|take_part|be_used|belong_there",
-    "are|is irrelevant|unused|superfluous|of_no_importance|not_to_be_used",
-)
-"""What is only there."""
 _WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the color is", "of which the color is",
                 "with the color", "that has color", "that has the color", "which has the color", "having color",
                 "having the color", "who is", "of the color")  # fmt: skip
@@ -46,7 +37,7 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
     that = p.one(comma, _THAT)
     that = p.seq(that, "in turn") or that if that else 0
     if that:
-        if j := max((k for told in (_EXTRAS, THAT_EXTRAS) for k in told.matches(p, that)), default=0):
+        if j := max(NO_ROLE.matches(p, that), default=0):
             yield Traits(extra=True), j
         if j := p.one(that, _SHOW):
             yield from _shown(p, j)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.wishes import Patterns
@@ -52,6 +54,22 @@ _ALONG = {
 """The axis of a line."""
 
 
+_VIEWED = frozenset({"seen", "viewed", "looking", "looked", "watched"})
+_READ_OFF = _VIEWED | {
+    "reading",
+    "read",
+    "counting",
+    "counted",
+    "listed",
+    "told",
+    "named",
+    "written",
+    "taken",
+    "ordered",
+}
+"""How a line is told in a direction. "Seen from the left" is no direction, "seen from left to right" is one."""
+_ONWARD = frozenset({"to", "towards", "up", "down", "upwards", "downwards", "upward", "downward"})
+_FROM = frozenset({"from", "bottom", "top", "left", "right"})
 _COUNTED = frozenset({"block", "cube", "brick", "one", "layer", "row", "blocks", "cubes", *lexicon.ORDINAL})
 """What is counted "from the bottom", so that this is no direction."""
 
@@ -83,6 +101,12 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
             yield Toward(first="bottom", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
         if p.words[k : k + 1] in (["down"], ["downwards"], ["downward"]) and first == "top" and j > i:
             yield Toward(first="top", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
+    lead = p.one(i, _READ_OFF)
+    lead = p.opt(lead, "at", "off") if lead else 0
+    for way, k in toward(p, lead) if lead else ():
+        onward = not _ONWARD.isdisjoint(p.words[lead:k]) or p.words[i] not in _VIEWED
+        if isinstance(way, Toward) and way.first is not None and onward and p.words[lead] in _FROM:
+            yield replace(way, span=p.span(i, k)), k
     for phrase, k in p.standing(i, _BEGINNING):
         side, axis = _BEGINNING[phrase]
         yield Toward(first=side, axis=axis, span=p.span(i, k)), k

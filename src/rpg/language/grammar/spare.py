@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import noun_phrase
-from rpg.language.grammar.standby import THAT_EXTRAS
+from rpg.language.grammar.standby import NO_ROLE
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Clause, Coord, Meaning, Noun, Pronoun
 
@@ -35,18 +35,7 @@ _DOING_NOTHING = Patterns(
     "as|for a? distractor|distractors|distraction",
     "serve|serves|act|acts|function|functions also|just|only|merely|simply? as|for a|an|mere|pure? "
     "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys",
-    "are|is|be|should_be|must_be|will_be present_but|there_but|around_but|also_present_but|also|just|only|"
-    "merely|simply|mere|pure? distractors|distraction|decoration|"
-    "decorations|a_distractor|a_decoy|decoys|unused|irrelevant|superfluous|left_over|leftover|left_out|spare|not_used|"
-    "not_needed|not_required|not_involved|not_part_of_it|not_part_of_this|ignored|to_be_ignored|of_no_importance|"
-    "unimportant|unneeded|no_part_of_it|not_relevant|not_of_interest here|there|at_all|for_this? "
-    "on_the_table|somewhere|for_now?",
-    "do|does not matter|count|play_a_role|belong_to_it|take_part|belong_to_the_word here|at_all?",
-    "play|plays no role|part here|in_this|in_it?",
-    "should|must|may|can|will|are_to|is_to|are|is be? not be|to_be? used|needed",
-    "should|must|may|can not be used|needed|part_of_it",
-    "can|should|may|must be ignored|left_out|disregarded|left_aside",
-    "remain|remains|stay|stays|go|goes unused|out_of_it|aside|left_over",
+    "do|does not belong_to_the_word here|at_all?",
 )
 _AROUND = Patterns(
     "lie|lies|stand|stands|sit|sits|are|is also|too|just|only? around|about|lying_around|lying_about also|too? "
@@ -91,6 +80,7 @@ def spare(p: Parser, i: int) -> Results[Clause]:
             there = Clause(verb="exist", lemma="stock", theme=theme, mode="given", span=p.span(i, k))
             yield (_said(p, i, k, theme) if further else there), k
         it = isinstance(theme, Pronoun) and theme.word == "it"
+        j = p.any_of(j, _ON_TABLE) or j
         for k in {*_doing_nothing(p, j), *_AS.matches(p, p.opt(j, ","))} if it or _blocks(theme) else ():
             if it and _NAMING.isdisjoint(p.words[j:k]):
                 continue
@@ -99,10 +89,11 @@ def spare(p: Parser, i: int) -> Results[Clause]:
 
 
 def _doing_nothing(p: Parser, j: int) -> Iterator[int]:
-    for told in (_DOING_NOTHING, THAT_EXTRAS):
+    for told in (_DOING_NOTHING, NO_ROLE):
         yield from told.matches(p, j)
 
 
+_ON_TABLE = ("on the table", "on the desk", "lying on the table", "over there", "there")
 _NAMING = frozenset({"distractor", "decoy", "decoration", "distraction", "ignored", "disregarded", "used", "needed",
                      "required", "nothing", "need", "use", "role", "part"})  # fmt: skip
 """What says of a single block spoken of before that it is only there."""

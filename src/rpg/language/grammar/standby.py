@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rpg.language import lexicon
 from rpg.language.grammar.adjectives import Marks, colors
 from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.slots import Classes, Rows
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Size, Using
 
@@ -21,21 +24,100 @@ AS_EXTRAS = Patterns(
     "distract|confuse|mislead you|us|the_robot|from_it|from_the_task?",
 )
 """Behind blocks, or behind what is said of where they are."""
-THAT_EXTRAS = Patterns(
-    "play|plays no role|part here|in_this|in_it|at_all?",
-    f"have|has nothing to_do with {_THIS}",
-    f"are|is not|no part of {_THIS}",
-    "can|should|must|may|are_to|is_to|has_to|have_to be ignored|disregarded|left_out|left_aside|left_unused",
-    "you|we|i|the_robot|one do|does|should|must|need|needs|may|can not need|use|care_about|have_to_use|need_to_use|"
-    "to_use here|for_this|at_all?",
-    "nobody|no_one needs|uses",
-    "just|only|merely|simply are|is|lie|lies|stand|stands|sit|sits around|there|about|by|lying_around|standing_around",
-    "are|is|lie|lies|stand|stands|sit|sits just|only|merely|simply around|there|about|by|lying_around|standing_around|"
-    "lying_there|for_show|in_the_way|along_for_the_ride",
-    "only|just|merely? distract|distracts|confuse|confuses",
-    "are|is there|around|present|on_the_table? only|just|merely|simply to distract|confuse|mislead you|us|the_robot?",
+_IDLENESS = Classes(
+    {
+        "just": ("just|only|merely|simply|purely|also|too|solely|totally|completely|really|actually|basically|all",),
+        "mere": ("just|only|merely|simply|purely",),
+        "may": ("can|should|must|may|might|could|will|shall|are_to|is_to|has_to|have_to|need_to|needs_to",),
+        "here": (
+            "here|there|at_all|whatsoever|for_us|for_me|for_you|today|anymore|any_more|either|too|though|anyway",
+            "in|for|to|with|of|about this|that|it|all_this|any_of_it|the_whole_thing|what_we_do",
+            "in|for|to|of the|this task|game|goal|plan|result|job|puzzle|story",
+            "on the table|desk|workspace",
+            "somewhere|anywhere|nearby|in_the_scene|for_now|in_particular",
+        ),
+        "not": (
+            "do|does|did|should|must|may|can|will|would|need|needs|shall|could|has|have not",
+            "never|nowhere",
+        ),
+        "part": (
+            "role|part|function|meaning|importance|significance|purpose|relevance|influence|job|task|effect|use|"
+            "consequence|bearing|interest|concern|value|duty",
+        ),
+        "role": (
+            "<just>? play|plays|playing|have|has|having|serve|serves|get|gets|with|being_of|are_of|is_of|be_of "
+            "no|zero|little real|special|particular|further|other? <part>",
+        ),
+        "dummy": (
+            "a|an|some|mere|pure? "
+            "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys|scenery|background|"
+            "ornament|ornaments|filler|fillers|red_herring|red_herrings|dummy|dummies|spectator|spectators",
+        ),
+        "idle": (
+            "irrelevant|unimportant|unused|superfluous|unneeded|spare|extra|left_over|leftover|left_out|ignored|unnecessary|"
+            "meaningless|uninvolved|redundant|insignificant|immaterial|pointless|of_no_importance|of_no_interest|"
+            "of_no_use|of_no_relevance|of_no_concern|beside_the_point|no_part_of_it|without_meaning|without_a_role|"
+            "without_function|without_importance",
+            "not|no a? part|member of it|this|that|all_this|the_whole|anything",
+            "not|no a? part|member of the|this task|tower|row|structure|goal|game|puzzle|job|picture|plan",
+            "not to_be? used|needed|required|relevant|important|involved|of_interest|part_of_it|part_of_this|counted|"
+            "wanted|concerned|interesting|to_be_used|necessary",
+            "<mere>|mere|pure? there|around|present? but? as? <dummy>",
+            "<mere>? for_show|for_decoration|to_look_at|there_to_look_pretty|along_for_the_ride|in_the_way",
+            "<mere> around|there|about|by|lying_around|standing_around|lying_there|present|nearby|sitting_around|"
+            "standing_by|bystanders|a_bystander",
+        ),
+        "purpose": (
+            "to distract|confuse|mislead|look_pretty|look_nice|fill_the_table you|us|the_robot? from_it|from_the_task?",
+            "for|as a|some|mere|pure? distraction|decoration|show|fun|confusion",
+        ),
+        "lie": (
+            "are|is|be|lie|lies|lying|stand|stands|standing|sit|sits|sitting|rest|rests|was|were|remain|remains",
+            "stay|stays|left",
+        ),
+    }
+)
+NO_ROLE = Rows(
+    _IDLENESS,
+    "<may>? <role> <here>*",
+    "<not> <just>? play|have|serve|get a|any <part> <here>*",
+    "<not> <just>? matter|count|participate|take_part|join_in|concern_us|concern_you|interest_us|contribute|"
+    "mean_anything|belong_to_it|belong_to_this|belong_here|belong_there|be_used|be_needed|get_used|have_to_be_used|"
+    "need_to_be_used|make_a_difference <here>*",
+    "are|is|be <just>? <idle> <here>*",
+    "<may> be <just>? <idle> <here>*",
+    "<may> be ignored|disregarded|left_out|left_aside|left_unused|forgotten|overlooked|skipped <here>*",
+    "<may> <just>? remain|stay unused|aside|out_of_it|left_over|out_of_play <here>*",
+    "remain|remains|stay|stays|go|goes unused|aside|out_of_it|left_over|out_of_play <here>*",
+    "<just>? serve|serves|act|acts|function|functions|count|counts <just>? as|for <dummy> <here>*",
+    "<mere> <lie> around|about|by|there|nearby|lying_around|standing_around|present <here>*",
+    "<lie> <mere> around|about|by|there|nearby|lying_around|standing_around|lying_there|for_show|in_the_way <here>*",
+    "<lie> there|around|present|about|lying_around|on_the_table <just>? <purpose>",
+    "<just>? distract|distracts|confuse|confuses <here>*",
+    "have|has <just>? nothing to_do with it|this|that|the_others|others|anything",
+    "have|has <just>? nothing to_do with the|this task|tower|row|structure|goal|game|puzzle|job",
+    "you|we|i|the_robot|one|they <not> <just>? need|use|care_about|have_to_use|need_to_use <here>*",
+    "you|we|i|the_robot|one <may> ignore|forget|forget_about|leave_out|skip|disregard|leave_aside <here>*",
+    "nobody|no_one needs|uses|wants|cares_about|asks_for|asks_about <here>*",
 )
 """What is said of such blocks."""
+_OF_THEM = Rows(
+    _IDLENESS,
+    "too|as_well|also? ,? and? that|which|who",
+    "too|as_well|also? ,? and|but",
+    "too|as_well|also? ,? and|but it|they|this_one|these|those",
+    "too|as_well|also? , it|they|this_one|these|those",
+)
+
+
+_AROUND = frozenset({*lexicon.TABLE, "there", "around", "about", "scene", "too", "well"})
+"""What is said last of where blocks are that are only there."""
+
+
+def said_idle(p: Parser, i: int) -> Iterator[int]:
+    """Positions after "(on the table) which plays no role", "(there), but has no part in it"."""
+    for j in _OF_THEM.matches(p, i) if p.follows(i, _AROUND) else ():
+        yield from NO_ROLE.matches(p, j)
 
 
 def all_extra(meaning: Meaning) -> bool:

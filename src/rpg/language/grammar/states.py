@@ -10,6 +10,7 @@ from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.becoming import becoming, staying
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.denials import denied_of_all, leave, stays
+from rpg.language.grammar.framing import past
 from rpg.language.grammar.labels import label_list, literal
 from rpg.language.grammar.manners import direction, manner
 from rpg.language.grammar.nouns import noun_phrase
@@ -64,7 +65,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     if barred and not asked:
         return
     for theme, j in noun_phrase(p, inverted or asked or i):
-        j = p.opt(j, "all", "each", "both", "then")
+        j = past(p, p.opt(j, "all", "each", "both", "then"))
         j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
         k, words = _auxiliaries(p, j)
         if not _floats(theme, {*p.words[j - 1 : k]}) or one_heap(theme, p.words[j]):
@@ -211,6 +212,7 @@ def _predicate_after_be(
 
 
 def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+    j = past(p, j)
     senses = p.lex(j, lexicon.VERB)
     for sense, lemma, form in senses or ():
         if lemma == "leave" and p.words[j - 1 : j] != ["be"]:
@@ -244,18 +246,8 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
         start = p.reach(j + 1)
     for found, k in adjuncts(p, start):
         if any(not isinstance(a, Manner) or a.kind != "respectively" for a in found):
-            yield (
-                Clause(
-                    verb="be",
-                    theme=theme,
-                    adjuncts=found,
-                    negated=negated,
-                    mode=mode,
-                    span=p.span(i, k),
-                    word=p.span(j, j + 1),
-                ),
-                k,
-            )
+            said = Clause(verb="be", theme=theme, adjuncts=found, negated=negated, mode=mode, span=p.span(i, k))
+            yield replace(said, word=p.span(j, j + 1)), k
     head = theme.head if isinstance(theme, Noun) else "block"
     the = p.opt(j, "the")
     for marks, k in adjectives(p, the):

@@ -114,7 +114,7 @@ _PREFACES = (
     f"for my|our|the|your|these|some? little|younger|older|dear? {PEOPLE}|customer_'s|daughter_'s|son_'s|"
     "class_'s birthday|party|lesson|room|class? ,|:?",
     "in_addition|moreover|furthermore|what_is_more ,?",
-    "besides ,",
+    "besides|apart_from_that|apart_from_this|aside_from_that|other_than_that|beyond_that ,?",
     "so|okay|ok|right|well? ,? the thing|point|deal|idea|question|problem is ,|:|that?",
     "this|that|here|it is|shows exactly? what|how|the_way i|we|you "
     "want|need|imagine|picture|see|would_like|expect|wish|have_in_mind|had_in_mind|should_do|should_build|should_see|"

@@ -34,7 +34,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
 
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half").
     """
-    if (picture := _pictured(chains)) is not None:
+    if (picture := _pictured(chains, text)) is not None:
         return picture
     told = [_facts(chain, bold) for chain in chains]
     final = [_of_its_end(chains, n, text) for n in range(len(chains))]
@@ -85,23 +85,52 @@ def _going_on(chains: tuple[Chain, ...], final: list[bool]) -> list[int]:
     return found
 
 
-def _pictured(chains: tuple[Chain, ...]) -> tuple[Chain, ...] | None:
-    """Facts alone, "there is a red block on the blue one" among them: all of it pictures the end."""
+def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
+    """Facts alone, "there is a red block on the blue one" among them: all of it pictures the end.
+
+    So does what is said to be seen, in a picture or at the end, where nothing else is asked for.
+    """
     clauses = [c for chain in chains for c in chain.clauses]
-    if not all(isinstance(c, Clause) and (c.lemma == "fact" or _there_is(c)) for c in clauses):
+    listed = isinstance(clauses[0], Clause) and clauses[0].lemma in ("tally", "stock")
+    seen = _SEEN.search(text[: clauses[0].span[listed]]) is not None
+    final = [_of_its_end(chains, n, text) for n in range(len(chains))]
+    if any(final) and not final[0]:
         return None
-    if any(isinstance(c, Clause) and c.mode == "start" for c in clauses):
+    if any(isinstance(c, Clause) and c.mode in ("start", "command") for c in clauses):
         return None
-    if not any(isinstance(c, Clause) and c.lemma == "fact" and c.mode == "goal" for c in clauses):
+    if not all(isinstance(c, Clause) and _describes(c, text, seen) for c in clauses):
         return None
-    return tuple(replace(chain, clauses=tuple(map(_of_the_end, chain.clauses))) for chain in chains)
+    if not any(isinstance(c, Clause) and c.mode == "goal" and (seen or c.lemma == "fact") for c in clauses):
+        return None
+    return tuple(replace(chain, clauses=tuple(_of_the_end(c, seen) for c in chain.clauses)) for chain in chains)
 
 
-def _of_the_end(clause: Meaning) -> Meaning:
+_SEEN = re.compile(
+    r"\b(?:sees?|seen|picture[ds]?|photo(?:graph)?s?|image|drawing|sketch|scene|looks?|shows?|imagine|end|finally|final|"
+    r"done|finished)\b",
+    re.IGNORECASE,
+)
+"""Words of frames in front of a picture."""
+_ASKED = re.compile(
+    r"\b(?:must|should|shall|has to|have to|needs? to|ought|will|may|can|let|want|wish)\b", re.IGNORECASE
+)
+
+
+def _describes(clause: Clause, text: str, seen: bool) -> bool:
+    """Whether a clause says how it is, and not what is wanted."""
+    if clause.lemma == "fact" or _there_is(clause):
+        return True
+    return seen and clause.mode in ("goal", "given") and _ASKED.search(text[slice(*clause.span)]) is None
+
+
+def _of_the_end(clause: Meaning, seen: bool) -> Meaning:
     """The clause, about the end if it says where something is: to be on the table is to be there."""
-    places = clause.adjuncts if _there_is(clause) else ()
+    if not isinstance(clause, Clause) or (clause.verb, clause.mode, clause.lemma) != ("exist", "given", ""):
+        return clause
+    places = clause.adjuncts if seen or _there_is(clause) else ()
     told = any(not (isinstance(a, Loc) and isinstance(a.landmark, TableTop)) for a in places)
-    return replace(clause, mode="goal") if told and isinstance(clause, Clause) else clause
+    told = told or (seen and isinstance(clause.theme, Structure))
+    return replace(clause, mode="goal") if told else clause
 
 
 def _there_is(clause: Meaning) -> TypeGuard[Clause]:

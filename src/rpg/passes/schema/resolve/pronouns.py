@@ -85,7 +85,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         m for m in scene.mentions if m.ref.names and (len(m.ref.names) == 1 or m.ref.built) and m.clause <= scene.clause
     ]
     if scope.role == "landmark":
-        current = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
+        current = [m for m in scene.mentions if m.clause == scene.clause and m.role in ("theme", "given")]
         own = {n for m in current for n in m.ref.names}
         single = [m for m in single if not own & set(m.ref.names)]
     if not single:

@@ -18,8 +18,9 @@ from rpg.language.grammar.onto import piled_up
 from rpg.language.grammar.orders import READABLE, order
 from rpg.language.grammar.relations import loc
 from rpg.language.grammar.sides import at
-from rpg.language.grammar.sizes import IN_TOTAL, rising_steps, size_phrase
+from rpg.language.grammar.sizes import IN_TOTAL, size_phrase
 from rpg.language.grammar.standby import all_extra
+from rpg.language.grammar.steps import rising_steps
 from rpg.language.grammar.wholes import wholes
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.bodies import bodies
 from rpg.language.grammar.clauses import clause
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.frames import THEN
@@ -92,6 +93,10 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         yield from _behind_colon(p, i, had, links, colon)
     if isinstance(had[-1], Clause) and had[-1].negated:
         yield from _not_until(p, i, had, links, at)
+    for told, k in bodies(p, at, had[-1]):
+        whole, joined = (*had, *told), (*links, *("and" for _ in told))
+        yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k
+        yield from _more(p, i, whole, joined, k)
     for link, j in _link(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
         if previous is not None and previous.negated and link in ("before", "after"):

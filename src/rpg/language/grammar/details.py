@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.absolutes import more_parts, one_more
 from rpg.language.grammar.around import surrounded
+from rpg.language.grammar.bodies import body_clause
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each import each_clause
 from rpg.language.grammar.each_line import each_line
@@ -25,6 +26,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
     yield from strangers_told(p, i)
     yield from piled_from_an_end(p, i)
     yield from surrounded(p, i)
+    yield from body_clause(p, i)
     for lines, j in each_line(p, i):
         if isinstance(lines, Coord):
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j

@@ -15,7 +15,8 @@ from rpg.language.grammar.each_line import EACH
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.limbs import LIMBED, limb
 from rpg.language.grammar.lists import listed
-from rpg.language.grammar.sizes import IN_TOTAL, ends_in_lines, heights_of_steps, lines_of, size_phrase
+from rpg.language.grammar.sizes import IN_TOTAL, ends_in_lines, lines_of, size_phrase
+from rpg.language.grammar.steps import steps_told
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -42,9 +43,10 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
         traits = replace(base.traits, colors=base.traits.colors or named)
         yield replace(base, sizes=(*base.sizes, tall), traits=traits, span=p.span(i, k)), k
     if base.kind == "staircase" and not base.sizes:
-        for steps, k in heights_of_steps(p, j):
-            base = replace(base, sizes=(steps,), span=p.span(i, k))
-            yield from _sized(p, i, k, base)
+        for (steps, rising, named), k in steps_told(p, j):
+            traits = replace(base.traits, colors=base.traits.colors or named)
+            told = replace(base, sizes=(steps,), details=(*base.details, *rising), traits=traits, span=p.span(i, k))
+            yield from _sized(p, i, k, told)
     for sized, k in _sized(p, i, j, base):
         yield sized, k
         yield from _one_each(p, i, k, sized)

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar import amounts
-from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.meaning import Amount, Size
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.meaning import Size
 
 _BY = frozenset({"by", "x", "times"})
 _BLOCKS = ("block", "blocks", "cube", "cubes", "brick", "bricks", "level", "levels", "layer", "layers")
@@ -215,35 +213,3 @@ def lines_of(p: Parser, i: int, kind: str) -> Results[Size]:
 _IN_EACH = ("", " each", *(f" in {a} {line}" for a in ("each", "every") for line in ("row", "layer", "column")))
 _IN_EACH_LINE = tuple(f"{noun}{tail}" for noun in ("blocks", "cubes", "bricks") for tail in _IN_EACH)
 _THICK = ("grid", "cube", "square", "rectangle", "stack")
-_OF_HEIGHTS = (
-    "of heights", "with heights", "with heights of", "with the heights", "of height", "with steps of height",
-    "with steps of heights", "with columns of height", "with columns of heights", ": heights", ", heights",
-    "with columns", ": column heights", ", column heights", "with column heights", "with column heights of",
-    ": columns of heights", ": columns of height", ": steps of heights", ": steps of height", ": heights of",
-    "whose steps are", "whose columns are", "whose heights are", "with steps that are", "with columns that are",
-    ", with steps of height", ", with steps of heights", ", with columns of heights", ", with columns of height",
-    ", with columns", "with steps", ":", "with the columns", "having heights", ", columns", ", steps of height",
-)  # fmt: skip
-
-
-@choice
-def heights_of_steps(p: Parser, j: int) -> Results[Size]:
-    """ "stairs of heights 1, 2 and 3", "stairs: one block, then two blocks, then three": as many steps."""
-    at = p.any_of(j, _OF_HEIGHTS)
-    listed: list[int] = []
-    while at and (n := p.number(at)) is not None:
-        listed.append(n)
-        end = p.any_of(at + 1, ("blocks high", "blocks", "block", "cubes", "cube", "high", "block high")) or at + 1
-        on = p.opt(end, ",")
-        ends = p.number(p.any_of(on, ("and then", "then", "and")) or on) is None
-        if ends and len(listed) > 1 and listed == list(range(1, len(listed) + 1)):
-            amount = Amount(len(listed), len(listed))
-            yield Size(what="steps", amount=amount, span=p.span(j, end)), p.any_of(end, ("high", "blocks high")) or end
-        at = p.any_of(p.opt(end, ","), ("and then", "then", "and", "and finally")) or p.opt(end, ",")
-
-
-def rising_steps(p: Parser, i: int) -> Results[Size]:
-    """The same behind what else is said of stairs."""
-    for found, j in heights_of_steps(p, i):
-        if not {"stairs", "staircase", "stairway", "steps"}.isdisjoint(p.words[:i]):
-            yield replace(found, cost=1), j

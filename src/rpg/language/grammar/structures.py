@@ -189,7 +189,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             before, quantity = replace(before, marks=marks), Quantity("another", quantity.amount)
         if (plural and quantity.det in ("a", "each")) or (quantity.amount and quantity.amount.low > 1 and not plural):
             continue
-        if p.words[k - 1] in ("stairs", "steps") and quantity.amount is not None:
+        if p.words[k - 1] in ("stairs", "steps") and quantity.amount is not None and quantity.amount.low > 1:
             steps = Size(what="steps", amount=quantity.amount, span=p.span(i, k))
             plural, quantity, before = False, Quantity("a"), replace(before, sizes=(*before.sizes, steps))
         operator = before.operator or (OPERATORS.get(p.words[k - 1]) if kind == "equation" else None)

@@ -8,6 +8,7 @@ from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.alternation import alternation_alone
 from rpg.language.grammar.amounts import count
+from rpg.language.grammar.bodies import bodies
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.equations import solved
 from rpg.language.grammar.labels import digits_of, literal
@@ -196,9 +197,14 @@ def _spelt(p: Parser, i: int) -> Results[Meaning]:
             yield Clause(verb="spell", theme=word, adjuncts=(*using, *found), span=p.span(i, end), cost=1), end
     text = literal(p, i)
     j = p.any_of(p.opt(i + 1, ","), _SPELT) if text is not None else 0
-    if text is None or (not j and (len(text) < 2 or not p.stands(i + 1, ("in", "as", "down", "from", "along")))):
+    if text is None:
         return
     word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
+    noted = Clause(verb="spell", theme=word, span=p.span(i, i + 1), cost=2)
+    if len(text) > 1 and text.isalpha() and any(True for _ in bodies(p, i + 1, noted)):
+        yield noted, i + 1
+    if not j and (len(text) < 2 or not p.stands(i + 1, ("in", "as", "down", "from", "along"))):
+        return
     for found, k in adjuncts(p, i + 1) if not j else ():
         if found and isinstance(found[0], Into | Toward) and k >= p.end:
             yield Clause(verb="spell", theme=word, adjuncts=found, span=p.span(i, k), cost=2), k

@@ -128,12 +128,43 @@ def _colored_and_tall(p: Parser, j: int) -> Results[Noun]:
             last = last if k else p.any_of(last, _TALL) if last > end else 0
             if last:
                 yield _so_many(number, named, p.span(j, last)), last
+    for named, end in color(p, j + 1) if number is not None else ():
+        if end >= p.end or p.stands(end, (",", ";", "and", "but")):
+            yield _so_many(number or 0, named, p.span(j, end)), end
     for named, end in color(p, j):
         k = p.any_of(end, ("and", ","))
         tall = p.number(k) if k else None
         last = p.any_of(p.opt(k + 1, "blocks", "cubes", "block"), _TALL) if tall is not None else 0
         if tall is not None and last:
             yield _so_many(tall, named, p.span(j, last)), last
+
+
+_OF_SO_MANY = frozenset({"of", "with", "has", "having", "contains", "gets"})
+_ENDS = {
+    **dict.fromkeys(("at the bottom", "below", "underneath", "at the base", "lowest", "at the very bottom"), 2),
+    **dict.fromkeys(("in the middle", "in between", "between them", "in the center"), 1),
+    **dict.fromkeys(("on top", "at the top", "above", "on the top", "highest", "at the very top"), 0),
+}  # fmt: skip
+
+
+def _by_ends(p: Parser, j: int) -> Results[Coord]:
+    """ "red at the bottom and blue on top": a pile told by its places."""
+    held: dict[int, Noun] = {}
+    at = j
+    while at and len(held) < 3:
+        theme, k = next(
+            ((x, k) for x, k in simple(p, at) if isinstance(x, Noun) and p.stands(k, _END_WORDS)), (None, 0)
+        )
+        place, end = max(p.standing(k, _ENDS), key=lambda found: found[1], default=("", 0)) if theme else ("", 0)
+        if theme is None or not end or _ENDS[place] in held or theme.amount not in (None, Amount(1, 1)):
+            return
+        held[_ENDS[place]] = theme
+        if set(held) >= {0, 2}:
+            yield Coord(op="piled", items=tuple(held[n] for n in sorted(held)), span=p.span(j, end)), end
+        at = p.any_of(end, (", and", ",", "and"))
+
+
+_END_WORDS = frozenset(phrase.split()[0] for phrase in _ENDS)
 
 
 def _so_many(number: int, named: str, span: Span) -> Noun:
@@ -147,6 +178,7 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
 
     j = p.any_of(j, _WHOLLY) or j
     yield from _colored_and_tall(p, j)
+    yield from _by_ends(p, p.opt(j, "with"))
     piled = list(one_on_another(p, p.opt(j, "with")))
     for order, end in piled:
         items = order.items if order.first == "top" else order.items[::-1]
@@ -157,12 +189,17 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     if spelt and (text := literal(p, spelt)) is not None:
         yield Structure(kind="word", det="the", letter=text, span=p.span(j, spelt + 1)), spelt + 1
     number = p.number(j)
-    high = p.any_of(p.opt(j + 1, "blocks", "cubes", "block"), ("high", "tall")) if number else 0
+    counted_ = p.opt(j + 1, "blocks", "cubes", "block")
+    high = p.any_of(counted_, ("high", "tall")) if number else 0
+    if number and not high and p.follows(j, _OF_SO_MANY) and p.stands(j + 1, ("and", ",", "blocks", "cubes")):
+        high = counted_
     if number and high:
         amount = Amount(number, number)
         yield Noun(head="block", amount=amount, plural=number > 1, span=p.span(j, high)), high
     for theme, k in simple(p, p.opt(j, "with")):
         if not isinstance(theme, Noun) or theme.part_of is not None or theme.head == "patch" or theme.conditions:
+            continue
+        if "all" in p.words[j + 1 : k]:  # "one of two and one of four blocks, all brown": all of both
             continue
         colors, marks = theme.traits.colors, theme.traits
         plain = marks == Traits(colors=colors) and len(colors) < 2
@@ -202,8 +239,10 @@ def _told(p: Parser, at: int) -> Results[Absolute]:
     for place, j in _one(p, start):
         made = p.opt(j, ",") if start > at else p.any_of(j, _HAVING) or p.any_of(j, IS) or j
         made = p.any_of(made, ("there is", "there are")) or made if start > at else made
-        for theme, k in [*_kind_of(p, made), *(_lot(p, made) if made > j or start > at else ())]:
-            yield Absolute(theme=theme, adjuncts=(place,), span=p.span(at, k)), k
+        letter = [made - 1] if made > j and p.words[made - 1] == "a" and p.tokens[made - 1].raw == "A" else []
+        for k in (*letter, made):  # "the first is A on B"
+            for theme, end in [*_kind_of(p, k), *(_lot(p, k) if k > j or start > at else ())]:
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(at, end)), end
     for theme, j in [*_kind_of(p, at), *_word(p, at), *_lot(p, at)]:
         if (lead := p.one(j, "in")) and p.stands(lead, ("the", "one", "another", "a")):
             for place, k in _one(p, lead):

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
-from rpg.language.meaning import Absolute, At, Loc, Noun, Places, Pronoun, Structure, Traits
+from rpg.ir.order import Order, Pattern
+from rpg.language.meaning import Absolute, At, Loc, Noun, OrderBy, Places, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.members import members_of
-from rpg.passes.schema.resolve.parts import widened
+from rpg.passes.schema.resolve.parts import cells_of, widened
 from rpg.passes.schema.resolve.patterns import pattern_of
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.things import amount_of
@@ -172,10 +174,48 @@ def _numbered(spec: Spec, base: tuple[int, int]) -> None:
         spec.absolutes[spec.absolutes.index(item)] = replace(item, adjuncts=(layer,))
 
 
+def _step_by_step(shape: Structure, spec: Spec) -> tuple[OrderBy, dict[int, str]] | None:
+    """ "from left to right: one red, two blue, three green": the colour of each step by its height."""
+    order = next((o for o in spec.orders if o.items and o.by in ("named", "given")), None)
+    items = [x for x in order.items if isinstance(x, Noun)] if order is not None else []
+    counts = [amount_of(x) or 1 for x in items]
+    plain = all(len(x.traits.colors) == 1 and not x.traits.labels for x in items)
+    if order is None or not plain or sorted(counts) != list(range(1, len(items) + 1)) or len(spec.orders) > 1:
+        return None
+    if shape.members or counts not in (sorted(counts), sorted(counts)[::-1]) or order.first in ("top", "bottom"):
+        return None
+    return order, {many: x.traits.colors[0] for many, x in zip(counts, items, strict=True)}
+
+
+_ACROSS = {"left": "right", "right": "left", "front": "back", "back": "front"}
+
+
+def _rise(order: OrderBy, up: str | None, first: str | None) -> str:
+    """Which way stairs rise whose steps are told in this order."""
+    begin = order.first or first
+    rising = isinstance(order.items[0], Noun) and (amount_of(order.items[0]) or 1) == 1
+    way = (_ACROSS.get(begin) if rising else begin) if begin in _ACROSS else up
+    if way is None or up not in (None, way):
+        raise refuse("ambiguous", "it is not clear whether these are its steps or its layers", order.span,
+                     "say 'from left to right' for its steps, 'from top to bottom' for its layers")  # fmt: skip
+    return way
+
+
+def _in_columns(form: s.Staircase, colors: dict[int, str], names: tuple[str, ...], scene: Scene) -> Pattern:
+    cells = cells_of(form, len(names))
+    heights = Counter((cell.row, cell.column) for cell in cells)
+    left = {color: [n for n in names if scene.things[n].color == color] for color in colors.values()}
+    ranks = tuple((left[colors[heights[cell.row, cell.column]]].pop(0),) for cell in cells)
+    return Pattern(kind="reading", order=Order(by="given", ranks=ranks))
+
+
 def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a staircase with four steps, going up to the left"."""
     steps = shape.extent("steps", "high", "layers")
     total = said_count(shape, theme, scene)
+    told = _step_by_step(shape, spec) if theme is None else None
+    if told is not None and steps in (None, len(told[1])):
+        steps = len(told[1])
     if steps is None and total is not None:
         steps = next((n for n in range(2, 8) if n * (n + 1) // 2 == total), None)
         if steps is None:
@@ -193,9 +233,18 @@ def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sco
     if side and up is None:
         up = {"left": "right", "right": "left", "front": "back", "back": "front"}[side]
         spec.toward = []
+    if told is not None:
+        up = _rise(told[0], up, side)
+    elif (order := next((o for o in spec.orders if o.items and (o.first or side) in _ACROSS), None)) is not None:
+        raise refuse("ambiguous", "it is not clear which of these blocks make which step", order.span,
+                     "say 'from left to right one red, two blue, three green'")  # fmt: skip
     need = steps * (steps + 1) // 2
-    names = members_of(shape, spec, theme, need, need, scene, scope)
+    names = members_of(shape, spec, theme, None if told else need, need, scene, scope)
     form = s.Staircase(blocks=("",), steps=steps, up=up)  # type: ignore[arg-type]
-    pattern, readable = pattern_of(shape, spec, names, None, scene, scope, form)
+    if told is not None and len(names) == need:
+        spec.orders = []
+        pattern, readable = _in_columns(form, told[1], names, scene), False
+    else:
+        pattern, readable = pattern_of(shape, spec, names, None, scene, scope, form)
     node = s.Staircase(blocks=names, steps=steps, up=up, pattern=pattern, readable=readable, span=shape.span)  # type: ignore[arg-type]
     return made("staircase", node, names, shape.span, scene)

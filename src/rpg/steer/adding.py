@@ -84,7 +84,10 @@ _SOMEWHERE = phrases(
 _IT_GOES = tuple(
     f"{stop} {goes}"
     for stop in (".", ",", ";", ", and", "and", ". and")
-    for goes in ("it goes", "it should go", "it should be", "it must be", "it belongs", "put it", "place it", "set it")
+    for goes in phrases(
+        "it goes | it should go | it should be | it must be | it belongs | put it | place it | set it | it is | "
+        "it sits | it stands | it lies | it has to be | it comes"
+    )
 )
 _LIES = phrases(
     "lie around | lies around | lie there | lies there | lie on the table | lies on the table | are lying around | "
@@ -179,10 +182,26 @@ def add(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             noun = m.Noun(head="block", det="a", traits=m.Traits(labels=labels, kind=kind), span=p.span(j, n))
             for spots, end in places(p, n) if len(labels) == 1 else ():
                 yield r.Add(theme=noun, places=spots, span=p.span(i, end)), end
+    yield from _filling(p, i)
     for spots, k in places(p, j) if verb else ():
         for theme, end in things(p, k) if spots else ():
             if fresh(theme):
                 yield r.Add(theme=theme, places=spots, span=p.span(i, end), cost=1), end
+
+
+_FILL = phrases(
+    "fill it with | fill it in with | fill the hole with | fill the middle with | fill the center with | "
+    "fill the centre with | fill the circle with | fill the square with | fill the ring with | fill the inside with"
+)
+
+
+def _filling(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "fill it with a gray block": into the middle of an outline."""
+    j = longest(p, i, _FILL)
+    for theme, k in things(p, j) if j else ():
+        if isinstance(theme, m.Noun) and fresh(theme) and not theme.plural:
+            end = longest(p, k, "in the middle | in the center | in the centre | in its middle | in its center") or k
+            yield r.Add(theme=theme, places=(r.Spot(side="middle"),), span=p.span(i, end)), end
 
 
 def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
@@ -195,9 +214,12 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         return
     for theme, k in things(p, j):
         if fresh(theme):
+            listed = _listed(theme)
+            for where, end in place(p, k) if listed else ():
+                yield r.Move(theme=theme, place=where, span=p.span(i, end), cost=1), end
             for spots, end in places(p, k):
                 if spots:
-                    new = r.Add(theme=theme, places=spots, span=p.span(i, end))
+                    new = r.Add(theme=theme, places=spots, lacking=listed, span=p.span(i, end))
                     yield new, end
                     yield from _further(p, end, new)
             for lost, n in noun_phrase(p, k + 1) if p.one(k, "where") else ():
@@ -213,6 +235,11 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         for theme, end in noun_phrase(p, k):
             if fresh(theme):
                 yield (r.Add(theme=theme, places=(where,), span=p.span(i, end), cost=1), end)
+
+
+def _listed(theme: m.Meaning) -> bool:
+    """Phrases such as "put D and A ...": symbols without an article, which are those that are there."""
+    return isinstance(theme, m.Noun) and plural_kind(theme) and bool(theme.traits.labels)
 
 
 _BELONGS = phrases(

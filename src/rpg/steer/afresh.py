@@ -21,9 +21,11 @@ from rpg.ir.walk import rename, transform
 from rpg.steer.draft import Draft
 from rpg.steer.identity import look
 from rpg.steer.language import Parser, m, noun_phrase, tokenize
-from rpg.steer.refer import exists, matches, noun_of, resolve
+from rpg.steer.matching import matches
+from rpg.steer.refer import exists, resolve
 from rpg.steer.shape import conjuncts, same_structure
-from rpg.steer.view import NOUNS
+from rpg.steer.view import NOUNS, View
+from rpg.steer.wholes import noun_of
 
 _FRESH = re.compile(
     r"^\W*(?:(?:ok(?:ay)?|now|actually|please|never ?mind|hm+|no|scratch that|wait|well)\b[\s,.;:!-]*)*"
@@ -133,6 +135,7 @@ def extended(
     names = _counterparts(draft.schema, schema)
     if names is None or _says_nothing(read(known)[0], schema):
         raise Refusal([_vague(begin, len(request))])
+    _only_new(draft, request, begin, schema)
     if _THE_BLOCK.search(request) and len(schema.blocks) > len(draft.schema.blocks) > 1:
         raise Refusal([_vague(begin, len(request))])
     _take_over(draft, schema, names, (begin, len(request)))
@@ -153,12 +156,16 @@ _THE_BLOCK = re.compile(r"^\W*(?:\w+\W+){0,6}?the (?:block|cube|one|box|brick)\b
 _AGAINST = re.compile(r"^\W*(?:(?:no|now|actually|instead|rather|then|ok(?:ay)?|please)\b[\s,]*)+", re.IGNORECASE)
 
 
+_OF_WHAT_IS_SAID = re.compile(r"\b(?:it|its|this|that|rest|others?|remaining|else)\b", re.IGNORECASE)
+"""Words for what was said before, which a goal that takes the place of the old one leaves behind."""
+
+
 def reused(draft: Draft, request: str, read: Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]) -> None:
     """Read a request as an instruction about the blocks that are there. Its goal takes the place of the old one where
     it needs all blocks that the old one spoke of, and no others."""
     span = (0, len(request))
     only_known(draft, request, 0)
-    if names_structure(draft, request) or re.search(r"\b(?:it|its|this|that)\b", request, re.IGNORECASE):
+    if names_structure(draft, request) or _OF_WHAT_IS_SAID.search(request):
         raise Refusal([_vague(*span)])
     there = ". ".join(objects(draft.schema, Speaker(draft.view.world)))
     schema, _ = read(f"{there}. {_AGAINST.sub('', by_itself(request))}")
@@ -190,6 +197,26 @@ def only_known(draft: Draft, request: str, begin: int) -> None:
     for named in _definite(request, begin):
         if not any(_there(draft, noun) for noun in named):
             resolve(draft.view, named[0])
+
+
+def _only_new(draft: Draft, request: str, begin: int, schema: TaskSchema) -> None:
+    """Refuse "a red block" where the longer text took it for a red block that is there: an edit adds one so."""
+    p = Parser(tokenize(request)[0])
+    new = View(schema)
+    for i in range(p.end):
+        if p.tokens[i].span[0] < begin or p.words[i] not in ("a", "an", "another"):
+            continue
+        named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun) and noun.traits != m.Traits()]
+        named = [noun for noun in named if noun.det in ("a", "another")]
+        if named and not any(_number(new, noun) > _number(draft.view, noun) for noun in named):
+            told, hint = "the task has one like this already", "say 'the ...' for that one, or 'add ...' for one more"
+            found = Diagnostic(code="edit-unclear", message=told, span=named[0].span, hint=hint, origin="steer")
+            raise Refusal([found])
+
+
+def _number(view: View, noun: m.Noun) -> int:
+    """How many objects a task has that look as a phrase says."""
+    return sum(matches(view, name, noun.traits) for name in view.world.assets)
 
 
 def _there(draft: Draft, noun: m.Noun) -> bool:

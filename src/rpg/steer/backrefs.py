@@ -79,7 +79,10 @@ _NOUN = frozenset(
 )
 _BASE = phrases(
     "the original | the base | the beginning | the start | the first | the very first | the very "
-    "beginning | the initial | the original base | square one | the starting | the root"
+    "beginning | the initial | the original base | square one | the starting | the root | how it was at the start | "
+    "how it was at the beginning | how it was at the very beginning | how it was at the very start | how it began | "
+    "how it was originally | how it was in the beginning | the way it was at the start | where we started | "
+    "the way it was at the beginning | what we started with | what it was at the start | what it was originally"
 )
 _LAST = phrases(
     "the previous | the last | the one before | the earlier | before | the prior | the preceding | what "
@@ -97,6 +100,8 @@ _WHEN = phrases(
 def references(p: Parser, i: int) -> Results[Reference]:
     """A reference to a version at the beginning of a request."""
     yield from _undo(p, i)
+    if p.one(i, frozenset({"version", "v"})):
+        yield from _numbered(p, i, i)
     for phrase in _BACK:
         if j := p.seq(i, phrase):
             yield from _target(p, i, j, phrase in _OPEN)
@@ -130,6 +135,18 @@ def _times(p: Parser, i: int) -> Iterator[tuple[int, int]]:
 def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Reference, int]]:
     """What comes after "go back to"."""
     start = p.opt(j, "the")
+    yield from _numbered(p, i, start)
+    for phrase in _BASE:
+        if k := p.seq(j, phrase):
+            end = p.one(k, _NOUN) or k
+            yield Reference(span=p.span(i, end), base=True), end
+    yield from _latest(p, i, j)
+    yield from _before(p, i, j)
+    yield from _described(p, i, j, plainly)
+
+
+def _numbered(p: Parser, i: int, start: int) -> Iterator[tuple[Reference, int]]:
+    """Phrases such as "version 2", "v2", "the second version"."""
     if k := p.one(start, _VERSION):
         k = p.opt(k, "number", "no", "#")
         for number, end in count(p, k):
@@ -140,10 +157,10 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
     ordinal = p.lex(start, lexicon.ORDINAL)
     if ordinal and (k := p.one(start + 1, frozenset({"version", "edit", "change"}))):
         yield (Reference(span=p.span(i, k), number=ordinal - (p.words[k - 1] == "version")), k)
-    for phrase in _BASE:
-        if k := p.seq(j, phrase):
-            end = p.one(k, _NOUN) or k
-            yield Reference(span=p.span(i, end), base=True), end
+
+
+def _latest(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:
+    """Phrases such as "the previous one", "two steps back"."""
     for phrase in _LAST:
         if k := p.seq(j, phrase):
             end = p.one(k, _NOUN) or k
@@ -156,8 +173,6 @@ def _target(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Referenc
             "versions ago | steps back | versions back | steps ago | edits ago | changes ago | version ago | step back",
         ):
             yield Reference(span=p.span(i, end), steps=n), end
-    yield from _before(p, i, j)
-    yield from _described(p, i, j, plainly)
 
 
 def _before(p: Parser, i: int, j: int) -> Iterator[tuple[Reference, int]]:

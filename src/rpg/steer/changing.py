@@ -84,6 +84,8 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
             for former, end in adjectives(p, n_former) if n_former else ():
                 if set(former) == set(marks):
                     yield replace(styled, former=m.Traits(**former), span=p.span(i, end)), end
+    if _no_symbols(p, n):
+        return
     said = longest(p, n, "the letter | the number | letter | number | a | an")
     for (labels, _), k in label_list(p, said or n, True):
         plainly = bool(said) or not all(label.isdigit() for label in labels)
@@ -107,7 +109,7 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
                     yield r.Reshape(structure=new, theme=theme, span=p.span(i, end), cost=cost), end
         elif plural_kind(new) and isinstance(new, m.Noun) and _sized(new.traits):
             yield r.Restyle(theme=theme, traits=new.traits, span=p.span(i, k), cost=cost), k
-        elif fresh(new) or plural_kind(new):
+        elif (fresh(new) and not _mere_number(new)) or plural_kind(new):
             yield r.Replace(old=theme, new=new, span=p.span(i, k), cost=cost), k
         elif (
             isinstance(new, m.Noun)
@@ -118,6 +120,18 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
         ):
             one = replace(new, det="a", amount=m.Amount(1, 1))
             yield r.Replace(old=theme, new=one, span=p.span(i, k), cost=cost + 2), k
+
+
+def _no_symbols(p: Parser, i: int) -> bool:
+    """Whether a digit and a letter are one word, "3D": they are no symbols for cubes."""
+    pair = p.tokens[i : i + 2]
+    joined = len(pair) == 2 and pair[0].span[1] == pair[1].span[0]
+    return joined and {token.raw.isdigit() for token in pair} == {True, False} and pair[1].raw.isalnum()
+
+
+def _mere_number(phrase: m.Meaning) -> bool:
+    """Phrases such as "three": how many something is, rather than what comes instead of it."""
+    return isinstance(phrase, m.Noun) and phrase.head == "any" and phrase.det == "bare" and phrase.traits == m.Traits()
 
 
 def _sized(traits: m.Traits) -> bool:
@@ -210,11 +224,13 @@ def arrange(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
                 if isinstance(shape, m.Structure) and not isinstance(theme, m.Structure) and not fresh(theme):
                     yield (r.Reshape(structure=shape, theme=theme, span=p.span(i, end)), end)
         for shape, k in noun_phrase(p, j) if j else ():
-            end = longest(p, k, _SAME_BLOCKS)
-            if isinstance(shape, m.Structure) and end:
-                yield r.Reshape(structure=shape, span=p.span(i, end)), end
             if isinstance(shape, m.Structure) and shape.members is None and (end := p.one(k, "instead")):
                 yield r.Reshape(structure=shape, span=p.span(i, end), cost=1), end
+    verb = longest(p, i, _FORM) or i
+    for shape, k in noun_phrase(p, verb):
+        end = longest(p, k, _SAME_BLOCKS) if isinstance(shape, m.Structure) else 0
+        if end:
+            yield r.Reshape(structure=shape, span=p.span(i, end)), end
     if j := longest(p, i, ("in", "as", "into")):
         for shape, k in noun_phrase(p, j):
             if isinstance(shape, m.Structure) and (end := p.one(k, "instead")):

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.schema import TaskSchema
+from rpg.steer import requests as r
 from rpg.steer.afresh import by_itself, one_more, only_a_number
 from rpg.steer.history import History
 from rpg.steer.identity import look
-from rpg.steer.shape import STRUCTURES, gives_up_places, structures
+from rpg.steer.shape import STRUCTURES, conjuncts, gives_up_places, structures
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -55,3 +57,34 @@ def about_all_there(request: str, history: History, read: Reader) -> bool:
         return False
     looks = [sorted(repr(look(asset)) for asset in each.blocks) for each in (schema, history.current.schema)]
     return looks[0] == looks[1]
+
+
+_BESIDES = re.compile(
+    r"^\W*(?:(?:also|in addition|additionally|furthermore|moreover)\b\W*(?:put|place|stack|set|lay|add)"
+    r"|and\s+(?:the\s+)?\w+(?:\s+(?:block|cube|one))?\s+(?:to|on|in|at|behind|next|left|right))\b",
+    re.IGNORECASE,
+)
+"""Words that only add: "also put ...", "and red to the left"."""
+
+
+_TOO = re.compile(r"\b(?:as well|too|also|in addition|additionally)\b", re.IGNORECASE)
+
+
+def besides(request: str, asked: Sequence[r.Request], before: g.Goal, after: g.Goal) -> bool:
+    """Whether a request that only adds took something away: "put B on C as well", where B is on A so far. What goes
+    where something else is already, "B on the red patch too", leaves the place where it was."""
+    if all(part in conjuncts(after) for part in conjuncts(before)):
+        return False
+    if _BESIDES.match(request):
+        return True
+    if not _TOO.search(request) or not any(isinstance(each, r.Move) for each in asked):
+        return False
+    places = [_where(part) for part in conjuncts(before)]
+    new = [part for part in conjuncts(after) if part not in conjuncts(before)]
+    return not any(_where(part) and _where(part) in places for part in new)
+
+
+def _where(part: g.Goal) -> tuple[object, ...]:
+    """The place that a condition puts a block in: on what, beside what, where on the table."""
+    near = [value for name in ("b", "patch", "region") if (value := getattr(part, name, None)) is not None]
+    return (part.kind, *near) if near or part.kind == "on_table" else ()

@@ -223,7 +223,7 @@ def _way(p: Parser, i: int) -> Iterator[tuple[str, int]]:
     """A direction, of whatever it was: "to the left", "behind it"."""
     for phrase, way in _WAYS.items():
         if j := p.seq(i, phrase):
-            yield way, longest(p, j, "of it | of that | it | of them") or j
+            yield way, longest(p, j, "of it | of that | it | of them | of") or j
 
 
 _BETTER = phrases("would be better than | is better than | would be nicer than | looks better than | is nicer than")

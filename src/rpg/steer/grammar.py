@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rpg.steer import requests as r
 from rpg.steer.adding import add, put, remove
-from rpg.steer.amounts import loosening, recount
+from rpg.steer.amounts import recount
 from rpg.steer.changing import arrange, change, paint, resize
 from rpg.steer.elliptic import elliptic
 from rpg.steer.grouping import group, mixture, outliers
@@ -15,6 +15,7 @@ from rpg.steer.parties import parties
 from rpg.steer.parts import parts
 from rpg.steer.replacing import instead, keep, replace_with, trade
 from rpg.steer.sorting import reorder
+from rpg.steer.spacing import loosening
 from rpg.steer.starts import starts
 from rpg.steer.symbols import symbols
 from rpg.steer.terse import terse

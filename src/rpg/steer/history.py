@@ -13,8 +13,9 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.steer.backrefs import Reference
 from rpg.steer.language import m
+from rpg.steer.matching import matches
 from rpg.steer.operations.guard import SELECTS, unused
-from rpg.steer.refer import exists, matches
+from rpg.steer.refer import exists
 from rpg.steer.view import View
 
 UNTOLD = frozenset({"some", "mixed"})

@@ -31,7 +31,7 @@ from rpg.steer.afresh import (
 from rpg.steer.backrefs import Reference
 from rpg.steer.carry import WEAK, carry_out
 from rpg.steer.classify import Category
-from rpg.steer.doubts import Reader, about_all_there, about_new_things, not_half, not_of_what_is_built
+from rpg.steer.doubts import Reader, about_all_there, about_new_things, besides, not_half, not_of_what_is_built
 from rpg.steer.draft import Draft
 from rpg.steer.history import History, Past
 from rpg.steer.identity import look
@@ -85,7 +85,7 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
     weak: list[Refusal] = []
     for parsed in [reading for reading in readings if reading.whole and _changes(reading)][:TRIES]:
         try:
-            return _carried_out(request, parsed, history)
+            return _carried_out(request, parsed, history, read)
         except Refusal as refusal:
             if not refusals and refusal.diagnostics[0].code == "nothing-to-do" and _moves(parsed):
                 raise
@@ -122,7 +122,7 @@ def _only_words(request: str) -> None:
         raise Refusal([Diagnostic(code="edit-unclear", message=message, span=span, hint=hint, origin="steer")])
 
 
-def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretation:
+def _carried_out(request: str, parsed: Parsed, history: History, read: Reader) -> Interpretation:
     past = _reference(parsed.reference, parsed.requests, history)
     if not parsed.requests:
         if past.number == history.head:
@@ -138,11 +138,10 @@ def _carried_out(request: str, parsed: Parsed, history: History) -> Interpretati
     carry_out(draft, parsed.requests)
     if _AFTER.match(request):
         _staged(draft, past.schema.goal)
-    if _BESIDES.match(request) and not all(
-        part in conjuncts(draft.schema.goal) for part in conjuncts(past.schema.goal)
-    ):
-        told, hint = "this cannot be besides what the task asks for already", "leave out 'also' or 'and' to change it"
-        raise draft.refusal("edit-unclear", told, (0, len(request)), hint)
+    if besides(request, parsed.requests, past.schema.goal, draft.schema.goal):
+        told, hint = "this cannot be besides what the task asks for already", "leave out 'also', 'as well' or 'and'"
+        refusal = draft.refusal("edit-unclear", told, (0, len(request)), hint)
+        return _added(request, history, read, refusal)
     return finish(request, draft, past)
 
 
@@ -152,12 +151,12 @@ _AFTER = re.compile(r"^\W*(?:and\s+)?(?:then|finally|after that|afterwards|next(
 _INSTEAD = re.compile(r"\binstead\b(?! of)", re.IGNORECASE)
 
 
-_BESIDES = re.compile(
-    r"^\W*(?:(?:also|in addition|additionally|furthermore|moreover)\b\W*(?:put|place|stack|set|lay|add)"
-    r"|and\s+(?:the\s+)?\w+(?:\s+(?:block|cube|one))?\s+(?:to|on|in|at|behind|next|left|right))\b",
-    re.IGNORECASE,
-)
-"""Words that only add: "also put ...", "and red to the left"."""
+def _added(request: str, history: History, read: Reader, refusal: Refusal) -> Interpretation:
+    """What only adds, as a sentence more about the task: its goal stays, whatever place the sentence names."""
+    try:
+        return _clause(request, history, read)
+    except Refusal:
+        raise refusal from None
 
 
 def _staged(draft: Draft, before: g.Goal) -> None:
@@ -289,11 +288,17 @@ _OF_A_BLOCK = frozenset({"facing", "turned", "moved", "stayed", "clear"})
 """What a goal asks of a block by itself: said of one that is there, it is said of the task at hand."""
 
 
+_SAME = re.compile(
+    r"\b(?:same|these|those) (?:\w+ )?(?:blocks|cubes|ones|bricks|letters|digits|patch|mat)\b", re.IGNORECASE
+)
+"""The blocks that are there, of which an instruction of its own does not know."""
+
+
 def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     """An instruction of its own; one that names some of the task's blocks must not name others that it lacks."""
     draft = Draft(history.current.schema, history.current.focus)
     only_known(draft, request, 0)
-    if names_structure(draft, request):
+    if names_structure(draft, request) or _SAME.search(request):
         raise _not_understood(request, None, (), True)
     found = _whole(request, by_itself(request), 0, history, read, "PIVOT")
     not_half(request, found.task.goal, history)

@@ -50,12 +50,19 @@ def parts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for found, k in part_statement(p, j):
         place = found.adjuncts[0]
         rest = isinstance(place, m.Places) and place.side == "rest"
+        one_end = getattr(place, "side", "") == "ends" and "end" in p.words[j:k] and _several(found.theme)
+        rest = rest or (one_end and not {"each", "either", "both", "every"} & set(p.words[j:k]))
         if isinstance(found.theme, m.Noun) and isinstance(place, PLACE) and not rest and not _on(p, found.theme, j, k):
             yield Part(place=place, look=found.theme, span=p.span(i, k), cost=1), k
     for place, k in (*_block_at(p, j), *((at, k) for at, k in part(p, j) if isinstance(at, PLACE))):
         for look, end in noun_phrase(p, longest(p, k, _IS) or k):
             if isinstance(look, m.Noun) and (look.traits.colors or look.traits.labels) and look.det != "the":
                 yield Part(place=place, look=look, span=p.span(i, end)), end
+
+
+def _several(look: m.Meaning) -> bool:
+    """Whether a phrase lists looks: "E and F at the end" go to one end."""
+    return isinstance(look, m.Noun) and max(len(look.traits.labels), len(look.traits.colors)) > 1
 
 
 def _on(p: Parser, look: m.Noun, i: int, j: int) -> bool:

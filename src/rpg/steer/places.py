@@ -109,7 +109,7 @@ def place(p: Parser, i: int) -> Results[Place]:
                 if isinstance(whole, m.Structure) and whole.det in ("the", "its", "all", "each"):
                     yield Spot(side="any", whole=whole), k
         for found, j in loc(p, at):
-            yield found, j
+            yield _of_none(found), j
         if k := longest(p, i, _NOT_TO_BE):
             for found, j in loc(p, k):
                 if isinstance(found, m.Loc | m.In) and not found.negated:
@@ -117,6 +117,14 @@ def place(p: Parser, i: int) -> Results[Place]:
         for word in ("after", "before"):
             for landmark, k in noun_phrase(p, at + 1) if p.one(at, word) else ():
                 yield m.Loc(rel=word, landmark=landmark, span=p.span(at, k)), k
+
+
+def _of_none(found: m.Meaning) -> m.Meaning:
+    """Phrases such as "on neither patch": not on any of them."""
+    lost = found.landmark if isinstance(found, m.Loc) else None
+    if not isinstance(found, m.Loc) or not isinstance(lost, m.Noun) or lost.det != "no" or found.negated:
+        return found
+    return replace(found, landmark=replace(lost, det="all", plural=True), negated=True)
 
 
 def given_up(p: Parser, i: int) -> int:

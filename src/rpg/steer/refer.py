@@ -3,41 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-from rpg.blocks.nouns import join
-from rpg.blocks.traits import VOWELS, kind_of, symbol_of
+from rpg.blocks.traits import symbol_of
 from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.ir.structures import Figure, GroupBy, Towers
+from rpg.ir.structures import GroupBy, Towers
 from rpg.ir.walk import names as mentions
 from rpg.steer.absent import ambiguous, choices, diagnostic, missing
 from rpg.steer.language import m
+from rpg.steer.matching import matches
 from rpg.steer.operations.guard import check_picked
-from rpg.steer.view import NOUNS, Line, Shape, View
+from rpg.steer.view import Line, View
+from rpg.steer.wholes import Found, several_of, structure, structures_of
 
 RANKS = {"top": -1, "bottom": 0, "left": 0, "right": -1, "front": 0, "back": -1, "last": -1, "base": 0}
 AXES = {"top": "tower", "bottom": "tower", "left": "row", "right": "row", "front": "column", "back": "column"}
 ALL_OF = frozenset({"them", "they", "these", "those", "all of them", "everything", "all", "themselves", "all of it"})
+EVERYTHING = frozenset({"everything", "all", "all of it", "all of them"})
 BOTH = frozenset({"both", "both of them", "the two", "those two", "these two", "the two of them"})
 OTHERS = frozenset(
     {"the other one", "the others", "the other ones", "the rest", "others", "the other", "all others", "all the others"}
     | {"all the rest", "everything else", "the remaining ones", "the other two"}
 )
-LINE_NOUNS = {"stack": "tower", "row": "row", "column": "column"}
-
-
-@dataclass(frozen=True)
-class Found:
-    """The objects of a phrase; the line or figure it named, if it named one."""
-
-    names: tuple[str, ...]
-    line: Line | None = None
-    figure: Shape | None = None
-
-    @property
-    def whole(self) -> bool:
-        """Whether the phrase meant a structure rather than single blocks."""
-        return self.line is not None or self.figure is not None
 
 
 def resolve(view: View, phrase: m.Meaning) -> Found:
@@ -55,7 +41,7 @@ def _resolved(view: View, phrase: m.Meaning) -> Found:
         case m.Noun():
             return Found(_noun(view, phrase))
         case m.Structure():
-            return _structure(view, phrase)
+            return structure(view, phrase, _members_named(view, phrase))
         case m.Coord():
             return Found(_several(view, phrase))
         case m.PartOf():
@@ -95,27 +81,33 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
     line, figure = view.main_line(), view.main_figure()
     if line is not None and line.node is None and line.kind != "tower":
         line = None
-    structure = Found(line.members, line) if line else Found(figure.members, None, figure) if figure else None
+    built = Found(line.members, line) if line else Found(figure.members, None, figure) if figure else None
     if phrase.word in OTHERS:
         rest = tuple(name for name in view.world.blocks if name not in view.focus)
+        wanted = {"the other one": 1, "the other": 1, "the other two": 2}.get(phrase.word, len(rest))
+        if rest and (not view.focus or len(rest) != wanted):
+            raise ambiguous(view, phrase.span, rest, phrase.word)
         if rest:
             return Found(rest)
         raise missing(view, phrase.span, phrase.word)
     if phrase.word in BOTH and (parties := _two_parties(view)):
-        return Found(parties, None, structure.figure if structure else None)
+        return Found(parties, None, built.figure if built else None)
     if phrase.word in BOTH:
-        two = view.focus if len(view.focus) == 2 else structure.names if structure else view.busy
+        two = view.focus if len(view.focus) == 2 else built.names if built else view.busy
         if len(two) != 2:
             raise ambiguous(view, phrase.span, tuple(two), phrase.word)
-        return structure if structure and set(structure.names) == set(two) else Found(tuple(two))
+        return built if built and set(built.names) == set(two) else Found(tuple(two))
     if phrase.word.startswith("the "):
         raise ambiguous(view, phrase.span, tuple(view.world.blocks), phrase.word)
     if phrase.word in ALL_OF:
-        if len(view.focus) > 1 and not structure:
+        whole = phrase.word in EVERYTHING or (not view.focus and phrase.word != "themselves")
+        if whole and built and set(built.names) != set(view.busy):
+            return Found(view.busy)
+        if len(view.focus) > 1 and not built:
             return Found(view.focus)
-        return structure or Found(view.busy or tuple(view.world.blocks))
-    if structure and (not view.focus or len(view.focus) > 1):
-        return structure
+        return built or Found(view.busy or tuple(view.world.blocks))
+    if built and (not view.focus or len(view.focus) > 1):
+        return built
     if view.focus:
         return Found(view.focus[-1:])
     if len(view.world.blocks) == 1:
@@ -135,85 +127,35 @@ def _two_parties(view: View) -> tuple[str, ...]:
     return tuple(name for line in lines for name in line.members) if len(lines) == 2 else ()
 
 
-def _structure(view: View, phrase: m.Structure) -> Found:
-    """The phrase "the tower", "the row", "the pyramid": the last one of its kind that was mentioned."""
-    wanted = LINE_NOUNS.get(phrase.kind)
-    lines = [line for line in view.lines if wanted == line.kind or (phrase.kind == "row" and line.kind == "column")]
-    figures = [figure for figure in view.figures if _is_kind(phrase.kind, figure)]
-    if phrase.kind == "pile" and not figures:
-        lines = [line for line in view.lines if line.kind == "tower"]
-    words = [line for line in view.lines if line.node is not None and line.node.kind == _WORDS.get(phrase.kind)]
-    found = [Found(line.members, line) for line in (words or lines)] + [Found(f.members, None, f) for f in figures]
-    if phrase.members is not None and len(found) > 1:
-        named = set(resolve(view, phrase.members).names)
-        found = [each for each in found if named <= set(each.names)] or found
-    if not found:
-        kinds = sorted({noun_of(view, line) for line in view.lines} | {NOUNS[type(f.node)] for f in view.figures})
-        hint = f"the task builds {join(['a ' + kind for kind in kinds])}" if kinds else "name the blocks instead"
-        raise Refusal([diagnostic("no-such-object", phrase.span, f"the task has no {phrase.kind} like this", hint)])
-    if phrase.plural:
-        return Found(tuple(name for each in found for name in each.names), None, found[-1].figure)
-    found = _described(view, phrase, found) or found
-    recent = [each for each in found if set(each.names) & set(view.focus)]
-    chosen = (recent or found)[-1]
-    _check_described(view, phrase, chosen)
-    return chosen
+def _members_named(view: View, phrase: m.Structure) -> tuple[str, ...]:
+    """The blocks that a structure is said to be of, where there are several structures."""
+    if phrase.members is None or len(view.lines) + len(view.figures) < 2:
+        return ()
+    return resolve(view, phrase.members).names
 
 
-def _described(view: View, phrase: m.Structure, found: Sequence[Found]) -> list[Found]:
-    """Of several structures those whose blocks are all as the phrase says; else the only one with most of them so."""
-    told = [phrase.traits, phrase.members.traits if isinstance(phrase.members, m.Noun) else m.Traits()]
-    share = []
-    for each in found:
-        blocks = [name for name in each.names if name in view.world.blocks]
-        fitting = sum(all(matches(view, name, traits) for traits in told) for name in blocks)
-        share.append(fitting / max(1, len(blocks)))
-    every = [each for each, part in zip(found, share, strict=True) if part == 1.0]
-    most = [each for each, part in zip(found, share, strict=True) if part > 0.5]
-    return every or (most if len(most) == 1 and sum(part > 0.0 for part in share) == 1 else [])
-
-
-def _check_described(view: View, phrase: m.Structure, found: Found) -> None:
-    """Refuse a structure of another size, or of other blocks, than the phrase says."""
-    members = phrase.members if isinstance(phrase.members, m.Noun) else None
-    size = phrase.size or (members.amount if members is not None else None)
-    if size is not None and phrase.kind in ("stack", "row", "column", "circle") and size.low != len(found.names):
-        told = f"it has {len(found.names)} blocks, not {size.low}"
-        raise Refusal([diagnostic("no-such-object", phrase.span, told, "say how many it has, or leave that out")])
-    for traits in (phrase.traits, members.traits if members is not None else m.Traits()):
-        fits = [matches(view, name, traits) for name in found.names if name in view.world.blocks]
-        if sum(fits) * 2 > len(fits) and traits.colors and not traits.labels:
-            continue
-        if not all(matches(view, name, traits) for name in found.names if name in view.world.blocks):
-            told = "its blocks are not all like this"
-            raise Refusal([diagnostic("no-such-object", phrase.span, told, "leave out what its blocks look like")])
-
-
-_WORDS = {"word": "spells", "equation": "equation"}
-_FIGURES = {
-    "grid": ("grid",), "wall": ("grid",), "square": ("grid", "figure"), "pyramid": ("pyramid",),
-    "staircase": ("staircase",), "pile": ("group_by", "towers"), "stack": ("towers",), "cube": ("grid",),
-    "checkerboard": ("grid",), "rectangle": ("grid", "figure"),
-    "circle": ("figure",), "triangle": ("figure",), "plus": ("figure",),
-    "set": ("group_by",),
-}  # fmt: skip
-
-
-def _is_kind(kind: str, figure: Shape) -> bool:
-    if figure.node.kind not in _FIGURES.get(kind, ("figure",) if kind in ("letter", "shape", "figure") else ()):
-        return False
-    return not isinstance(figure.node, Figure) or kind in ("letter", "shape", "figure", figure.node.shape)
-
-
-def noun_of(view: View, line: Line) -> str:
-    """What a line is called: a tower, a row, a word."""
-    return NOUNS.get(type(line.node), line.kind) if line.node is not None else line.kind
+def lines_of(view: View, phrase: m.Meaning | None) -> list[Line]:
+    """The lines that a phrase speaks of where it speaks of several: "both towers", "each row", "both"."""
+    if isinstance(phrase, m.Structure) and several_of(phrase):
+        wholes = structures_of(view, phrase, _members_named(view, phrase))
+        return [each.line for each in wholes if each.line is not None]
+    if not isinstance(phrase, m.Pronoun) or phrase.word == "it":
+        return []
+    found = _pronoun(view, phrase)
+    lines = [line for line in view.lines if set(line.members) <= set(found.names)]
+    return lines if len(lines) > 1 and not found.whole else []
 
 
 def _part(view: View, phrase: m.PartOf) -> Found:
     """The phrase "the top of the tower": the block there."""
+    if several := lines_of(view, phrase.whole):
+        return Found(tuple(_at(view, phrase, line) for line in several))
     whole = resolve(view, phrase.whole) if phrase.whole is not None else None
-    line = whole.line if whole else view.main_line()
+    return Found((_at(view, phrase, whole.line if whole else view.main_line()),))
+
+
+def _at(view: View, phrase: m.PartOf, line: Line | None) -> str:
+    """The block at a place of a line."""
     if line is None or not line.ordered:
         raise Refusal(
             [
@@ -228,10 +170,13 @@ def _part(view: View, phrase: m.PartOf) -> Found:
     if phrase.part == "middle" and len(line.members) % 2 == 0:
         raise missing(view, phrase.span, "")
     index = {"middle": len(line.members) // 2}.get(phrase.part, RANKS.get(phrase.part, -1))
-    return Found((line.members[index],))
+    return line.members[index]
 
 
 def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
+    if phrase.det == "no":
+        told, hint = "this names no block and no patch", "say 'not on the red patch'"
+        raise Refusal([diagnostic("edit-unclear", phrase.span, told, hint)])
     if phrase.part_of is not None:
         return _some_of(view, phrase)
     check_picked(phrase)
@@ -239,6 +184,7 @@ def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
     found = tuple(name for name in pool if matches(view, name, phrase.traits))
     if not found and phrase.head == "any" and phrase.traits.colors:
         found = tuple(name for name in view.world.patches if matches(view, name, phrase.traits))
+    found = _each_named(view, phrase, found)
     for condition in phrase.conditions:
         found = tuple(name for name in found if _placed(view, name, condition))
     if phrase.traits.extra:
@@ -250,6 +196,22 @@ def _noun(view: View, phrase: m.Noun) -> tuple[str, ...]:
     if not found:
         raise missing(view, phrase.span, "")
     return _counted(view, found, phrase)
+
+
+def _each_named(view: View, phrase: m.Noun, found: tuple[str, ...]) -> tuple[str, ...]:
+    """Blocks in the order in which a phrase lists their symbols; "D and A" where there is no D speaks of nothing."""
+    labels, colors = phrase.traits.labels, phrase.traits.colors
+    world = view.world
+    several = len(labels) > 1 or (len(colors) > 1 and not phrase.traits.either)
+    if not found or not several or phrase.det in ("a", "any", "some", "no"):
+        return found
+    if len(labels) > 1:
+        if not set(labels) <= {symbol_of(world, name) for name in found}:
+            raise missing(view, phrase.span, "")
+        return tuple(sorted(found, key=lambda name: labels.index(symbol_of(world, name))))
+    if not set(colors) <= {world.assets[name].color for name in found}:
+        raise missing(view, phrase.span, "")
+    return found
 
 
 def _counted(view: View, found: tuple[str, ...], phrase: m.Noun) -> tuple[str, ...]:
@@ -327,39 +289,6 @@ def _nth(members: Sequence[str], rank: str) -> str:
     if rank == "middle":
         return members[len(members) // 2] if len(members) % 2 else ""
     return members[RANKS.get(rank, 0)]
-
-
-def matches(view: View, name: str, traits: m.Traits) -> bool:
-    """Whether an object has the colours, labels, kind and size that a phrase says."""
-    asset = view.world.assets[name]
-    if traits.colors and asset.color not in traits.colors:
-        return False
-    if name in view.world.patches:
-        return traits.shape is None or getattr(asset, "shape", None) == traits.shape
-    symbol = symbol_of(view.world, name)
-    if traits.labels and symbol not in traits.labels:
-        return False
-    if traits.kind is not None and kind_of(symbol) != traits.kind and not (traits.kind == "symbol" and symbol):
-        return False
-    if traits.scheme == "some" and symbol:
-        return False
-    if traits.quality and not _of_quality(symbol, traits.quality):
-        return False
-    edge = view.world.edge[name]
-    if traits.edge is not None and abs(edge - traits.edge) > 1e-6:
-        return False
-    edges = view.world.edge.values()
-    if traits.size == "big":
-        return edge == max(edges) > min(edges) or edge > 0.04
-    if traits.size == "small":
-        return edge == min(edges) < max(edges) or edge < 0.04
-    return True
-
-
-def _of_quality(symbol: str, quality: str) -> bool:
-    if quality in ("vowel", "consonant"):
-        return symbol.isalpha() and (symbol in VOWELS) == (quality == "vowel")
-    return symbol.isdigit() and (int(symbol) % 2 == 1) == (quality == "odd")
 
 
 def _placed(view: View, name: str, condition: m.Meaning) -> bool:

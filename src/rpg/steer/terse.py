@@ -44,10 +44,11 @@ class Tint(r.Request):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Bound(r.Request):
-    """How many of those that are counted: "exactly", "at_least", "at_most" so many; "as_now": what it is now."""
+    """How many of those that are counted: "exactly", "at_least", "at_most" so many; "as_now": what it is now. `amount`
+    is None for all of them."""
 
     bound: str
-    amount: int
+    amount: int | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -136,6 +137,10 @@ def _alone(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     for n, j in count(p, start):
         if j == p.end or p.words[j] in (",", ".", "please", "now", "instead", "rather"):
             yield r.Recount(theme=None, amount=n, what="number", span=p.span(i, j), cost=4), j
+            yield Bound(bound="as_now", amount=n, span=p.span(i, j), cost=5), j
+    if j := longest(p, start, "both of them | all of them | every one of them | all | both"):
+        amount = 2 if p.words[start] == "both" else None
+        yield Bound(bound="as_now", amount=amount, span=p.span(i, j), cost=5), j
     for n, j in count(p, i):
         k = longest(p, j, "more | more of them | more block | more blocks | more cube | more cubes")
         if k and (k == p.end or p.words[k] in (",", ".", "please")):

@@ -12,7 +12,7 @@ from rpg.ir.relations import On, OnPatch
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Equation, Spells
 from rpg.steer.language import Parser, longest, m, noun_phrase, tokenize
-from rpg.steer.refer import matches
+from rpg.steer.matching import matches
 from rpg.steer.shape import conjuncts
 from rpg.steer.view import BEGINS, ENDS, View
 

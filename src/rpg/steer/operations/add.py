@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rpg.blocks.traits import symbol_of
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.edits import AddCondition, SetField
 from rpg.ir.order import Order
@@ -13,12 +14,14 @@ from rpg.ir.structures import Row
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
+from rpg.steer.matching import matches
 from rpg.steer.operations.each import one_for_each
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.place import join, put, stand_on, there
 from rpg.steer.operations.relate import relation
-from rpg.steer.refer import Found, exists, matches, resolve
+from rpg.steer.refer import exists, resolve
 from rpg.steer.view import BEGINS, View
+from rpg.steer.wholes import Found
 
 
 def add(draft: Draft, request: r.Add) -> None:
@@ -27,7 +30,7 @@ def add(draft: Draft, request: r.Add) -> None:
     request = replace(request, theme=_further(draft, request.theme), places=places)
     if one_for_each(draft, request):
         return
-    if request.lacking and isinstance(request.theme, m.Noun) and exists(draft.view, request.theme):
+    if request.lacking and isinstance(request.theme, m.Noun) and _known(draft, request.theme):
         told, hint = "the task has this already", "say 'another' for one more"
         raise draft.refusal("edit-unclear", told, request.span, hint)
     anchors = {id(place): _anchor(draft, place) for place in request.places}
@@ -54,6 +57,13 @@ def add(draft: Draft, request: r.Add) -> None:
     for place in request.places:
         put(draft, names, place, anchors[id(place)], request.span, line)
     draft.look_at(names)
+
+
+def _known(draft: Draft, theme: m.Noun) -> bool:
+    """Whether the task has any of the blocks that are named."""
+    world = draft.view.world
+    shown = {symbol_of(world, name) for name in world.blocks}
+    return exists(draft.view, theme) or bool(shown & set(theme.traits.labels))
 
 
 def _further(draft: Draft, theme: m.Meaning) -> m.Meaning:

@@ -8,10 +8,12 @@ from dataclasses import replace
 
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
 from rpg.ir.assets import Asset, Block, ColoredCube, SemanticCube
 from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetField
 from rpg.ir.order import Pattern
-from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase
+from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase, Towers
+from rpg.ir.walk import children
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -19,8 +21,9 @@ from rpg.steer.operations.grow import grow, of_each_look
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import describe, named, unused_colors, unused_labels
 from rpg.steer.operations.parties import raised
-from rpg.steer.refer import ALL_OF, Found, resolve
+from rpg.steer.refer import ALL_OF, resolve
 from rpg.steer.view import Line, Shape
+from rpg.steer.wholes import Found
 
 
 def recount(draft: Draft, request: r.Recount) -> None:
@@ -29,6 +32,7 @@ def recount(draft: Draft, request: r.Recount) -> None:
         draft.aim("TWEAK")
         of_each_look(draft, request)
         return
+    _not_counted(draft, request)
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     line = found.line if found and found.whole else draft.view.main_line()
     figure = found.figure if found and found.whole else draft.view.main_figure()
@@ -38,6 +42,9 @@ def recount(draft: Draft, request: r.Recount) -> None:
         for each in lines:
             _line(draft, draft.view.line_of(each.members[:1]) or each, request)
         return
+    if isinstance(request.theme, m.Pronoun) and request.theme.word == "each of them" and not _parties(draft):
+        told, hint = "there are not several structures here", "say how many blocks there should be, or of each colour"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     if request.times is not None and line is None:
         told, hint = ("a figure is made larger by its dimensions", "give its rows and columns, its base or its blocks")
         raise draft.refusal("edit-unclear", told, request.span, hint)
@@ -51,6 +58,17 @@ def recount(draft: Draft, request: r.Recount) -> None:
         raise draft.refusal(
             "edit-unclear", "there is no structure whose size this could be", request.span, "say what is to be built"
         )
+
+
+def _not_counted(draft: Draft, request: r.Recount) -> None:
+    """Refuse a mere number where the goal counts: it may be how many of the blocks, and how many there are."""
+    if request.what == "number" and request.amount and _counts(draft.schema.goal):
+        told, hint = "this may be how many there are, or how many of them", "say 'use three blocks', or 'three of them'"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+
+
+def _counts(goal: g.Goal) -> bool:
+    return isinstance(goal, g.Count) or any(_counts(part) for part in children(goal))
 
 
 _EVERY = ALL_OF | {"both", "both of them", "each", "each of them", "each one", "every one", "every one of them"}
@@ -67,6 +85,12 @@ def _several(draft: Draft, request: r.Recount, found: Found | None) -> list[Line
     return []
 
 
+def _parties(draft: Draft) -> bool:
+    """Whether the goal builds several towers of one height."""
+    nodes = [figure.node for figure in draft.view.figures]
+    return any(isinstance(node, Towers) and node.heights is not None for node in nodes)
+
+
 def _loose(draft: Draft, names: Sequence[str], request: r.Recount) -> None:
     """Another number of look-alikes that form nothing: those on a patch, in a region, in a group."""
     looks = {draft.view.world.look[name] for name in names if name in draft.view.world.blocks}
@@ -78,6 +102,10 @@ def _loose(draft: Draft, names: Sequence[str], request: r.Recount) -> None:
     if wanted == len(alike):
         raise draft.refusal("nothing-to-do", f"there are {wanted} already", request.span)
     grow(draft, alike, wanted, request.span)
+
+
+_UNSAID = "the colours of the blocks are not said"
+"""What is assumed of blocks any of which may go or stay."""
 
 
 def _line(draft: Draft, line: Line, request: r.Recount) -> None:
@@ -95,7 +123,8 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
         told, hint = "there is no structure whose size this could be", "say what is to be built, or which blocks"
         raise draft.refusal("edit-unclear", told, request.span, hint)
     shown = all(Traits(draft.view.world).symbol(name) for name in line.members)
-    vague = request.what == "number" or request.of_them
+    unsaid = any(text.startswith(_UNSAID) for text in draft.schema.assumptions)
+    vague = (request.what == "number" or request.of_them) and not unsaid
     if vague and not shown and len({draft.view.world.look[name] for name in line.members}) > 1:
         told, hint = "these blocks do not all look alike, so that it is not said which", "say their colours"
         raise draft.refusal("edit-unclear", told, request.span, hint)

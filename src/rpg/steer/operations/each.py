@@ -10,7 +10,8 @@ from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.place import put
-from rpg.steer.refer import ALL_OF, Found, resolve
+from rpg.steer.refer import ALL_OF, resolve
+from rpg.steer.wholes import Found
 
 _SIDES = {"top": "on", "bottom": "under", "left": "left", "right": "right", "front": "front", "back": "behind"}
 EACH = frozenset(

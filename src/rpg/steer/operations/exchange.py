@@ -8,6 +8,7 @@ from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir.assets import EDGE, Asset, GoalPatch, SemanticCube
 from rpg.ir.edits import Exchange, ReplaceAssets, SetField
+from rpg.ir.relations import Facing
 from rpg.ir.structures import Equation, Spells
 from rpg.steer.draft import Draft
 from rpg.steer.operations.make import free_name
@@ -62,6 +63,9 @@ def _respell(draft: Draft) -> None:
         if sorted(node.text) != sorted(traits.symbol(name) for name in node.blocks):
             draft.do(SetField(at=line.path, field="text", value=None))
     for path, atom in draft.view.atoms:
+        block = draft.view.world.blocks.get(atom.block) if isinstance(atom, Facing) and atom.label else None
+        if isinstance(block, SemanticCube) and block.label and block.label != getattr(atom, "label", None):
+            draft.do(SetField(at=path, field="label", value=block.label))
         if isinstance(atom, Spells) and sorted(atom.word) != sorted(traits.symbol(n) for n in atom.blocks):
             word = "".join(traits.symbol(name) for name in atom.blocks)
             draft.do(SetField(at=path, field="word", value=word))

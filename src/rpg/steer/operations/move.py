@@ -19,9 +19,10 @@ from rpg.steer.operations.order import put_in_order
 from rpg.steer.operations.place import put, stand_on, there
 from rpg.steer.operations.relate import relation
 from rpg.steer.phrases import fresh
-from rpg.steer.refer import Found, exists, resolve
+from rpg.steer.refer import exists, resolve
 from rpg.steer.shape import conjuncts, structures
 from rpg.steer.view import Line
+from rpg.steer.wholes import Found
 
 
 def move(draft: Draft, request: r.Move) -> None:
@@ -42,6 +43,10 @@ def move(draft: Draft, request: r.Move) -> None:
             draft.aim("EXTEND")
             stand_on(draft, found.line, patch, request.span)
             return
+        if found.figure is not None:
+            draft.aim("EXTEND")
+            draft.do(AddCondition(goal=OnPatch(a=names, patch=patch)), request.span)
+            return
         draft.aim("MODIFY")
         _give_way(draft, names, request, Found((patch,)))
         return
@@ -52,11 +57,29 @@ def move(draft: Draft, request: r.Move) -> None:
         _whole_elsewhere(draft, found, request)
         return
     draft.aim("MODIFY")
-    if line is not None and line.ordered and isinstance(request.place, r.Spot) and request.place.side != "beside":
+    other = isinstance(near, m.Structure) and not set(names) <= set(resolve(draft.view, near).names)
+    spot = isinstance(request.place, r.Spot) and request.place.side != "beside"
+    if line is not None and line.ordered and spot and not other:
         _move_in_line(draft, line, names, request)
         return
+    landmark = near if other and spot else landmark
     anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
+    if line is not None and anchor is not None and _beside_in_line(draft, line, names, request, anchor):
+        return
     _give_way(draft, names, request, _without(anchor, names))
+
+
+def _beside_in_line(draft: Draft, line: Line, names: Sequence[str], request: r.Move, anchor: Found) -> bool:
+    """Whether blocks go to another place of their row, told by one that stays in it: "shift A to the right of C"."""
+    rel = request.place.rel if isinstance(request.place, m.Loc) and not request.place.negated else ""
+    inside = line.ordered and line.node is not None and line.kind == "row" and len(anchor.names) == 1
+    if rel not in ("left", "right") or not inside or not {*names, *anchor.names} <= set(line.members):
+        return False
+    rest = [name for name in line.members if name not in names]
+    index = rest.index(anchor.names[0]) + (rel == "right")
+    put_in_order(draft, line, [*rest[:index], *names, *rest[index:]], request.span)
+    draft.look_at(tuple(names))
+    return True
 
 
 def _beside_as_now(draft: Draft, place: r.Place, names: Sequence[str]) -> r.Place:
@@ -122,6 +145,8 @@ def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found
     left = without(goal, set(names))
     if left is not None:
         draft.do(SetGoal(goal=left), request.span)
+    if anchor is not None and anchor.line is not None:
+        anchor = replace(anchor, line=draft.view.line_of(anchor.names))
     put(draft, names, request.place, anchor, request.span, draft.view.main_line() if left is not None else None)
     if left is None:
         new = conjuncts(draft.schema.goal)[len(conjuncts(before)) :]

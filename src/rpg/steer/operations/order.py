@@ -22,9 +22,10 @@ from rpg.steer.operations.lines import arranged
 from rpg.steer.operations.mirror import mirrored
 from rpg.steer.operations.sort import BY, color_pattern, ranks_by_class, sorted_members
 from rpg.steer.operations.steps import of_steps, turn_steps
-from rpg.steer.refer import Found, resolve
+from rpg.steer.refer import lines_of, resolve
 from rpg.steer.shape import conjuncts
 from rpg.steer.view import BEGINS, ENDS, Line, Shape
+from rpg.steer.wholes import Found
 
 
 def reorder(draft: Draft, request: r.Reorder) -> None:
@@ -32,8 +33,15 @@ def reorder(draft: Draft, request: r.Reorder) -> None:
     if of_steps(draft, request):
         turn_steps(draft, request)
         return
+    if request.how == "reverse" and len(several := lines_of(draft.view, request.theme)) > 1:
+        for each in several:
+            _reverse(draft, draft.view.line_of(each.members), None, request.span)
+        return
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     line, figure = _target(draft, found)
+    if found is not None and not found.whole and line is not None and not set(found.names) <= set(line.members):
+        told, hint = "these blocks are in more than one line", "say the order of each of them"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     draft.note("order", {"how": request.how, "descending": request.descending, "first": request.first})
     if request.how == "mirror":
         draft.aim("MODIFY")

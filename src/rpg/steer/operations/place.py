@@ -17,10 +17,11 @@ from rpg.ir.structures import Equation, Figure, GroupBy, Pyramid, Row, Spells, S
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
+from rpg.steer.operations.hub import into_the_middle
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.relate import relation
-from rpg.steer.refer import Found
 from rpg.steer.view import Line, Shape
+from rpg.steer.wholes import Found
 
 _RELATIONS = {"top": "on", "bottom": "under", "front": "front", "back": "behind", "left": "left", "right": "right"}
 
@@ -200,6 +201,8 @@ def _beside_last(draft: Draft, names: Sequence[str], side: str, anchor: Found | 
     if figure is not None and side == "top" and not isinstance(figure.node, GroupBy):
         _on_figure(draft, names, figure, span)
         return
+    if figure is not None and side == "middle" and into_the_middle(draft, names, figure, span):
+        return
     others = [n for n in (anchor.names if anchor else draft.view.busy) if n not in names]
     if len(others) != 1:
         raise draft.refusal(
@@ -239,6 +242,8 @@ def _at_landmark(
     if place.rel in ("left", "right") and anchor is not None and _continues_word(draft, names, anchor):
         _in_reading(draft, names, replace(place, rel={"left": "before", "right": "after"}[place.rel]), anchor, span)
         return
+    if place.rel in ("left", "right") and anchor is not None and _among(draft, names, place, anchor, span):
+        return
     if anchor is None:
         if isinstance(place.landmark, m.TableTop) and place.rel == "on":
             on_table = OnTable(a=tuple(names))
@@ -257,15 +262,36 @@ def _at_landmark(
     ):
         return
     if place.rel == "on" and all(n in draft.view.world.patches for n in anchor.names):
+        if len(anchor.names) > 1 and not place.negated:
+            raise draft.refusal("ambiguous-object", "this could be any of several patches", span, "say which of them")
         for name in names:
-            on = OnPatch(a=(name,), patch=anchor.names[-1])
-            draft.do(AddCondition(goal=Not(goal=on) if place.negated else on), span)
+            for patch in anchor.names:
+                on = OnPatch(a=(name,), patch=patch)
+                draft.do(AddCondition(goal=Not(goal=on) if place.negated else on), span)
         return
+    if len(names) > 1 and len(anchor.names) > 1 and not anchor.whole and place.rel in ("on", "above", "under"):
+        told, hint = "it is not said which goes on which", "say it of each: C on A and D on B"
+        raise draft.refusal("edit-unclear", told, span, hint)
     operand = _operand(draft, anchor)
     for name in names:
         draft.do(AddCondition(goal=relation(draft, place.rel, (name,), operand, place.mods, span, place)), span)
         if place.rel == "on":
             operand = (name,)
+
+
+def _among(draft: Draft, names: Sequence[str], place: m.Loc, anchor: Found, span: Span) -> bool:
+    """Whether blocks go beside one of an ordered row that has a neighbour there: between the two, as nothing said is
+    that they come after all others."""
+    line = draft.view.line_of(anchor.names)
+    if line is None or line.kind != "row" or not line.ordered or not isinstance(line.node, Row) or place.negated:
+        return False
+    at = line.members.index(anchor.names[0]) + (place.rel == "right")
+    if len(anchor.names) != 1 or anchor.whole or not 0 < at < len(line.members):
+        return False
+    draft.aim("MODIFY")
+    for offset, name in enumerate(names):
+        insert(draft, _same(draft, line), at + offset, name, span)
+    return True
 
 
 def _continues_word(draft: Draft, names: Sequence[str], anchor: Found) -> bool:

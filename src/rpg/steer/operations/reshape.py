@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.edits import ChangeCondition, SetGoal
-from rpg.ir.order import Order
+from rpg.ir.order import Order, Pattern
 from rpg.ir.relations import OnPatch
 from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase, Towers
 from rpg.steer import requests as r
@@ -35,7 +35,7 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
         wanted = replace(wanted, kind="row")
     wanted = _sided(wanted)
     found = resolve(draft.view, request.theme) if request.theme is not None else None
-    names = found.names if found else draft.view.busy
+    names = _together(draft.view, found.names) if found else draft.view.busy
     line = draft.view.line_of(names)
     draft.note("structure", {"to": wanted.kind, "dims": list(wanted.dims)})
     if wanted.kind == "word" and wanted.letter:
@@ -65,7 +65,16 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
     check_shape(wanted, sizes_used=True)
     _check_members(draft, wanted, blocks)
     draft.aim("PIVOT")
-    _part(draft, line, structure(draft, wanted, blocks, line, request.span), blocks, request.span)
+    goal = _patterned(draft, structure(draft, wanted, blocks, line, request.span), blocks)
+    _part(draft, line, goal, blocks, request.span)
+
+
+def _together(view: View, names: tuple[str, ...]) -> tuple[str, ...]:
+    """One block forms nothing: "make it a tower" is about what it is a part of."""
+    if len(names) != 1:
+        return names
+    line, figure = view.line_of(names), next((f for f in view.figures if names[0] in f.members), None)
+    return line.members if line is not None else figure.members if figure is not None else names
 
 
 def _part(draft: Draft, line: Line | None, goal: g.Goal, names: Sequence[str], span: Span) -> None:
@@ -180,6 +189,28 @@ def structure(draft: Draft, wanted: m.Structure, names: Sequence[str], line: Lin
         span,
         "say it as an instruction of its own",
     )
+
+
+_PATTERNS = ("alternating", "mirrored", "together")
+"""Orders that say how neighbours go together, and no more: any line may have them, and a ring may alternate."""
+
+
+def _patterned(draft: Draft, new: g.Goal, names: Sequence[str]) -> g.Goal:
+    """A structure with the pattern of the one that it comes instead of; where it cannot have it, that is told."""
+    old = next((each.node for each in draft.view.lines if set(each.members) == set(names)), None)
+    old = old or next((each.node for each in draft.view.figures if set(each.members) == set(names)), None)
+    pattern = getattr(old, "pattern", None)
+    order: Order | None = pattern.order if pattern and pattern.kind == "reading" else getattr(old, "order", None)
+    if order is not None and order.by in _PATTERNS:
+        order = Order(by=order.by, attribute=order.attribute)
+        if isinstance(new, Stack | Row):
+            return new.model_copy(update={"order": order, **({"exact": False} if isinstance(new, Stack) else {})})
+        if isinstance(new, Figure) and new.shape == "circle" and order.by == "alternating":
+            return new.model_copy(update={"pattern": Pattern(kind="reading", order=order)})
+    ordered = pattern is not None or (order is not None and order.by != "any")
+    if ordered and getattr(new, "pattern", None) is None and getattr(new, "order", Order()).by == "any":
+        draft.assume("the new structure asks for no order of its blocks")
+    return new
 
 
 def _base(draft: Draft, count: int, wanted: m.Structure, span: Span) -> tuple[int, int]:

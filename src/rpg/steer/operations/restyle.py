@@ -11,18 +11,23 @@ from rpg.ir.assets import EDGE, Asset, Block, ColoredCube, GoalPatch, SemanticCu
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import lexicon, m
+from rpg.steer.matching import matches
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.grow import grow
 from rpg.steer.operations.guard import check_new
 from rpg.steer.operations.kinds import convert, listed, mix
 from rpg.steer.operations.lines import by_place, insert, pin
 from rpg.steer.operations.make import describe, free_name, new_assets, unused_colors
-from rpg.steer.refer import matches, resolve
+from rpg.steer.refer import resolve
 
 
 def restyle(draft: Draft, request: r.Restyle) -> None:
     """Other colours, symbols or sizes: "make the red block green", "make them bigger", "change the A to a B"."""
-    names = resolve(draft.view, request.theme).names if request.theme is not None else draft.view.busy
+    found = resolve(draft.view, request.theme) if request.theme is not None else None
+    if request.scale is not None and found is not None and found.whole and _as_a_whole(request.theme):
+        told, hint = "this may be larger blocks or more of them", "say 'larger blocks', or how many it should have"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    names = found.names if found is not None else draft.view.busy
     names = tuple(name for name in names if name not in draft.kept)
     traits = request.traits
     if not all(matches(draft.view, name, request.former) for name in names):
@@ -60,6 +65,11 @@ def restyle(draft: Draft, request: r.Restyle) -> None:
         draft.aim("MODIFY")
     exchange(draft, new, request.span)
     draft.note("restyle", {name: _said(request) for name in names})
+
+
+def _as_a_whole(theme: m.Meaning | None) -> bool:
+    """Whether a phrase is about a structure as one thing: "the circle", "it", but not "them"."""
+    return isinstance(theme, m.Structure) or (isinstance(theme, m.Pronoun) and theme.word == "it")
 
 
 def _said(request: r.Restyle) -> dict[str, object]:
@@ -198,6 +208,9 @@ def _recounted(draft: Draft, request: r.Replace) -> bool:
 def _replace_each(draft: Draft, old: Sequence[str], new: m.Noun, span: Span) -> None:
     """As many new blocks as old ones, of the old ones' sizes unless the request gives another."""
     check_new(new)
+    _labels(draft, old, new.traits, span)
+    if len(old) % max(1, len(new.traits.colors)):
+        _colors(draft, old, new.traits, span)
     blocks = describe(draft, new.traits, len(old), like=new.head == "any")
     if not (new.traits.edge or new.traits.size):
         edges = [draft.view.world.edge[name] for name in listed(draft, old)]

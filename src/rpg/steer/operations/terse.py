@@ -5,19 +5,20 @@ from __future__ import annotations
 from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
 from rpg.ir.edits import ChangeCondition, DropCondition, Path, SetGoal
-from rpg.ir.node import members
-from rpg.ir.relations import Adjacent, Beside, Directional, InRegion, Near, On, OnPatch
+from rpg.ir.node import EACH, members
+from rpg.ir.relations import Adjacent, Beside, Directional, InRegion, Near, On, OnPatch, OnTable
 from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import transform
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
+from rpg.steer.matching import matches
 from rpg.steer.operations.add import add
 from rpg.steer.operations.relate import relation
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.vary import some
-from rpg.steer.refer import matches, resolve
+from rpg.steer.refer import resolve
 from rpg.steer.terse import Bound, Bring, More, PileUp, Shift, Tint
 
 
@@ -38,32 +39,45 @@ def bound(draft: Draft, request: Bound) -> None:
     found: list[g.Count] = []
 
     def counting(node: g.Goal) -> g.Goal:
+        node = _counted(node) or node
         if isinstance(node, g.Count):
             found.append(node)
         return node
 
-    transform(draft.schema.goal, counting)
-    if not found and request.bound == "as_now":
+    goal = transform(draft.schema.goal, counting)
+    if not found and (request.bound == "as_now" or request.amount is None):
         raise draft.refusal(
             "edit-unclear", "nothing is counted here", request.span, "say which blocks, and what of them"
         )
-    if not found:
+    if not found and request.amount is not None:
         some(draft, r.Some(bound=request.bound, amount=request.amount, span=request.span))
         return
-    if len(found) > 1 or not 0 < request.amount <= len(found[0].over):
+    wanted = len(found[0].over) if request.amount is None else request.amount
+    if len(found) > 1 or not 0 < wanted <= len(found[0].over):
         told = (
             f"there are {len(found[0].over)} blocks that are counted" if len(found) == 1 else "more than one is counted"
         )
         raise draft.refusal("edit-unclear", told, request.span, "say of which blocks, and how many")
     least = request.bound in ("exactly", "at_least") or (request.bound == "as_now" and found[0].at_least > 0)
     most = request.bound in ("exactly", "at_most") or (request.bound == "as_now" and found[0].at_most is not None)
-    low, high = request.amount if least else 0, request.amount if most else None
+    low, high = wanted if least else 0, wanted if most else None
     new = found[0].model_copy(update={"at_least": low, "at_most": high})
     if new == found[0]:
         raise draft.refusal("nothing-to-do", "it is so many already", request.span)
     draft.aim("TWEAK")
-    draft.note("count", {request.bound: request.amount})
-    draft.do(SetGoal(goal=transform(draft.schema.goal, lambda node: new if node == found[0] else node)), request.span)
+    draft.note("count", {request.bound: wanted})
+    draft.do(SetGoal(goal=transform(goal, lambda node: new if node == found[0] else node)), request.span)
+
+
+def _counted(node: g.Goal) -> g.Count | None:
+    """ "At least one of two" as a count: the same is asked of each of several blocks, of which one will do."""
+    if not isinstance(node, g.Any) or any(not isinstance(part, OnPatch | OnTable | InRegion) for part in node.goals):
+        return None
+    over = tuple(name for part in node.goals for name in members(getattr(part, "a", ())))
+    each = [part.model_copy(update={"a": (EACH,), "span": None}) for part in node.goals]
+    if len(over) != len(each) or any(part != each[0] for part in each):
+        return None
+    return g.Count(over=over, at_least=1, goal=each[0])
 
 
 def bring(draft: Draft, request: Bring) -> None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
-from types import CodeType
+from types import CodeType, ModuleType
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import grammar, lexicon
@@ -61,16 +61,28 @@ _NOT_LITERAL = frozenset(
 )
 
 
+SHORT_FORMS = {
+    "twr": "tower", "twrs": "towers", "blks": "blocks", "sq": "square", "pic": "picture", "pics": "pictures",
+    "pcs": "blocks", "grn": "green", "ylw": "yellow", "yel": "yellow", "wht": "white", "orng": "orange",
+    "prpl": "purple", "brn": "brown", "pnk": "pink", "lft": "left", "rgt": "right", "btm": "bottom", "bot": "bottom",
+    "mid": "middle", "ctr": "center", "ea": "each", "clr": "color", "clrs": "colors", "cols": "columns",
+    "btwn": "between", "betw": "between", "abt": "about", "dist": "distance", "horiz": "horizontal", "vert": "vertical",
+    "alt": "alternating", "seq": "sequence", "rect": "rectangle", "tri": "triangle", "pyr": "pyramid",
+    "num": "number", "nums": "numbers", "nbr": "number", "ltr": "letter", "ltrs": "letters", "ppl": "people",
+}  # fmt: skip
+"""Words typed in short, in small letters."""
+
+
 @cache
 def vocabulary() -> frozenset[str]:
     """Every word of the language: those of the lexicon's tables and those that the grammar names."""
     words: set[str] = set(lexicon.DEGREES.split())
-    for value in vars(lexicon).values():
+    for value in _own(lexicon):
         if isinstance(value, dict | frozenset):
             words.update(str(word) for word in value)
     for found in iter_modules(grammar.__path__, f"{grammar.__name__}."):
         module = import_module(found.name)
-        for value in vars(module).values():
+        for value in _own(module):
             code = getattr(getattr(value, "__wrapped__", value), "__code__", None)
             if code is not None and code.co_filename == module.__file__:
                 words |= _words_in(code)
@@ -78,7 +90,17 @@ def vocabulary() -> frozenset[str]:
                 words |= value.words
             elif isinstance(value, dict | tuple | frozenset):
                 words |= _words_of(value)
+    words -= _FIELDS
     return frozenset(w for w in words if (w.isalpha() and w.islower()) or w in lexicon.ORDINAL)
+
+
+_FIELDS = frozenset({"det", "ed", "est", "ing", "loc", "op", "rel", "xor"})
+"""Strings of the grammar that are names of fields, or endings."""
+
+
+def _own(module: ModuleType) -> Iterator[object]:
+    """What a module defines or imports, without what Python puts into every module."""
+    return (value for name, value in vars(module).items() if not name.startswith("__"))
 
 
 def _words_in(code: CodeType) -> set[str]:
@@ -200,6 +222,8 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
             continue
         if _is_literal(tokens, index, known):
             out.append(replace(token, kind="literal", value=token.raw))
+        elif token.word in SHORT_FORMS and not token.raw.isupper():
+            out.append(replace(token, word=SHORT_FORMS[token.word], raw=SHORT_FORMS[token.word]))
         elif token.word in known or len(token.word) == 1:
             out.append(replace(token, raw=token.raw.lower()) if shouting and len(token.raw) > 1 else token)
         elif token.raw.isupper() and not shouting:

@@ -228,7 +228,7 @@ def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagno
             out.append(replace(token, raw=token.raw.lower()) if shouting and len(token.raw) > 1 else token)
         elif token.raw.isupper() and not shouting:
             out.append(replace(token, kind="literal", value=token.raw))
-        elif match := _one_match(token.word):
+        elif token.word not in _OTHER_THINGS and (match := _one_match(token.word)):
             notes.append(f"read {token.raw!r} as {match!r}")
             out.append(replace(token, word=match, raw=match))
         else:
@@ -261,14 +261,26 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     return before in _WRITERS or after in _SPELT or (after == "," and behind in _SPELT)
 
 
+_OTHER_THINGS = frozenset({
+    "apple", "apples", "ball", "balls", "banana", "bananas", "basket", "baskets", "bottle", "bottles", "bowl",
+    "bowls", "cans", "cap", "cone", "cones", "cup", "cups", "cylinder", "cylinders", "dice", "dish", "disc",
+    "discs", "disk", "disks", "doll", "door", "drawer", "fork", "glass", "hammer", "handle", "knife", "lid", "lids",
+    "mug", "mugs", "nut", "pan", "peg", "pegs", "pen", "pencil", "plate", "plates", "pot", "prism", "prisms", "rod",
+    "rods", "screw", "sphere", "spheres", "spoon", "tomato", "toy", "toys", "tray", "trays", "wheel",
+})  # fmt: skip
+"""Things that robots are asked to move elsewhere."""
+
+
 def unknown(token: Token) -> Diagnostic:
-    """A diagnostic for a word that means nothing here."""
-    close = nearest(token.word, 2 if len(token.word) < LONG_WORD else 3)[:3]
-    hint = (
-        f"did you mean {' or '.join(repr(c) for c in close)}?"
-        if close
-        else "describe the task with blocks, patches and where they should be"
-    )
+    """A diagnostic for a word that means nothing here: known words that it could be a slip of, or what there is."""
+    near = nearest(token.word, min(3, 1 + len(token.word) // 5))
+    close = [known for known in near if known[0] == token.word[0]][:3] if token.word not in _OTHER_THINGS else []
+    if close:
+        hint = f"did you mean {' or '.join(repr(c) for c in close)}?"
+    elif token.word in _OTHER_THINGS:
+        hint = "tasks are made of blocks (cubes, plain or with a letter or digit) and flat patches: use one of these"
+    else:
+        hint = "describe the task with blocks, patches and where they should be"
     return Diagnostic(
         code="unknown-word",
         message=f"{token.raw!r} means nothing here",

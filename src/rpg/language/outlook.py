@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import string
 from collections.abc import Callable, Iterable
-from typing import Any, NamedTuple
+from typing import Any
 
 from rpg.language.tokens import Token
 
@@ -34,17 +34,12 @@ def head_of(token: Token) -> str | None:
     return token.word if plain and token.value is None else None
 
 
-class Firsts(NamedTuple):
-    """What a rule asks of the word where it begins.
+Firsts = tuple[frozenset[str], frozenset[str], frozenset[str], tuple[Any, ...]]
+"""What a rule asks of the word where it begins.
 
-    `words`: those that it asks for. `behind`: those that it asks for in front of that word, `anywhere` in the sentence.
-    `found`: its readings before all other words and at the end of the sentence, of no length.
-    """
-
-    words: frozenset[str]
-    behind: frozenset[str]
-    anywhere: frozenset[str]
-    found: tuple[Any, ...]
+The words that it asks for; those that it asks for in front of that word, and anywhere in the sentence; its readings
+before all other words and at the end of the sentence, of no length.
+"""
 
 
 class Asked:
@@ -69,7 +64,7 @@ class Asked:
     def firsts(self, found: tuple[Any, ...]) -> Firsts:
         """What the rule asks for, with its readings before all other words."""
         words = frozenset(word for word in self.words if word)
-        return Firsts(words, frozenset(self.behind), frozenset(self.anywhere), found)
+        return words, frozenset(self.behind), frozenset(self.anywhere), found
 
 
 class _Part:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from functools import lru_cache
 from typing import Any
 
@@ -28,17 +28,21 @@ def tree_of(phrases: Collection[str]) -> dict[str | None, Any]:
     found = TREES.get(id(phrases))
     if found is not None:
         return found
+    if len(TREES) >= MOST_TREES:
+        TREES.clear()
+        _KEPT.clear()
+    _KEPT.append(phrases)
+    tree = TREES[id(phrases)] = _grown(phrases)
+    return tree
+
+
+def _grown(phrases: Collection[str]) -> dict[str | None, Any]:
     tree: dict[str | None, Any] = {}
     for rank, phrase in enumerate(phrases):
         branch = tree
         for word in phrase.split():
             branch = branch.setdefault(word, {})
         branch.setdefault(None, (rank, phrase))
-    if len(TREES) >= MOST_TREES:
-        TREES.clear()
-        _KEPT.clear()
-    _KEPT.append(phrases)
-    TREES[id(phrases)] = tree
     return tree
 
 
@@ -52,3 +56,70 @@ _KEPT: list[Collection[str]] = []
 def words_of(phrase: str) -> tuple[str, ...]:
     """The words of a phrase."""
     return tuple(phrase.split())
+
+
+Place = tuple[int, int, tuple[str, ...]]
+"""A row of slots, a slot of it, and the words said so far in that slot."""
+
+
+class Rows:
+    """Rows of slots, all of them walked at once: a word leads from where a sentence may be to where it may be then.
+
+    A slot is what may stand there, and whether it may be empty.
+    """
+
+    def __init__(self, rows: list[list[tuple[tuple[str, ...], bool]]]) -> None:
+        self.rows = [[(_grown(phrases), optional) for phrases, optional in row] for row in rows]
+        self.steps: dict[frozenset[Place], Step] = {}
+        self.begin = self.step({place for rank in range(len(rows)) for place in self._from(rank, 0)})
+
+    def step(self, places: set[Place]) -> Step:
+        """The step to these places; each is made once."""
+        key = frozenset(places)
+        if key not in self.steps:
+            self.steps[key] = Step(self, key)
+        return self.steps[key]
+
+    def following(self, place: Place) -> dict[str | None, Any]:
+        """What may follow at a place, word by word."""
+        rank, slot, said = place
+        tree = self.rows[rank][slot][0] if slot < len(self.rows[rank]) else {}
+        for word in said:
+            tree = tree[word]
+        return tree
+
+    def onward(self, place: Place, word: str) -> Iterator[Place]:
+        """Where a word leads from a place."""
+        rank, slot, said = place
+        further = (rank, slot, (*said, word))
+        yield further
+        if None in self.following(further):
+            yield from self._from(rank, slot + 1)
+
+    def _from(self, rank: int, slot: int) -> Iterator[Place]:
+        """The place where a slot of a row begins, and those behind it where it may be empty."""
+        yield rank, slot, ()
+        if slot < len(self.rows[rank]) and self.rows[rank][slot][1]:
+            yield from self._from(rank, slot + 1)
+
+
+class Step:
+    """Where a sentence may be in rows. `ends`: the rows that are complete; `words`: those that lead on, from where."""
+
+    def __init__(self, rows: Rows, places: frozenset[Place]) -> None:
+        self.rows = rows
+        self.ends = [rank for rank, slot, _ in places if slot == len(rows.rows[rank])]
+        self.words: dict[str, list[Place]] = {}
+        self.next: dict[str, Step] = {}
+        for place in places:
+            for word in rows.following(place):
+                if word is not None:
+                    self.words.setdefault(word, []).append(place)
+
+    def after(self, word: str) -> Step | None:
+        """The step behind a word, if any row goes on with it."""
+        found = self.next.get(word)
+        if found is None and word in self.words:
+            onward = {new for place in self.words[word] for new in self.rows.onward(place, word)}
+            found = self.next[word] = self.rows.step(onward)
+        return found

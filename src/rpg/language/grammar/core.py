@@ -247,10 +247,11 @@ class Inquiry(Parser):
         return False
 
     def told(self, i: int, firsts: Firsts) -> list[tuple[Any, int]] | None:
-        self.asked.note(i, firsts.words)
-        self.asked.behind |= firsts.behind
-        self.asked.anywhere |= firsts.anywhere
-        return [(meaning, i) for meaning in firsts.found]
+        words, behind, anywhere, found = firsts
+        self.asked.note(i, words)
+        self.asked.behind |= behind
+        self.asked.anywhere |= anywhere
+        return [(meaning, i) for meaning in found]
 
 
 class Beginning:
@@ -258,35 +259,11 @@ class Beginning:
 
     def __init__(self, body: Callable[..., Results[Any]]) -> None:
         self.body = body
-        self.free = free_of_places(body)
         self.firsts: dict[tuple[Any, ...], Firsts | None] = {}
         self.met: set[tuple[Any, ...]] = set()
         BEGINNINGS.append(self)
 
-    def spared(self, p: Parser, i: int, args: tuple[Any, ...]) -> list[tuple[Any, int]] | None:
-        """The readings at a place if no run is needed to know them, else None."""
-        head = p.heads[i]
-        if not self.free:
-            return None
-        try:
-            known = self.firsts[args]
-        except KeyError:
-            self._first_met(args)
-            return None
-        if known is None:
-            return None
-        if head is None:
-            return p.told(i, known)
-        words, behind, anywhere, found = known
-        if head in words or (behind and i > 0 and p.words[i - 1] in behind) or not p.all.isdisjoint(anywhere):
-            return None
-        if i > p.far:
-            p.far = i
-        if p.thorough:
-            return None
-        return [(meaning, i) for meaning in found] if found else _NOTHING
-
-    def _first_met(self, args: tuple[Any, ...]) -> None:
+    def meet(self, args: tuple[Any, ...]) -> None:
         """A rule is asked when it is met again: the rules that it tries have been met by then, and have told."""
         if args in self.met:
             self.firsts[args] = self._asked(args)
@@ -317,42 +294,57 @@ def rule(
 ) -> Callable[Concatenate[Parser, int, A], list[tuple[M, int]]]:
     """Memoise a rule: its distinct readings at a place, in order of preference, bounded in number."""
     name = f"{body.__module__}.{body.__qualname__}"
-    beginning = Beginning(body)
-    run = cast(Callable[..., Results[M]], body)
-
-    @wraps(body)
-    def apply(p: Parser, i: int, *args: Any) -> list[tuple[M, int]]:
-        found = beginning.spared(p, i, args)
-        if found is not None:
-            return found
-        key = (name, i, args)
-        found = p.memo.get(key)
-        if found is None:
-            p.memo[key] = []
-            p.work += 1
-            if p.work > MAX_WORK:
-                raise TooMuchWork
-            found = p.memo[key] = _distinct(run(p, i, *args))
-            for _, j in found:
-                p.reach(j)
-        return found
-
-    return cast(Callable[Concatenate[Parser, int, A], list[tuple[M, int]]], apply)
+    return cast(Callable[Concatenate[Parser, int, A], list[tuple[M, int]]], _sparing(body, name))
 
 
 def choice(
     body: Callable[Concatenate[Parser, int, A], Results[M]],
 ) -> Callable[Concatenate[Parser, int, A], Iterable[tuple[M, int]]]:
     """Make a part of a rule one that is not entered before words with which it cannot begin; it has no memory."""
+    return cast(Callable[Concatenate[Parser, int, A], Iterable[tuple[M, int]]], _sparing(body, None))
+
+
+def _sparing(body: Callable[..., Any], name: str | None) -> Callable[..., Any]:
+    """A rule that is run where it may begin, and at a place once if it has a name. All is done in one function, which
+    is called a thousand times for a sentence and most of the time in vain."""
     beginning = Beginning(body)
-    run = cast(Callable[..., Results[M]], body)
+    firsts, free = beginning.firsts, free_of_places(body)
 
     @wraps(body)
-    def apply(p: Parser, i: int, *args: Any) -> Iterable[tuple[M, int]]:
-        found = beginning.spared(p, i, args)
-        return run(p, i, *args) if found is None else found
+    def apply(p: Parser, i: int, *args: Any) -> Any:
+        known = firsts.get(args) if free else None
+        if known is not None:
+            words, behind, anywhere, found = known
+            head = p.heads[i]
+            if head is None:
+                if (told := p.told(i, known)) is not None:
+                    return told
+            elif not (
+                head in words
+                or (behind and i > 0 and p.words[i - 1] in behind)
+                or (anywhere and not p.all.isdisjoint(anywhere))
+            ):
+                if i > p.far:
+                    p.far = i
+                if not p.thorough:
+                    return [(meaning, i) for meaning in found] if found else _NOTHING
+        elif free and args not in firsts:
+            beginning.meet(args)
+        if name is None:
+            return body(p, i, *args)
+        key = (name, i, args)
+        readings = p.memo.get(key)
+        if readings is None:
+            p.memo[key] = []
+            p.work += 1
+            if p.work > MAX_WORK:
+                raise TooMuchWork
+            readings = p.memo[key] = _distinct(body(p, i, *args))
+            for _, j in readings:
+                p.reach(j)
+        return readings
 
-    return cast(Callable[Concatenate[Parser, int, A], Iterable[tuple[M, int]]], apply)
+    return apply
 
 
 def _distinct(readings: Results[M]) -> list[tuple[M, int]]:

@@ -7,11 +7,10 @@ may be left out. What a pattern matches carries nothing of the instruction.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.frames import Phrases
-from rpg.language.phrases import tree_of
+from rpg.language.phrases import Rows
 
 PEOPLE = (
     "customer|customers|client|clients|boss|user|users|teacher|friend|friends|daughter|son|student|students|pupil|"
@@ -41,56 +40,31 @@ _DO = (
 _PICTURE = "picture|image|photo|photograph|drawing|sketch|figure|scene|view|arrangement|result|layout|setup|state"
 
 
-Slot = tuple[dict[str | None, Any], bool]
-"""What may stand in a place, word by word, and whether the place may be empty."""
-
-
 class Patterns(Phrases):
     """Phrases by their parts."""
 
     def __init__(self, *patterns: str) -> None:
         super().__init__()
-        self.rows: dict[str, list[list[Slot]]] = {}
-        found: set[str] = set()
-        for pattern in patterns:
-            slots = [(_phrases(part), part.endswith("?")) for part in pattern.split(" ")]
-            found.update(word for phrases, _ in slots for phrase in phrases for word in phrase.split(" "))
-            row = [(tree_of(phrases), optional) for phrases, optional in slots]
-            for first in _firsts(row):
-                self.rows.setdefault(first, []).append(row)
-        self.words = frozenset(found)
+        rows = [[(_phrases(part), part.endswith("?")) for part in pattern.split(" ")] for pattern in patterns]
+        phrases = (phrase for row in rows for slot, _ in row for phrase in slot)
+        self.words = frozenset(word for phrase in phrases for word in phrase.split())
+        self.begin = Rows(rows).begin
 
     def matches(self, p: Parser, i: int) -> Iterator[int]:
         """Positions after the patterns that stand at i."""
-        for row in p.peek(i, self.rows) or ():
-            ends = {i}
-            for tree, optional in row:
-                after = {j for at in ends for j in _standing(p, at, tree)}
-                ends = after | ends if optional else after
-            for j in sorted(ends - {i}):
-                yield p.reach(j)
+        if not p.stands(i, self.begin.words):
+            return
+        step, j = self.begin.after(p.words[i]), i + 1
+        found: list[tuple[int, int]] = []
+        while step is not None:
+            found += [(rank, j) for rank in step.ends]
+            step, j = step.after(p.words[j]), j + 1
+        for _, j in sorted(found):
+            yield p.reach(j)
 
 
 def _phrases(part: str) -> tuple[str, ...]:
     return tuple(phrase.replace("_", " ") for phrase in part.rstrip("?").split("|"))
-
-
-def _firsts(row: list[Slot]) -> set[str]:
-    firsts: set[str] = set()
-    for tree, optional in row:
-        firsts |= {word for word in tree if word is not None}
-        if not optional:
-            break
-    return firsts
-
-
-def _standing(p: Parser, at: int, tree: dict[str | None, Any]) -> Iterator[int]:
-    """The positions after the phrases of a slot that stand at `at`."""
-    while at < p.end and (branch := tree.get(p.words[at])) is not None:
-        at += 1
-        if None in branch:
-            yield at
-        tree = branch
 
 
 FINE = (

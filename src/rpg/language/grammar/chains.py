@@ -22,6 +22,7 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
+    In,
     Loc,
     Manner,
     Meaning,
@@ -141,6 +142,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
                 if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
                     continue
+                item = item if denied else _contrasted(previous, item, link)
                 whole = (*_shared(had, item), item)
                 yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
                 yield from _more(p, i, whole, (*links, link), k)
@@ -249,6 +251,17 @@ def _less_likely(before: Clause | None, item: Meaning) -> Meaning:
         return replace(item, cost=item.cost + 1)
     idle = bool(item.adjuncts) and all(isinstance(a, Manner) and a.kind == "extra" for a in item.adjuncts)
     return replace(item, cost=item.cost + 2) if idle or (colored and _mere_colors(item)) else item
+
+
+def _contrasted(before: Clause, item: Meaning, link: str) -> Meaning:
+    """ "red is not on blue and green on yellow" may deny both or one; "... and green not on yellow" denies both."""
+    if not isinstance(item, Clause) or not (before.negated and item.negated) or link != "and":
+        return item
+    places = [a for a in item.adjuncts if isinstance(a, Loc | In)]
+    if places and all(a.negated for a in places):
+        bare = tuple(replace(a, negated=False) if isinstance(a, Loc | In) else a for a in item.adjuncts)
+        return replace(item, adjuncts=bare)
+    return item if isinstance(item.theme, Pronoun) else replace(item, cost=item.cost + 1)
 
 
 def _shared(had: tuple[Meaning, ...], item: Meaning) -> tuple[Meaning, ...]:

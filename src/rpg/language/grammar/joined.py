@@ -233,12 +233,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
     for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
         if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
             continue
-        if isinstance(item, Noun) and p.words[j - 1] in ("one", "ones"):
-            item = _like(items[-1], item)
-        if isinstance(item, Noun) and isinstance(item.part_of, Noun) and item.part_of.det == "bare" and not item.cost:
-            item = replace(item, cost=2)
-        if part_after(items[-1], item):
-            item = replace(item, cost=item.cost + 3)
+        like = _like(items[-1], item) if p.words[j - 1] in ("one", "ones") else item
+        item = _weighed(items, like, op == "and" and p.words[at] in (",", ";"))
         if not joined and isinstance(items[-1], Structure) and isinstance(item, Noun) and bare_color(item):
             continue
         if joined and isinstance(items[-1], Structure) and isinstance(item, Structure) and _amid_colors(p, at):
@@ -276,11 +272,28 @@ _AT_LAST = ("and finally", "and lastly", "and last", "and at last", "and last of
 """Before the last thing of a list with commas: "red, green, blue and finally yellow"."""
 
 
-def _like(before: Meaning, one: Noun) -> Noun:
+def _like(before: Meaning, one: Meaning) -> Meaning:
     """ "a blue block, a red one and a white patch": "one" stands for what was named before it, not for the patch."""
-    told = isinstance(before, Noun) and before.head != "any" and bool(before.traits.colors or before.traits.labels)
+    if not isinstance(before, Noun) or not isinstance(one, Noun):
+        return one
+    told = before.head != "any" and bool(before.traits.colors or before.traits.labels)
     further = one.head == "any" and one.det in ("a", "bare", "another") and one.part_of is None
-    return replace(one, head=before.head) if told and isinstance(before, Noun) and further else one
+    return replace(one, head=before.head) if told and further else one
+
+
+def _weighed(items: tuple[Meaning, ...], item: Meaning, closed: bool) -> Meaning:
+    """An item at what it costs to be one. `closed`: "and" came before the last one, and a comma before this one."""
+    if isinstance(item, Noun) and isinstance(item.part_of, Noun) and item.part_of.det == "bare" and not item.cost:
+        item = replace(item, cost=2)
+    if closed and _starts_anew(items, item):
+        item = replace(item, cost=item.cost + 1)
+    return replace(item, cost=item.cost + 3) if part_after(items[-1], item) else item
+
+
+def _starts_anew(items: tuple[Meaning, ...], item: Meaning) -> bool:
+    """ "(a tower of) red and blue, a green block and ...": a list of bare colours that is closed does not go on."""
+    bare = all(isinstance(x, Noun) and x.det == "bare" and x.head == "any" and x.amount is None for x in items)
+    return bare and isinstance(item, Noun) and item.det == "a" and item.head == "block"
 
 
 def _amid_colors(p: Parser, at: int) -> bool:

@@ -44,7 +44,7 @@ from rpg.passes.schema.resolve.chains import chain_goals, join
 from rpg.passes.schema.resolve.contradictions import check
 from rpg.passes.schema.resolve.counted import counted_later
 from rpg.passes.schema.resolve.fitting import check_besides, check_words
-from rpg.passes.schema.resolve.heaps import from_heaps, told_later
+from rpg.passes.schema.resolve.heaps import from_heaps, heaps_last, told_later
 from rpg.passes.schema.resolve.hoist import hoisted
 from rpg.passes.schema.resolve.inventory import each_agrees
 from rpg.passes.schema.resolve.kept import brought_about
@@ -143,6 +143,9 @@ def resolve(
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     links, chains = hoisted(*words_in_rows(links, from_heaps(chains)))
     facts, bold = begun(chains, text), begun(chains, text, bold=True)
+    if (last := heaps_last(*told_later(links, facts))) is not None:
+        with suppress(Refusal):
+            return _resolved(*last, text, notes, name, seed, author, lenient)
     try:
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)
     except Refusal as refusal:
@@ -321,7 +324,9 @@ def _brings_extras(clause: Clause) -> bool:
     return extra and clause.theme is not None and not definite(clause.theme)
 
 
-_THEM = frozenset({"them", "they", "these", "those", "everything", "all", "the others", "the rest"})
+_THEM = frozenset(
+    {"them", "they", "these", "those", "everything", "all", "all of them", "each of them", "the others", "the rest"}
+)
 
 
 def _of_everything(chain: Chain, pointed: bool) -> bool:

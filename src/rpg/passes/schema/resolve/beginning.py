@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import partial
 from typing import TypeGuard
 
 from rpg.language.meaning import (
@@ -34,6 +35,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
 
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half").
     """
+    chains = tuple(map(_there_too, chains))
     if (picture := _pictured(chains, text)) is not None:
         return picture
     told = [_facts(chain, bold) for chain in chains]
@@ -85,6 +87,20 @@ def _going_on(chains: tuple[Chain, ...], final: list[bool]) -> list[int]:
     return found
 
 
+def _there_too(chain: Chain) -> Chain:
+    """ "There is a red block on the blue one and a green block on the mat": "there is" is said of both."""
+    told: list[Meaning] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        bare = isinstance(clause, Clause) and (clause.verb, clause.lemma, clause.mode) == ("be", "", "goal")
+        bare = bare and isinstance(clause, Clause) and bool(clause.cost) and not clause.negated
+        if link == "and" and told and _there_is(told[-1]) and bare and isinstance(clause, Clause):
+            spots = clause.adjuncts and all(isinstance(a, Loc | In) and not a.negated for a in clause.adjuncts)
+            if spots and _indefinite(clause.theme):
+                clause = replace(clause, verb="exist", mode="given")
+        told.append(clause)
+    return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
+
+
 def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
     """Facts alone, "there is a red block on the blue one" among them: all of it pictures the end.
 
@@ -100,7 +116,8 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
         return None
     if not all(isinstance(c, Clause) and _describes(c, text, seen) for c in clauses):
         return None
-    if not any(isinstance(c, Clause) and c.mode == "goal" and (seen or c.lemma == "fact") for c in clauses):
+    ends = [c for c in map(partial(_of_the_end, seen=seen), clauses) if isinstance(c, Clause) and c.mode == "goal"]
+    if not any(seen or c.lemma == "fact" or _there_is(replace(c, mode="given")) for c in ends):
         return None
     return tuple(replace(chain, clauses=tuple(_of_the_end(c, seen) for c in chain.clauses)) for chain in chains)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.ir import goal as g
-from rpg.language.meaning import Clause, Coord, In, Loc, Noun
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.operands import DIRECTIONS
 from rpg.passes.schema.resolve.world import Scene, refuse, wholes
@@ -13,6 +13,8 @@ from rpg.passes.schema.resolve.world import Scene, refuse, wholes
 
 def denied_once(clause: Clause) -> Clause:
     """ "is not on red and not on blue": both are denied, and neither twice."""
+    if clause.negated or getattr(clause.theme, "det", "") == "no":
+        _said_in_one(clause)
     for far in clause.adjuncts if clause.negated else ():
         if isinstance(far, Loc) and far.rel in DIRECTIONS and (far.low is not None or far.high is not None):
             raise refuse("ambiguous", "it is not clear whether the side is denied, or how far it is", far.span,
@@ -25,6 +27,21 @@ def denied_once(clause: Clause) -> Clause:
     placed = tuple(replace(a, negated=False) for a in clause.adjuncts if isinstance(a, Loc | In))
     rest = (a for a in clause.adjuncts if not isinstance(a, Loc | In))
     return replace(clause, adjuncts=(Coord(op="and", items=placed, span=clause.span), *rest))
+
+
+def _said_in_one(clause: Clause) -> None:
+    """Refuse "is not on blue nor green on yellow", "not next to each other and green": who is meant besides?"""
+    places = [place for place in clause.adjuncts if isinstance(place, Loc) and not place.negated]
+    for place, before in zip(places, [None, *places], strict=False):
+        twice = before is not None and before.rel == place.rel and place.rel in ("on", "beside", "touching")
+        if twice or _beyond_each_other(place.landmark):
+            raise refuse("ambiguous", "it is not clear what is denied of which block", place.span,
+                         "say it in two sentences")  # fmt: skip
+
+
+def _beyond_each_other(mark: Meaning | None) -> bool:
+    items = mark.items if isinstance(mark, Coord) else ()
+    return any(isinstance(item, Pronoun) and item.word == "each other" for item in items)
 
 
 def of_the_same(clause: Clause) -> bool:

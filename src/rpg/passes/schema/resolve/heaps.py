@@ -5,7 +5,22 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TypeGuard
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, Noun, Structure, Traits, Using
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    TableTop,
+    Traits,
+    Using,
+    parts_of,
+)
 from rpg.passes.schema.resolve.spec import Spec
 
 
@@ -76,6 +91,69 @@ def heaped_up(clause: Clause, spec: Spec) -> Clause:
     shape = Structure(kind="pile", span=clause.word or clause.span)
     spec.intos.append(Into(structure=shape, span=shape.span))
     return replace(clause, verb="arrange")
+
+
+def heaps_last(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]] | None:
+    """ "There is a pile of letters. Spell DOG": a heap of those that the other clauses name, so it is read behind them.
+
+    None where there is no such heap, nothing is named besides, or something is said of "them".
+    """
+    parts = [part for chain in chains for part in parts_of(chain)]
+    if any(isinstance(part, Pronoun) and part.word in _THEM for part in parts):
+        return None
+    found: list[Clause] = []
+    kept: list[tuple[str, Chain]] = []
+    for link, chain in zip(links, chains, strict=True):
+        pairs = list(zip(chain.links, chain.clauses, strict=True))
+        open_ = [(c, heap) for _, c in pairs if (heap := _open_heap(c)) is not None]
+        found += [heap for _, heap in open_]
+        rest = [(joint, c) for joint, c in pairs if all(c is not clause for clause, _ in open_)]
+        if rest:
+            joints = ("and", *(joint for joint, _ in rest[1:]))
+            kept.append((link, replace(chain, clauses=tuple(c for _, c in rest), links=joints)))
+    if len(found) != 1 or not kept:
+        return None
+    kind = found[0].theme.traits.kind if isinstance(found[0].theme, Noun) else None
+    if not any(_names_such(part, kind) for _, chain in kept for part in parts_of(chain)):
+        return None
+    last = Chain(clauses=(found[0],), links=("and",), span=found[0].span)
+    return [*(link for link, _ in kept), "and"], (*(chain for _, chain in kept), last)
+
+
+_THEM = frozenset(
+    {"them", "they", "these", "those", "all", "all of them", "it", "everything", "the rest", "the others"}
+)
+
+
+def _names_such(part: Meaning, kind: str | None) -> bool:
+    """Whether a phrase names blocks of a kind by what they look like."""
+    if isinstance(part, Structure):
+        return bool(part.letter) and part.kind in ("word", "equation")
+    marks = part.traits if isinstance(part, Noun) and part.head != "patch" else Traits()
+    return bool(marks.labels or (marks.colors and kind is None))
+
+
+def _open_heap(clause: Meaning) -> Clause | None:
+    """ "there is a pile of letters", "the letters start in a heap": as told of all the letters that there are."""
+    if not isinstance(clause, Clause) or clause.negated:
+        return None
+    shape, within = clause.theme, None
+    if (clause.verb, clause.mode) == ("exist", "given") and isinstance(shape, Structure):
+        told = all(isinstance(a, Loc) and isinstance(a.landmark, TableTop) for a in clause.adjuncts)
+        within = shape.members if told and not shape.details else None
+    elif clause.mode == "start" and isinstance(shape, Noun) and len(clause.adjuncts) == 1:
+        into = clause.adjuncts[0]
+        within = shape if shape.det == "the" and isinstance(into, Into) else None
+        shape = into.structure if isinstance(into, Into) else None
+    if not isinstance(shape, Structure) or shape.kind != "pile" or shape.plural or shape.sizes:
+        return None
+    if not isinstance(within, Noun) or within.head != "block" or not within.plural or within.amount is not None:
+        return None
+    if within.traits != Traits(kind=within.traits.kind) or within.conditions or within.part_of is not None:
+        return None
+    into = Into(structure=Structure(kind="pile", span=shape.span), span=shape.span)
+    return Clause(verb="be", lemma="fact", theme=replace(within, det="all"), adjuncts=(into,), mode="start",
+                  span=clause.span)  # fmt: skip
 
 
 def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language.meaning import Amount, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.operands import DIRECTIONS
+from rpg.passes.schema.resolve.them import them
 from rpg.passes.schema.resolve.world import Mention, Ref, Scene, Scope, Thing, refuse
 
 _EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
@@ -58,7 +59,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=names, plural=True, each=False)
     if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
         return _one(word, scene, scope)
-    return _them(word, scene, scope)
+    return them(word, scene, scope)
 
 
 _NUMBERED = {"the first one": 0, "the second one": 1, "the other one": None, "the other": None}
@@ -89,7 +90,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         own = {n for m in current for n in m.ref.names}
         single = [m for m in single if not own & set(m.ref.names)]
     if not single:
-        several = _them(word, scene, scope)
+        several = them(word, scene, scope)
         if word.word == "it" and len(several.names) > 1 and not several.built and scope.role == "theme":
             raise refuse("ambiguous", "'it' could be any of several blocks", word.span, "name the one you mean")
         return several
@@ -182,85 +183,6 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
     raise refuse("ambiguous", f"{word.word!r} could be {readings}", word.span, "name the one you mean")
 
 
-def _them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
-    own = (
-        [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
-        if scope.role == "landmark"
-        else []
-    )
-    before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
-    for mention in reversed(scene.mentions):
-        if before and mention in own:
-            continue
-        if len(mention.ref.names) > 1:
-            ref = mention.ref
-            if word.word in ("both", "both of them") and len(ref.names) != 2:
-                continue
-            if ref.quant is not None and ref.quant.strict and 0 < ref.quant.low < len(ref.names):
-                raise refuse("ambiguous", f"{word.word!r} could be all of these blocks, or just so many of them",
-                             word.span, "name the blocks that you mean")  # fmt: skip
-            _no_rivals(word, mention, own, scene)
-            return replace(
-                ref,
-                quant=None,
-                each=False,
-                op="and" if ref.op == "nor" else ref.op,
-                built=ref.built if len(ref.built) > 1 or _told_together(ref) else (),
-            )
-    last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
-    if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
-        said = [n for m in scene.mentions for n in m.ref.names if not scene.things[n].patch]
-        last = list(dict.fromkeys(said))
-    if len(set(last)) == 2 and word.word in ("them", "they", "both", "both of them"):
-        _no_pairs(word, set(last), scene)
-    if last:
-        return Ref(names=tuple(last), plural=len(last) > 1)
-    raise refuse(
-        "no-referent",
-        f"{word.word!r} refers to something, but nothing was mentioned before",
-        word.span,
-        "name the blocks",
-    )
-
-
-def _no_pairs(word: Pronoun, last: set[str], scene: Scene) -> None:
-    """Refuse "them" behind "A on B, C on D": the last two, or all of them?"""
-    told = max((m.clause for m in scene.mentions if m.clause < scene.clause), default=0)
-    now = [m for m in scene.mentions if m.clause == told and m.role == "landmark"]
-    before = [m for m in scene.mentions if m.clause == told - 1 and m.role == "landmark"]
-    alike = {m.rel for m in now} & {m.rel for m in before} - {""}
-    apart = not last & {n for m in scene.mentions if m.clause == told - 1 for n in m.ref.names}
-    if alike and apart and now[0].sentence == before[0].sentence:
-        raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
-                     "name the blocks that you mean")  # fmt: skip
-
-
-def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:
-    """Refuse "them" behind "a red tower left of a blue tower": the one of them, or both?"""
-    for other in (m for m in scene.mentions if m.clause == last.clause and m not in own and m is not last):
-        if len(other.ref.names) > 1 and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
-            raise refuse("ambiguous", f"{word.word!r} could be several things spoken of before", word.span,
-                         "name the blocks that you mean")  # fmt: skip
-
-
-def _last_spoken_of(scene: Scene, own: set[str]) -> list[str]:
-    """The blocks of the last clause and of those before it that spoke of one of them, without a clause's `own`."""
-    clauses: dict[int, list[str]] = {}
-    for mention in scene.mentions:
-        there = [n for n in mention.ref.names if n not in own and not scene.things[n].patch]
-        clauses.setdefault(max(-mention.clause, 1 - scene.clause), []).extend(there)
-    last = clauses.get(1 - scene.clause, [])
-    for clause in sorted(clauses):
-        if set(last) & set(clauses[clause]):
-            last = [*clauses[clause], *last]
-    return list(dict.fromkeys(last))
-
-
-def _told_together(ref: Ref) -> bool:
-    """Several towers of which it is not said which block is in which."""
-    return len(ref.built) == 1 and ref.built[0].kind == "towers"
-
-
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word == "one":
         free = _left_over(scene)
@@ -278,7 +200,7 @@ def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         raise refuse(
             "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
         )
-    return replace(_them(word, scene, scope), each=True)
+    return replace(them(word, scene, scope), each=True)
 
 
 def _left_over(scene: Scene) -> list[Thing]:
@@ -367,8 +289,9 @@ def _some_other(noun: Noun, count: int | None, scene: Scene, patch: bool) -> Non
     if noun.det != "other" or noun.traits.colors or noun.traits.labels:
         return
     named = {n for m in scene.mentions for n in m.ref.names if not m.ref.patch}
-    if noun.plural and count is None and noun.head == "block":
-        raise refuse("ambiguous", "it is not said which other blocks there are", noun.span, "name the blocks")
+    if noun.plural and count is None and (noun.head == "block" or (named and not patch)):
+        raise refuse("ambiguous", "it is not said which other blocks there are", noun.span,
+                     "name the blocks, or say how many there are of which look")  # fmt: skip
     if patch:
         named = {n for m in scene.mentions for n in m.ref.names if m.ref.patch}
     if not noun.plural and count in (None, 1) and len(named) > 1:

@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
 from rpg.passes.schema.resolve.shares import SHARES, share_of
 from rpg.passes.schema.resolve.theirs import THEIRS, in_their_colors, its_own
+from rpg.passes.schema.resolve.them import of_whom
 from rpg.passes.schema.resolve.things import Premise, alike, compared, create, looks_said, matching
 from rpg.passes.schema.resolve.world import Ref, Scene, Scope, refuse
 
@@ -319,7 +320,7 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if bare and noun.amount == Amount(1, 1) and noun.det in ("any", "some") and scene.built:
         raise refuse("ambiguous", "one of the blocks, or one more structure of so many?", noun.span,
                      "say 'one of the ...', or name the structure again")  # fmt: skip
-    whole = refer(noun.part_of, scene, scope) if noun.part_of else Ref()
+    whole = refer(of_whom(noun), scene, scope)
     scene.mentions.pop()
     amount = noun.amount
     if noun.det in ("all", "each", "both"):
@@ -327,8 +328,7 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if noun.det == "no":
         return replace(whole, quant=fewer_than(noun.amount))
     if noun.det in SHARES:
-        amount = share_of(noun, whole, scene)
-        noun = replace(noun, amount=amount)
+        noun = replace(noun, amount=(amount := share_of(noun, whole, scene)))
     if noun.det == "any" and scene.speaks_of_rest and noun.amount == Amount(1, 1):
         return _some_of(whole, 1, noun, scene)
     if noun.det == "any":

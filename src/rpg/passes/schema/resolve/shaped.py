@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Clause, Coord, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.arranging import arrange_blocks
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
@@ -22,6 +22,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """A structure as the theme ("build a tower of ..."), or what the clause is to form ("arrange in a circle")."""
     if (goals := _remade(clause, spec, scene, scope)) is not None:
         return goals
+    _of_them_all(clause, spec)
     shapes: list[Meaning]
     if clause.theme is None:
         shapes = [spec.intos.pop(0).structure]
@@ -65,6 +66,16 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if not used and not goals:
         raise refuse("no-goal", "it is not said what to do with it", clause.span)
     return goals
+
+
+def _of_them_all(clause: Clause, spec: Spec) -> None:
+    """ "a tower of red and blue, a green block and a yellow one: all of them in the left half": where all of it is."""
+    for told in list(spec.absolutes) if isinstance(clause.theme, Coord) else ():
+        whose = told.theme.part_of if isinstance(told.theme, Noun) and told.theme.det == "all" else told.theme
+        all_ = isinstance(whose, Pronoun) and whose.word in ("them", "all of them", "everything", "all")
+        if all_ and told.adjuncts and all(isinstance(a, Loc | In) for a in told.adjuncts):
+            spec.absolutes.remove(told)
+            spec.places += told.adjuncts
 
 
 def _remade(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:

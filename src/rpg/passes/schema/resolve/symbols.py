@@ -139,6 +139,8 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
                 _label(found, symbol)
         if found is None and theme is not None and any(t.label for t in pool):
             return theme.names
+        if found is None and theme is None:
+            found = _asked_for(symbol, names, traits, scene, span)
         if found is None:
             if traits.kind == ("digit" if symbol in string.ascii_uppercase else "letter"):
                 raise refuse("order-misfit", f"{symbol} is on none of these blocks", span, "use letter blocks")
@@ -153,6 +155,29 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
     if theme is not None:
         _none_left(pool, names, text, span)
     return tuple(names)
+
+
+def _asked_for(symbol: str, names: list[str], traits: Traits, scene: Scene, span: Span) -> Thing | None:
+    """ "Put the A on the mat. Spell CAT": the cube of which something is asked already, unless that takes it away.
+
+    One of a word or an equation is in that; whether one that lies on a block is to be taken for this is asked.
+    """
+    named = {n for m in scene.mentions if not any(b.kind in _READ for b in m.ref.built) for n in m.ref.names}
+    taken = {n for b in scene.built if b.kind in _READ for n in b.members}
+    for thing in scene.blocks():
+        if thing.label != symbol or thing.name in {*names, *taken} or thing.name not in named or thing.extra:
+            continue
+        if traits.colors and thing.color not in (None, *traits.colors):
+            continue
+        towers = [b for b in scene.built if b.kind in ("stack", "towers") and thing.name in b.members]
+        if any(not b.ordered or b.members[0] != thing.name for b in towers) or thing.name in scene.on_top:
+            hint = f"say 'with another {symbol}', or say what happens to the one in the tower first"
+            raise refuse("ambiguous", f"this could be the {symbol} that is in a tower, or a further one", span, hint)
+        return thing
+    return None
+
+
+_READ = ("word", "equation")
 
 
 def _none_left(pool: list[Thing], names: list[str], text: str, span: Span) -> None:

@@ -251,6 +251,7 @@ class Scene:
         for mention in self.mentions:
             if set(mention.ref.names) == set(names):
                 mention.ref = replace(mention.ref, names=tuple(kept))
+        self.heaps = [tuple(kept) if set(heap) == set(names) else heap for heap in self.heaps]
         return tuple(kept)
 
     def mention(self, ref: Ref, role: str, rel: str = "", word: str = "") -> None:

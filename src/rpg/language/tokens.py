@@ -14,7 +14,7 @@ class Token:
     """One item of the instruction. `word` is lower case; `raw` as written.
 
     `kind`: "word", "number" (`value` a float), "dims" (a tuple of ints), "quote" and "literal" (`value` the text in
-    capitals), "equation" (`value` its text), "punct".
+    capitals), "equation" (`value` its text), "punct". `joined`: a hyphen binds it to the word before.
     """
 
     kind: str
@@ -22,6 +22,7 @@ class Token:
     raw: str
     span: Span
     value: float | str | tuple[int, ...] | None = None
+    joined: bool = False
 
 
 CONTRACTIONS = {
@@ -53,6 +54,8 @@ AMERICAN = {
 }  # fmt: skip
 """Spellings that are read as one."""
 
+ARROW = "→"
+"""What every arrow is read as."""
 _SIGN = "[-+*/×÷−–x]"
 _EQUATION = re.compile(rf"\d+(?:\s*{_SIGN}\s*\d+)+\s*=\s*\d+|\d+\s*=\s*\d+(?:\s*{_SIGN}\s*\d+)+")
 _PIECES = re.compile(
@@ -68,6 +71,7 @@ _PIECES = re.compile(
   | (?P<mixed>\d+(?:\.\d+)?(?=[A-Za-z]))
   | (?P<letters>[A-Za-z]+(?:['’][A-Za-z]+)?)
   | (?P<ellipsis>…|\.\.\.+)
+  | (?P<arrow>[-–—=]+>|[→⇒➔➜]|>)
   | (?P<sign>[-+*/×÷=−–—])
   | (?P<punct>[.,;:!?()\[\]&°%~])
     """,
@@ -130,6 +134,8 @@ def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:
             return [Token("punct", ",", raw, span)]
         case "ellipsis":
             return [Token("punct", "…", raw, span)]
+        case "arrow":
+            return [Token("punct", ARROW, raw, span)]
         case "sign":
             return [Token("sign", _plain_signs(raw), raw, span)]
         case _:
@@ -178,6 +184,8 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         elif token.word == "-" and before and after and adjoining and after.span[0] == token.span[1]:
             if _is_range(before, after):
                 out.append(replace(token, kind="word", word="to"))
+            elif after.kind == "word":
+                tokens[index + 1] = replace(after, joined=True)
         elif (
             token.word == "-"
             and before

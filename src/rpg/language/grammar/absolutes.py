@@ -184,8 +184,9 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     for one, end in more:
         if then and len(getattr(one.theme, "items", ())) > 1:
             one = replace(one, cost=one.cost + 1)
-        apart = _one_by_one(p, one) if then or _comes_next(had[-1]) else ()
-        told = [apart] if apart and _has_comma(p, one.theme) else [(one,), apart] if apart else [(one,)]
+        turns = _in_turn(one)
+        apart = turns or (_one_by_one(p, one) if then or _comes_next(had[-1]) else ())
+        told = [apart] if turns or (apart and _has_comma(p, one.theme)) else [(one,), apart] if apart else [(one,)]
         for parts in told:
             whole = (*had, *parts)
             yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
@@ -237,6 +238,15 @@ def _one_by_one(p: Parser, part: Absolute) -> tuple[Absolute, ...]:
     return (*before, replace(part, theme=single[-1]))
 
 
+def _in_turn(part: Absolute) -> tuple[Absolute, ...]:
+    """ "two purple ones, then an orange one last": the last thing is there, and what is named before it comes next."""
+    theme, place = part.theme, part.adjuncts[0]
+    if not isinstance(theme, Coord) or theme.op != "then" or not isinstance(place, At) or place.side == "middle":
+        return ()
+    before = (Absolute(theme=x, adjuncts=(At(side="next", span=x.span),), span=x.span) for x in theme.items[:-1])
+    return (*before, replace(part, theme=theme.items[-1]))
+
+
 def _has_comma(p: Parser, theme: Meaning | None) -> bool:
     span = theme.span if theme is not None else (0, 0)
     return any(token.word == "," for token in p.tokens if span[0] <= token.span[0] < span[1])
@@ -251,6 +261,8 @@ _ON_THEM = (
     "bridging them", "bridging both", "spanning both", "bridging the two", "on the two", "across both", "across them",
 )  # fmt: skip
 """What is said of the one on top of several, and adds nothing to that."""
+_RESTING = tuple(x for x in _ON_THEM if not x.endswith(("of them", "of both", "of those", "on them")))
+"""By itself it tells that a block is on top."""
 
 
 @rule
@@ -296,6 +308,8 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         yield (found,), k
         if isinstance(found, At) and found.side == "top" and (end := p.any_of(p.opt(k, ","), _ON_THEM)):
             yield (found,), end
+    if k := p.any_of(i, _RESTING):
+        yield (At(side="top", span=p.span(i, k)),), k
     for found, k in manner(p, i):
         if isinstance(found, Manner) and found.kind in ("turn", "facing", "by", "by?"):
             yield (found,), k

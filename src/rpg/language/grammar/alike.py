@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
-from rpg.language.grammar.adjectives import adjectives
+from rpg.language.grammar.adjectives import adjectives, colors
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.meaning import Amount, Clause, Noun, Quality, Traits
+from rpg.language.meaning import Amount, Clause, Noun, Quality, Structure, Traits, parts_of
 
 _OF_THEM = ("of them", "of these", "of the blocks", "of the cubes", "the blocks", "the cubes", "blocks", "cubes")
 _EVERY = {
@@ -33,6 +33,21 @@ def all_alike(p: Parser, i: int) -> Results[Clause]:
             them = Noun(head="block", det="all", plural=True, amount=amount, span=p.span(i, j))
             quality = Quality(traits=Traits(**marks), span=p.span(j, end))
             yield Clause(verb="be", theme=them, adjuncts=(quality,), mode="goal", span=p.span(i, end), cost=1), end
+
+
+def color_at_last(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "a staircase, three steps, going up to the right, green": a colour at the very end is that of all of it."""
+    shape, start = before.theme, p.one(i, ",")
+    if not start or not isinstance(shape, Structure) or before.verb != "build" or shape.traits.colors or shape.members:
+        return
+    if any(isinstance(x, Noun) and x.traits.colors for x in parts_of(before)):
+        return
+    for (named, either), j in colors(p, p.any_of(start, ("all", "in", "all in", "all of it")) or start):
+        end = p.opt(j, "blocks", "cubes", "bricks")
+        if end >= p.end and len(named) == 1 and not either:
+            them = Noun(head="block", det="all", plural=True, span=p.span(start, end))
+            quality = Quality(traits=Traits(colors=named), span=p.span(start, end))
+            yield Clause(verb="be", theme=them, adjuncts=(quality,), mode="goal", span=p.span(start, end), cost=1), end
 
 
 def _all(p: Parser, i: int) -> Results[int]:

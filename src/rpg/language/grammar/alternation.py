@@ -70,6 +70,7 @@ def alternation_alone(p: Parser, i: int) -> Results[OrderBy]:
 
 
 _BETWEEN = (
+    ", alternate", ": alternate", ", alternates",
     "alternating between", "with alternating colors", "in alternating colors ,", "alternating", "alternately",
     "alternately in", "with alternating", "of alternating", "switching between", "that alternates between",
     "that alternates", "which alternates between", "which alternates", "alternates between", "that alternate between",
@@ -105,6 +106,10 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _two(p: Parser, i: int, j: int) -> Results[Meaning]:
+    for one, k in color(p, j):
+        for two, end in color(p, p.one(k, "/")) if p.stands(k, ("/",)) else ():
+            both = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=p.span(j, end)) for x in (one, two))
+            yield OrderBy(by="alternating", items=both, span=p.span(i, end)), p.opt(end, "blocks", "cubes", "ones")
     for items, k in listed(p, j):
         k = p.opt(k, "blocks", "cubes", "ones")
         yield OrderBy(by="alternating", items=items, span=p.span(i, k)), k

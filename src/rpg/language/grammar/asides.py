@@ -8,6 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.framing import VIEW
+from rpg.language.grammar.arrows import in_words
 from rpg.language.grammar.rephrased import rephrased
 from rpg.language.phrases import Beginnings, by_first
 from rpg.language.tokens import Token
@@ -112,6 +113,7 @@ _ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "ne
 
 def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
+    tokens = [_side(tokens, n) or _between(tokens, n) for n in range(len(tokens))]
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
     tables = (
         (by_first(_ANYWHERE), lambda first, last: True),
@@ -138,7 +140,46 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             at = end
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
-    return rephrased([token for n in range(len(out)) for token in _meant(out, n)])
+    return rephrased(in_words([token for n in range(len(out)) for token in _meant(out, n)]))
+
+
+def _between(tokens: list[Token], at: int) -> Token:
+    """ "white btw red and black": "btw" between things, with an "and" to come, is "between"; else it is by the way."""
+    token = tokens[at]
+    if token.word != "btw" or not 0 < at < len(tokens) - 1 or tokens[at - 1].word in _BREAKS:
+        return token
+    joined = any(t.word in ("and", "&", "n", "2", "two", "both") for t in tokens[at + 1 : at + 8])
+    return replace(token, word="between") if joined and _thing(tokens[at + 1]) else token
+
+
+_SIDE = {"l": "left", "r": "right"}
+_LETTERS = frozenset({"letters", "letter", "blocks", "cubes", "from", "spell", "symbols", "labels", "characters"})
+
+
+def _side(tokens: list[Token], at: int) -> Token | None:
+    """ "row (l to r): ...": from left to right, where no letters are spoken of."""
+    if tokens[at].word not in _SIDE:
+        return None
+    for first in (at, at - 2):
+        way = [t.word for t in tokens[max(first, 0) : first + 3]]
+        if way not in (["l", "to", "r"], ["r", "to", "l"]):
+            continue
+        behind = [t.word for t in tokens[first + 3 : first + 5] if t.word != ")"]
+        small = tokens[first].raw.islower() and tokens[first + 2].raw.islower()
+        if (small or behind[:1] == [":"]) and not (first and tokens[first - 1].word in _LETTERS):
+            side = _SIDE[tokens[at].word]
+            return replace(tokens[at], word=side, raw=side)
+    return None
+
+
+def _thing(token: Token) -> bool:
+    """Whether a thing may begin with it."""
+    letter = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper()
+    return letter or token.kind == "number" or any(token.word in table for table in (*_THINGS, _DETERMINERS))
+
+
+_THINGS = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
+_DETERMINERS = frozenset({"the", "a", "an", "two", "both", "its", "one", "each", "every", "no"})
 
 
 def _shouted(token: Token) -> bool:
@@ -220,6 +261,8 @@ def _closed(tokens: list[Token], out: list[Token], end: int, whole: bool) -> int
         end += 1
         if out and out[-1].word == ",":
             out[-1] = replace(out[-1], value=SOFT)
+    if not out and end < len(tokens) and tokens[end].word in ("but", "though", "however"):
+        end += 1
     for size in (3, 2, 1):
         said = [t.word for t in out[-size:]]
         if len(said) == size and said[0] in _BEGUN and said == [t.word for t in tokens[end : end + size]]:
@@ -228,21 +271,29 @@ def _closed(tokens: list[Token], out: list[Token], end: int, whole: bool) -> int
     return end
 
 
+_SHOWN = frozenset({"letter", "letters", "spell", "word", "and", "cube", "cubes", "block", "blocks", "symbol", "name"})
+"""Before a "w" that is a letter."""
+
+
 def _meant(tokens: list[Token], at: int) -> list[Token]:
     """ "red n blue": "n" between two things is "and"; "can u": you; "so its behind": it is."""
     token = tokens[at]
     after = tokens[at + 1].word if at + 1 < len(tokens) else ""
+    if token.word == "either" and at and (tokens[at + 1 :] and tokens[at + 1].kind == "literal" or after == "the"):
+        named = [t.word for t in tokens[at + 1 : at + 3]] == ["the", "word"] or tokens[at + 1].kind == "literal"
+        return [] if named else [token]
     if token.word == "its" and at and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING:
         return [replace(token, word=word) for word in ("it", "is")]
     if token.word == "its" and after in _NAMED:
         return [replace(token, word=word) for word in ("it", "is")]
     if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
         return [replace(token, word="you")]
+    if token.raw == "w" and 0 < at < len(tokens) - 1 and len(tokens[at - 1].word) > 2 and _thing(tokens[at + 1]):
+        return [replace(token, word="with")] if tokens[at - 1].word not in _SHOWN else [token]
     if token.raw != "n" or not 0 < at < len(tokens) - 1:
         return [token]
     before = tokens[at - 1]
-    tables = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
-    thing = before.kind == "number" or any(before.word in table for table in tables)
+    thing = before.kind == "number" or any(before.word in table for table in _THINGS)
     place = before.word in ("top", "bottom", "left", "right", "middle")
     letter = before.kind == "word" and len(before.raw) == 1 and before.raw.isupper()
     return [replace(token, word="and") if thing or place or letter else token]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.alike import color_at_last
 from rpg.language.grammar.bodies import bodies
 from rpg.language.grammar.clauses import clause
 from rpg.language.grammar.core import Parser, Results, rule
@@ -94,6 +95,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         yield from _behind_colon(p, i, had, links, colon)
     if isinstance(had[-1], Clause) and had[-1].negated:
         yield from _not_until(p, i, had, links, at)
+    for alike, k in color_at_last(p, at, had[0]) if len(had) == 1 and isinstance(had[0], Clause) else ():
+        yield Chain(clauses=(*had, alike), links=(*links, "and"), span=p.span(i, k)), k
     for told, k in bodies(p, at, had[-1]):
         whole, joined = (*had, *told), (*links, *("and" for _ in told))
         yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k
@@ -124,10 +127,16 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
                 item = replace(item, cost=item.cost + 2)
             item = _less_likely(previous, item)
+            item = _same_letters(previous, item) if link == "or" and previous is not None else item
             item = still_begun(p, j, k, previous, item) if link == "and" else item
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, link), k)
+        if previous is not None and link == "and":
+            for further, k in _there_too(p, j, previous):
+                whole = (*had, further)
+                yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+                yield from _more(p, i, whole, (*links, link), k)
         if previous is not None:
             denied = p.stands(p.opt(at, ","), ("but",))
             if link in ("before", "after"):
@@ -150,6 +159,16 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
 
 _WHOLE_ALONE = ("swap", "stack", "sort", "reverse", "unstack")
 """Verbs that need no more than their blocks."""
+
+
+def _there_too(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "there are red and blue blocks, two of each, and a white mat": a further thing there is."""
+    if before.verb != "exist" or before.mode != "given" or before.negated or not before.adjuncts:
+        return
+    for theme, j in noun_phrase(p, i):
+        told = isinstance(theme, Noun) and theme.det in ("a", "bare", "some") and theme.part_of is None
+        if told and isinstance(theme, Noun) and (theme.head == "patch" or theme.traits.colors or theme.traits.labels):
+            yield replace(before, theme=theme, adjuncts=(), span=p.span(i, j), cost=1), j
 
 
 def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], colon: int) -> Results[Chain]:
@@ -283,10 +302,12 @@ def _same_letters(before: Clause, item: Meaning) -> Meaning:
         return item
     same = bool(one.letter) and one.kind == two.kind == "word" and sorted(one.letter or "") == sorted(two.letter or "")
     own = [a for a in item.adjuncts if isinstance(a, Using)]
-    if not same or any(not isinstance(a.members, Noun) or a.members.traits.labels for a in own):
+    if not same or any(isinstance(a.members, Noun) and a.members.traits.labels for a in own):
+        return item
+    if any(not isinstance(a.members, Noun | Structure) for a in own):
         return item
     them = Using(members=Pronoun(word="them", span=two.span), span=two.span)
-    return replace(item, adjuncts=(*(a for a in item.adjuncts if a not in own), them))
+    return replace(item, verb="spell", adjuncts=(*(a for a in item.adjuncts if a not in own), them))
 
 
 def _told_again(before: Clause, item: Meaning) -> Clause | None:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.language.grammar.absolutes import more_parts, one_more
 from rpg.language.grammar.around import surrounded
 from rpg.language.grammar.bodies import body_clause
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.each import each_clause
 from rpg.language.grammar.each_line import each_line
 from rpg.language.grammar.nouns import simple
@@ -16,12 +16,13 @@ from rpg.language.grammar.parts import IS, part, part_statement
 from rpg.language.grammar.patterns import DIAGONALS, pattern
 from rpg.language.grammar.strangers import strangers_told
 from rpg.language.grammar.wholes import wholes_told
-from rpg.language.meaning import Absolute, Clause, Coord, Meaning, Noun, Structure
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, Structure
 
 
 @rule
 def part_clause(p: Parser, i: int) -> Results[Meaning]:
     """ "its top is red", "make the middle one blue", "the two ends should be white"."""
+    yield from _comes_next(p, i)
     yield from each_clause(p, i)
     yield from strangers_told(p, i)
     yield from piled_from_an_end(p, i)
@@ -43,6 +44,21 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
         for whole, k in more_parts(p, start, j, first):
             if isinstance(whole, Coord):
                 yield _said(p, i, k, whole), k
+
+
+_COMES = ("comes", "come", "there comes", "follows", "follow", "there follows", "comes the", "there is", "is")
+
+
+@choice
+def _comes_next(p: Parser, i: int) -> Results[Clause]:
+    """ "(red is on the left,) then comes blue": next to what was told before."""
+    j = p.any_of(i, _COMES)
+    if not j or not p.follows(i, ("then", "next", "that", "it")):
+        return
+    for theme, k in simple(p, j):
+        if isinstance(theme, Noun) and theme.head != "patch" and theme.amount in (None, Amount(1, 1)):
+            follows = At(side="next", span=p.span(i, j))
+            yield Clause(verb="be", theme=theme, adjuncts=(follows,), mode="goal", span=p.span(i, k), cost=1), k
 
 
 def _of_a_whole(p: Parser, i: int) -> Results[Clause]:

@@ -31,6 +31,10 @@ def _openings(unit: str) -> Patterns:
     )
 
 
+_NAMED_AS = ("colors", "the colors", "in the colors", "in the order", "with the colors", "the colors are", "colors are")
+"""What the colours are listed after, where that they are one for each line was said before."""
+
+
 EACH = Patterns(f"each|every being|is|has|having|with? in|of|with? {_ONE} color of_its_own?")
 """The same behind "three columns"."""
 
@@ -76,6 +80,7 @@ def each_line(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _colors(p: Parser, i: int, start: int, unit: str) -> Results[Meaning]:
+    start = p.opt(p.any_of(start, _NAMED_AS) or start, ":")
     for way, j in toward(p, start):
         if isinstance(way, Toward) and way.first is not None:
             told, end = _told(p, p.opt(j, ":", ","), unit)

@@ -70,7 +70,7 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
             yield given(p, i, j, theme, (), 0), j
     if i == 0 or p.follows(i, _OPENERS):
         for theme, told, j in contents(p, i):
-            if not _goes_on(p, j, theme):
+            if theme is None or not _goes_on(p, j, theme):
                 yield given(p, i, j, theme, told, 2), j
                 if k := p.any_of(j, _NO_OTHERS):
                     yield given(p, i, k, theme, told, 2), k

@@ -9,12 +9,14 @@ from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.along import listed_along
+from rpg.language.grammar.apposed import layers_told, symbols_told
 from rpg.language.grammar.ascents import measures
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each_line import EACH
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.limbs import LIMBED, limb
 from rpg.language.grammar.lists import listed
+from rpg.language.grammar.sides import toward
 from rpg.language.grammar.sizes import IN_TOTAL, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.steps import steps_told
 from rpg.language.meaning import (
@@ -30,6 +32,7 @@ from rpg.language.meaning import (
     Pronoun,
     Size,
     Structure,
+    Toward,
     Traits,
 )
 
@@ -90,11 +93,23 @@ def _in_colors(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]
     if not lead or base.traits.colors or not (members is None or _uncoloured(members)):
         return
     size = base.size or members_amount(members) if members is not None else base.size
+    for way, k in toward(p, lead):
+        for items, end in listed(p, p.opt(p.any_of(k, ("are", "being", "is")) or k, ":", ",")):
+            if isinstance(way, Toward) and _as_many_colors(items, size):
+                whole = Coord(op="and", items=items, span=p.span(lead, end))
+                given = OrderBy(by="named", items=items, first=way.first, span=p.span(lead, end))
+                told = (*base.details, given)
+                yield replace(base, members=whole, sizes=(), details=told, span=p.span(i, end)), end
     for items, end in listed(p, lead):
-        colored = all(isinstance(x, Noun) and x.traits == Traits(colors=x.traits.colors[:1]) for x in items)
-        if colored and (size is None or size.low == size.high == len(items)):
+        if _as_many_colors(items, size):
             whole = Coord(op="and", items=items, span=p.span(lead, end))
             yield replace(base, members=whole, sizes=(), span=p.span(i, end)), end
+
+
+def _as_many_colors(items: tuple[Meaning, ...], size: Amount | None) -> bool:
+    """One colour for each block."""
+    colored = all(isinstance(x, Noun) and x.traits == Traits(colors=x.traits.colors[:1]) for x in items)
+    return colored and (size is None or size.low == size.high == len(items))
 
 
 def _uncoloured(members: Meaning) -> bool:
@@ -189,6 +204,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     plain = base.members is None and not base.traits.colors
     for blocks, k in apposed_blocks(p, j) if plain else ():
         yield replace(base, members=blocks, span=p.span(i, k)), k
+    for blocks, k in symbols_told(p, j, base.kind) if plain else ():
+        yield replace(base, members=blocks, span=p.span(i, k)), k
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
     flat = base.kind in _FLAT
     every = p.any_of(j, _ALL_ARE) if flat else 0
@@ -206,7 +223,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         for (named, either), k in colors(p, lead):
             if not either and len(named) == 1 and (k >= p.end or p.words[k] in _CLOSED):
                 yield replace(base, traits=replace(base.traits, colors=named), span=p.span(i, k)), k
-    for size, k in [*limbs, *lines_of(p, j, base.kind), *size_phrase(p, j)]:
+    tiers = layers_told(p, j) if base.kind == "pyramid" and not base.sizes else ()
+    for size, k in [*limbs, *tiers, *lines_of(p, j, base.kind), *size_phrase(p, j)]:
         if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
             continue
         k = (p.any_of(k, _EACH) or k) if base.plural else k

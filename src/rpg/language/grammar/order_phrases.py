@@ -129,7 +129,7 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("with blocks of the same label together", "by_label", {}), ("with the same letters together", "by_label", {}),
     ("with equal letters together", "by_label", {}),
     ("with the same numbers together", "by_label", {}), ("with equal numbers together", "by_label", {}),
-    ("grouped by color", "by_color", {}),
+    ("grouped by color", "grouped", {}),
     ("with like colors together", "by_color", {}), ("with blocks of the same color side by side", "by_color", {}),
     ("with blocks of the same color together", "by_color", {}),
     ("with blocks of the same color adjacent", "by_color", {}),

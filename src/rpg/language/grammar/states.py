@@ -11,7 +11,7 @@ from rpg.language.grammar.becoming import becoming, staying
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.denials import denied_of_all, leave, stays
 from rpg.language.grammar.framing import past
-from rpg.language.grammar.labels import label_list, literal
+from rpg.language.grammar.labels import digits_of, label_list, literal
 from rpg.language.grammar.manners import direction, manner
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import none_of, one_heap
@@ -68,7 +68,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
         j = past(p, p.opt(j, "all", "each", "both", "then"))
         j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
         k, words = _auxiliaries(p, j)
-        if not _floats(theme, {*p.words[j - 1 : k]}) or one_heap(theme, p.words[j]):
+        if not _floats(theme, {*p.words[j - 1 : k]}) or one_heap(theme, p.words[j]) or _begun_anew(p, i, j, theme):
             continue
         negated = bool(words & _NOT) or bool(barred)
         if inverted:
@@ -105,6 +105,16 @@ def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
     )
 
 
+def _begun_anew(p: Parser, i: int, j: int, theme: Meaning) -> bool:
+    """ "(then) white, and pink is on top": behind ", and" a verb for one thing speaks of the last one alone."""
+    if not p.stands(j, _OF_ONE) or [",", "and"] not in (p.words[n : n + 2] for n in range(i + 1, j - 1)):
+        return False
+    several = len(theme.items) if isinstance(theme, Coord) else 0
+    several = several or (len(theme.traits.colors) if isinstance(theme, Noun) else 0)
+    return several == 2
+
+
+_OF_ONE = frozenset({"is", "lies", "stands", "sits", "rests", "comes", "goes"})
 _GO_ON = _MODALS | _BE | lexicon.POSTURE
 """Words that only a predicate begins with."""
 
@@ -321,7 +331,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
 
 def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
     using = Using(members=theme, span=theme.span)
-    text = literal(p, j)
+    text = literal(p, j) or digits_of(p, j)
     if text is not None and len(text) > 1:
         word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
         apart = [x for x in adjuncts(p, j + 2) if x[0]] if p.one(j + 1, ",") else []

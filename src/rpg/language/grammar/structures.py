@@ -16,6 +16,7 @@ from rpg.language.grammar.lists import listed
 from rpg.language.grammar.makeup import per_color, sized_members
 from rpg.language.grammar.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.shapes import noun
+from rpg.language.grammar.sides import SIDES, toward
 from rpg.language.grammar.sizes import dimensions, layers_of
 from rpg.language.meaning import (
     Amount,
@@ -126,6 +127,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     for word, j in p.standing(i, DETAILS):
         yield _Before(details=(replace(DETAILS[word], span=p.span(i, j)),)), j
     yield from _colors_before(p, i)
+    yield from _laid_before(p, i)
     for found, j in dimensions(p, i):
         for end in dict.fromkeys((j, p.opt(j, "block", "cube", "based"))):
             yield _Before(dims=found), end
@@ -159,6 +161,28 @@ def _colors_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         yield _Before(details=(OrderBy(by=by, items=items, span=p.span(i, j)),)), j
 
 
+@choice
+def _laid_before(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
+    """ "a red-on-blue tower", "a left-to-right line": which block is on which, and which way a line goes."""
+    if p.peek(i, SIDES) and p.stands(i + 1, ("to",)):
+        for way, j in toward(p, i):
+            if p.lex(j, lexicon.STRUCTURE) is not None:
+                yield _Before(details=(way,)), j
+    if p.lex(i, lexicon.COLOR) is None or not p.stands(i + 1, _ON) or not p.tokens[i + 1].joined:
+        return
+    first = "top" if p.words[i + 1] in _UPON else "bottom"
+    named = [p.peek(i, lexicon.COLOR)]
+    j = i + 1
+    while p.stands(j, _UPON if first == "top" else _ON - _UPON) and p.tokens[j].joined:
+        named.append(p.lex(j + 1, lexicon.COLOR))
+        j += 2
+    if None not in named and p.lex(j, lexicon.STRUCTURE) == ("stack", False):
+        items = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=p.span(i, j)) for x in named if x)
+        yield _Before(details=(OrderBy(by="named", items=items, first=first, span=p.span(i, j)),)), j
+
+
+_UPON = frozenset({"on", "over", "above", "atop"})
+_ON = _UPON | {"under", "below"}
 _STRUCTURES = frozenset(lexicon.STRUCTURE)
 _RANKS = {
     "left": "left", "right": "right", "front": "front", "back": "back", "middle": "middle", "last": "last",
@@ -208,6 +232,8 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
         yield Structure(kind="word", det="the", letter=digits, span=p.span(j, k + 1)), k + 1
     for text, k in equation(p, j):
         end = p.any_of(p.opt(k, ","), _SHOWN) or k
+        again = p.opt(end, ":", ",", "=")
+        end = next((m for same, m in equation(p, again) if again > end and same == text), end)
         yield Structure(kind="equation", det="the", letter=text, span=p.span(j, end)), end
 
 
@@ -224,7 +250,7 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     if base.kind == "equation" and (k := p.any_of(j, _TRUE)):
         yield replace(base, span=p.span(i, k)), k
     if base.kind == "equation":
-        told = p.any_of(j, _SAYS) or p.opt(j, ":")
+        told = p.any_of(p.any_of(j, _SHOWN) or j, _SAYS) or p.opt(p.any_of(j, _SHOWN) or j, ":", ",")
         for text, k in (*equation(p, told), *unequal(p, told), *promised(p, j)):
             yield replace(base, letter=text, span=p.span(i, k)), k
     for pattern, k in per_color(p, j):

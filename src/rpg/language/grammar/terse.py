@@ -46,6 +46,11 @@ _READ = tuple(
 )  # fmt: skip
 """What a word follows that is to be there at the end."""
 _SPELT = (
+    *(
+        f"{lead} {what}"
+        for lead in ("with", "in", "out of", "from", "of", "using", "made of", "made from", "made with")
+        for what in ("blocks", "cubes", "letter blocks", "letter cubes", "letters")
+    ),
     "spelled out", "spelt out", "written out", "spelled", "spelt", "written", "reads", "appears",
     *(
         f"{must} {read}"
@@ -129,6 +134,11 @@ def _ordered(p: Parser, i: int) -> Results[Meaning]:
         if found.by == "run":
             for more, end in adjuncts(p, j):
                 yield Clause(verb="arrange", adjuncts=(found, *more), span=p.span(i, end), cost=1), end
+        for more, k in adjuncts(p, p.opt(j, ",")) if found.by != "run" else ():
+            plain = more and all(isinstance(x, OrderBy | Toward) and not getattr(x, "items", ()) for x in more)
+            for theme, end in noun_phrase(p, p.one(k, ":")) if plain and p.stands(k, (":",)) else ():
+                said = Clause(verb="arrange", theme=theme, adjuncts=(found, *more), span=p.span(i, end), cost=1)
+                yield said, end
         lead = p.any_of(j, ("for", "of", "with", ":", "with the", "for the", "of the")) if found.by != "run" else 0
         for theme, k in noun_phrase(p, lead) if lead else ():
             for more, end in adjuncts(p, k):

@@ -15,6 +15,7 @@ from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.orders import order
 from rpg.language.grammar.remade import remade, reverse
 from rpg.language.meaning import (
+    Amount,
     At,
     Chain,
     Clause,
@@ -269,7 +270,7 @@ _MUST_BE = ("should be", "must be", "has to be", "have to be", "goes", "go", "st
 
 
 def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
-    """ "..., not the blue block", "..., the others elsewhere": the place of the clause before, denied of another."""
+    """ "..., not the blue block", "... and no blue one", "..., the others elsewhere": the place of the clause before, denied of another."""
     place = before.adjuncts[0] if len(before.adjuncts) == 1 and before.verb in ("be", "place") else None
     if not isinstance(place, Loc | In) or place.negated or before.negated:
         return
@@ -280,7 +281,11 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         told = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in _REST)
         ends = p.any_of(p.any_of(j, _MUST_BE) or j, _ELSEWHERE) if not denied else 0
         block = isinstance(theme, Noun) and (theme.head == "block" or (theme.det == "bare" and not colored))
-        if denied and block and (j >= p.end or p.words[j] in (",", ";")):
+        ended = j >= p.end or p.words[j] in (",", ";")
+        flat = isinstance(place, In) or (isinstance(mark, Noun) and mark.head == "patch")
+        if not denied and ended and flat and isinstance(theme, Noun) and theme.det == "no" and theme.head != "patch":
+            yield replace(before, theme=theme, span=p.span(i, j), cost=0), j
+        if denied and block and ended:
             ends = j
         if told and ends:
             yield replace(before, theme=theme, negated=True, span=p.span(i, ends), cost=0), ends
@@ -296,6 +301,17 @@ def _told_elsewhere(found: tuple[Meaning, ...], before: Clause) -> bool:
 _REST = ("the others", "the rest", "others", "the other", "the other one")
 
 
+def _next_one(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "red is on the left, then green (next to it)": green comes next."""
+    place = before.adjuncts[0] if before.verb == "be" and len(before.adjuncts) == 1 else None
+    if not isinstance(place, At) or place.side == "middle" or before.negated or not p.follows(i, ("then",)):
+        return
+    for theme, j in noun_phrase(p, i):
+        if isinstance(theme, Noun) and theme.head != "patch" and theme.amount in (None, Amount(1, 1)):
+            follows = At(side="next", span=theme.span)
+            yield replace(before, theme=theme, adjuncts=(follows,), span=p.span(i, j), cost=1), j
+
+
 @rule
 def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
@@ -304,12 +320,14 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         if isinstance(theme, Noun | Coord):
             yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
     yield from _elsewhere(p, i, before)
+    yield from _next_one(p, i, before)
     if before.verb == "spell" and isinstance(before.theme, Structure) and (text := literal(p, i)) is not None:
         word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
         own = tuple(a for a in before.adjuncts if isinstance(a, Using))
         for found, k in adjuncts(p, i + 1) if len(text) > 1 else ():
             yield replace(before, theme=word, adjuncts=(*own, *found), span=p.span(i, k)), k
-    for theme, j in noun_phrase(p, i) if before.adjuncts else ():
+    said = bool(before.adjuncts) and not (before.verb == "exist" and before.theme is None)
+    for theme, j in noun_phrase(p, i) if said else ():
         yield from _too(p, i, j, theme, before)
         for found, k in adjuncts(p, j):
             if found and not isinstance(found[0], That) and not _pairs(found) and not _told_elsewhere(found, before):

@@ -58,6 +58,7 @@ from rpg.passes.schema.resolve.sized import sized
 from rpg.passes.schema.resolve.spare import definite, none_ignored, without_spare
 from rpg.passes.schema.resolve.things import fits, matching
 from rpg.passes.schema.resolve.tidy import once, tidy
+from rpg.passes.schema.resolve.told_places import places_told
 from rpg.passes.schema.resolve.world import Scene, refuse, said
 
 MAX_COMBINATIONS = 48
@@ -141,7 +142,7 @@ def resolve(
     lenient: bool = False,
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
-    links, chains = hoisted(*words_in_rows(links, from_heaps(chains)))
+    links, chains = hoisted(*places_told(*words_in_rows(links, from_heaps(chains))))
     facts, bold = begun(chains, text), begun(chains, text, bold=True)
     if (last := heaps_last(*told_later(links, facts))) is not None:
         with suppress(Refusal):

@@ -26,6 +26,7 @@ from rpg.language.meaning import (
     Pronoun,
     Spacing,
     Structure,
+    Toward,
     Using,
     parts_of,
 )
@@ -207,10 +208,14 @@ def _numbers_below(theme: Noun, clause: Clause) -> None:
         raise _unfit("smaller ones, or ones that lie there?", clause.span, "name them one by one")
 
 
+_SORTED = ("ascending", "number", "label", "in_order")
+
+
 def _run_of(theme: Noun, clause: Clause) -> None:
     """Refuse an order in "the digits from 1 to 5", which says which they are."""
     runs = any(isinstance(a, OrderBy) and a.by == "run" for a in clause.adjuncts)
-    formed = any(isinstance(a, Into) for a in clause.adjuncts)
+    lined = (Into, Toward)  # with a direction, or an order besides, they stand in a line
+    formed = any(isinstance(a, lined) or (isinstance(a, OrderBy) and a.by in _SORTED) for a in clause.adjuncts)
     if runs and not formed and theme.traits.kind in ("letter", "digit") and not theme.traits.labels:
         raise _unfit("these are no order, but tell which are meant", clause.span, "say 'in a row', or in order")
 

@@ -24,6 +24,7 @@ from rpg.language.meaning import (
     Traits,
     parts_of,
 )
+from rpg.passes.schema.resolve.drawn import drawn
 from rpg.passes.schema.resolve.hubs import emptied, in_the_middle, outlines, told_inside
 from rpg.passes.schema.resolve.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.listed_after import filled, shapes_pictured
@@ -45,7 +46,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(said, Clause):
                 kept.append((link, said))
                 continue
-            said = plainly(said)
+            said = drawn(plainly(said))
             said = as_a_grid(said)
             if parts := in_a_line(said):
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
@@ -56,7 +57,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             clause = _of_one(said)
             if _asked_again(found, said, link) or _shape_alone(found, said, link) or _looks_listed(found, said, link):
                 continue
-            if link != "then" and _blocks_listed(found, said):
+            if link not in ("then", "or") and _blocks_listed(found, said):
                 continue
             if said.lemma == "listed":
                 kept.insert(0, ("and", _there_are(said, _last(found))))
@@ -69,6 +70,9 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 continue
             if link != "then" and one_more_tower(found, clause):
                 continue
+            if link == "or" and clause.verb == "part" and clause.theme is None:
+                raise refuse("ambiguous", "it is not clear what this is the other possibility to", clause.span,
+                             "tell both of them in full: 'the row is A B C or the row is C B A'")  # fmt: skip
             host = _host(found, clause) if clause.verb == "part" and link != "then" else None
             if host is None:
                 alone = isinstance(clause.theme, Structure) and clause.verb == "part"

@@ -59,6 +59,14 @@ def listed(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     return quantified(found, replace(noun, amount=None) if noun.det not in ("no", "any") else noun)
 
 
+def lot(item: Meaning, found: Ref) -> bool:
+    """ "two red blocks": so many of one look, which stand side by side where the list gives the order."""
+    if not isinstance(item, Noun) or item.amount is None or item.amount.low != item.amount.high or item.amount.strict:
+        return False
+    one = len(item.traits.colors) + len(item.traits.labels) == 1 and item.det == "bare" and item.part_of is None
+    return one and found.quant is None and len(found.names) == item.amount.low
+
+
 def _shares(noun: Noun, scope: Scope, values: int, count: int | None) -> list[int | None]:
     """How many blocks each listed value has."""
     total = count

@@ -35,15 +35,17 @@ def _of_each(clause: Meaning) -> int | None:
 
 def _counted(clause: Meaning, many: int) -> Meaning:
     """A clause with so many of each of the looks that it lists."""
-    if not isinstance(clause, Clause) or clause.mode in ("given", "start"):
+    if not isinstance(clause, Clause) or clause.mode == "start" or (clause.mode == "given" and clause.verb != "exist"):
         return clause
     shape = clause.theme
+    turns = [x for x in clause.adjuncts if isinstance(x, OrderBy) and x.by == "alternating"]
     if isinstance(shape, Structure) and shape.members is None and not shape.plural and not shape.sizes:
-        turns = [x for x in (*clause.adjuncts, *shape.details) if isinstance(x, OrderBy) and x.by == "alternating"]
-        items = turns[0].items if len(turns) == 1 else ()
-        if items and all(map(_single, items)) and not shape.dims and not shape.traits.colors:
-            whole = Coord(op="and", items=tuple(_so_many(x, many) for x in items), span=turns[0].span)
+        turns += [x for x in shape.details if isinstance(x, OrderBy) and x.by == "alternating"]
+        if (whole := _taking_turns(turns, many)) is not None and not shape.dims and not shape.traits.colors:
             return replace(clause, theme=replace(shape, members=whole))
+    bare = isinstance(shape, Noun) and shape == Noun(head="block", det=shape.det, plural=True, span=shape.span)
+    if bare and (whole := _taking_turns(turns, many)) is not None:
+        return replace(clause, theme=whole)
     listed = shape.members if isinstance(shape, Structure) and not shape.plural else shape
     if isinstance(listed, Noun) and len(listed.traits.labels) > 1 and listed.det == "bare" and listed.amount is None:
         one = replace(listed, plural=False)
@@ -51,10 +53,29 @@ def _counted(clause: Meaning, many: int) -> Meaning:
         if all(map(_single, parts)):
             items = tuple(_so_many(x, many) for x in parts)
             return replace(clause, theme=put(clause.theme, listed, Coord(op="and", items=items, span=listed.span)))
+    if isinstance(listed, Noun) and _of_several_colors(listed):
+        looks = [replace(listed.traits, colors=(color,)) for color in listed.traits.colors]
+        items = tuple(_so_many(replace(listed, traits=look), many) for look in looks)
+        return replace(clause, theme=put(clause.theme, listed, Coord(op="and", items=items, span=listed.span)))
     if isinstance(listed, Coord) and listed.op == "and" and all(map(_single, listed.items)):
         items = tuple(_so_many(x, many) for x in listed.items)
         return replace(clause, theme=put(clause.theme, listed, replace(listed, items=items)))
     return clause
+
+
+def _taking_turns(turns: list[OrderBy], many: int) -> Coord | None:
+    """So many of each of the looks that alternate."""
+    items = turns[0].items if len(turns) == 1 else ()
+    if not items or not all(map(_single, items)):
+        return None
+    return Coord(op="and", items=tuple(_so_many(x, many) for x in items), span=turns[0].span)
+
+
+def _of_several_colors(listed: Noun) -> bool:
+    """ "red and blue blocks", of which nothing says how many they are."""
+    plain = listed.det == "bare" and listed.amount is None and listed.part_of is None and not listed.conditions
+    colors = listed.traits.colors
+    return plain and listed.head != "patch" and len(set(colors)) == len(colors) > 1 and not listed.traits.either
 
 
 def _single(item: Meaning) -> bool:

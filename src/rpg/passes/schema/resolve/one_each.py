@@ -13,9 +13,11 @@ from rpg.language.meaning import (
     Loc,
     Meaning,
     Noun,
+    OrderBy,
     Pronoun,
     Size,
     Structure,
+    Toward,
     Traits,
 )
 
@@ -27,6 +29,11 @@ def plainly(clause: Clause) -> Clause:
     if clause.negated:
         return clause
     kept = clause.adjuncts
+    grouped = [a for a in kept if isinstance(a, OrderBy) and a.by == "grouped"]
+    if grouped and _of_no_line(clause):
+        by_color = replace(grouped[0], by="attribute", attribute="color")
+        parts = tuple(by_color if a is grouped[0] else a for a in kept)
+        return replace(clause, verb="sort", lemma="sort", adjuncts=parts)
     if clause.verb == "sort" and len(kept) == 1 and _one_group(kept[0]) and isinstance(clause.theme, Noun):
         return replace(clause, verb="place", lemma="put")
     amount = clause.theme.amount if isinstance(clause.theme, Noun) and clause.theme.part_of is None else None
@@ -38,6 +45,12 @@ def plainly(clause: Clause) -> Clause:
     if amount is not None and amount.low > 1 and any(_as_many(a, amount) for a in kept):
         kept = tuple(a for a in kept if not (isinstance(a, Size) and a.what == "columns" and a.amount == Amount(1, 1)))
     return replace(clause, adjuncts=kept) if kept != clause.adjuncts else clause
+
+
+def _of_no_line(clause: Clause) -> bool:
+    """Whether nothing says that the blocks form something: those that are grouped are groups."""
+    formed = isinstance(clause.theme, Structure) or any(isinstance(a, Into | Toward) for a in clause.adjuncts)
+    return clause.verb in ("be", "arrange", "place") and clause.lemma not in ("line", "align", "order") and not formed
 
 
 def _one_group(part: Meaning) -> bool:

@@ -182,7 +182,7 @@ def _merge(
             return Order(by=order.by, attribute=attribute)  # type: ignore[arg-type]
         case "even_first" | "odd_first" | "vowel_first" | "consonant_first":
             return _quality_first(order, things, kind, scene, first)
-        case "by_color":
+        case "by_color" | "grouped":
             return Order(by="together", attribute="color")
         case "by_label":
             return Order(by="together", attribute="label")

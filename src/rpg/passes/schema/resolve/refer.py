@@ -10,7 +10,7 @@ from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, 
 from rpg.passes.schema.resolve.alls import note_all
 from rpg.passes.schema.resolve.counting import counted_among, denied, elliptical, not_of_a_structure
 from rpg.passes.schema.resolve.extras import extras
-from rpg.passes.schema.resolve.listing import bounded, fewer_than, listed, quantified, repeats
+from rpg.passes.schema.resolve.listing import bounded, fewer_than, listed, lot, quantified, repeats
 from rpg.passes.schema.resolve.pronouns import others, pronoun
 from rpg.passes.schema.resolve.select import select
 from rpg.passes.schema.resolve.shares import SHARES, share_of
@@ -100,7 +100,7 @@ def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     if meaning.op == "and" and len(names) < sum(len(part.names) for part in parts if part.quant is None):
         raise refuse("ambiguous", "a block is named twice in this list", meaning.span, "name each block once")
     built = tuple(b for part in parts for b in part.built)
-    single = all(len(part.names) == 1 or part.listed for part in parts)
+    single = all(len(x.names) == 1 or x.listed or lot(m, x) for m, x in zip(meaning.items, parts, strict=True))
     return Ref(
         names=names,
         patch=parts[0].patch,

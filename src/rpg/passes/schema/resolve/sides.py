@@ -61,7 +61,7 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
         _check_word(word, loose, scene)
         return goal
     sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
-    open_ = next((b for b in scene.built if all(_open(scene, name) for name in b.members)), None)
+    open_ = next((b for b in scene.built if any(_open(scene, name) for name in b.members)), None)
     if open_ is not None:
         raise refuse("ambiguous", f"these could be blocks of the {open_.kind} or further ones", loose[0][2],
                      "name the blocks in the sentence that builds it")  # fmt: skip

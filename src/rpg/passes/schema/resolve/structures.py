@@ -85,7 +85,7 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             [*inner.spacings, *spec.spacings],
             [*inner.patterns, *spec.patterns],
         )
-        spec.any_way = spec.any_way or inner.any_way
+        spec.toward, spec.any_way = [*inner.toward, *spec.toward], spec.any_way or inner.any_way
         spec.absolutes, spec.manners = [*inner.absolutes, *spec.absolutes], [*inner.manners, *spec.manners]
         shape = replace(shape, details=())
     shape = _paged(shape, spec, theme)

@@ -8,7 +8,6 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.framing import VIEW
-from rpg.language.grammar.arrows import in_words
 from rpg.language.grammar.rephrased import rephrased
 from rpg.language.phrases import Beginnings, by_first
 from rpg.language.tokens import Token
@@ -140,7 +139,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             at = end
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
-    return rephrased(in_words([token for n in range(len(out)) for token in _meant(out, n)]))
+    return rephrased([token for n in range(len(out)) for token in _meant(out, n)])
 
 
 def _between(tokens: list[Token], at: int) -> Token:

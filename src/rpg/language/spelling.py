@@ -242,6 +242,8 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     word = tokens[index].word
     before = tokens[index - 1].word if index else ""
     two = tokens[index - 2].word if index > 1 else ""
+    if before == "either" and index > 1:  # "spell either DOG or GOD"
+        before, two = two, tokens[index - 3].word if index > 2 else ""
     if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
         return word not in _NOT_LITERAL and not (
             word in known and word in ("is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from")

@@ -9,7 +9,7 @@ from rpg.passes.schema.resolve.world import refuse
 
 LONGEST = 1000
 _CODE = re.compile(
-    r"\b(?:def|import|lambda|return|SELECT|DROP|print|eval|exec|function|var|const)\b\s*[\w(*]*\s*[({;=]|</?\w+>|[{}]|;\s*$|==|->|\$\(|&&|\|\|"
+    r"\b(?:def|import|lambda|return|SELECT|DROP|print|eval|exec|function|var|const)\b\s*[\w(*]*\s*[({;=]|</?\w+>|[{}]|;\s*$|==|\$\(|&&|\|\|"
 )
 _FOREIGN = re.compile(
     r"\b(?:der|die|das|und|auf|den|dem|einen|roten|bloque|rojo|sobre|encima|coloca|pon|le|les|sur|mets|rouge|vert|il|lo|sul|metti|rosso|"

@@ -67,6 +67,15 @@ _THEN = (
     "end by",
     "conclude by",
     "finish off by",
+    "to finish",
+    "to finish off",
+    "to end",
+    "to conclude",
+    "to finish with",
+    "to end with",
+    "to top it off",
+    "and to finish",
+    "as a finish",
 )
 
 _FIRST = ("first ,", "firstly", "first put", "first place", "first stack", "first build", "first make", "first move",

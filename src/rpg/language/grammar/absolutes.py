@@ -59,7 +59,7 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
     yield from starting(p, i)
     yield from _of_parts(p, i, comma)
     j = p.any_of(comma, _LEADS) or (comma if comma > i else 0)
-    if not j:
+    if not j or (p.words[j - 1] == "keeping" and p.follows(i, ("always", "constantly", "permanently"))):
         return
     if p.words[j - 1] in ("by", "with") and p.words[j - 2] in ("crowned", "topped"):
         for theme, k in simple(p, j):

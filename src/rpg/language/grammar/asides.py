@@ -36,16 +36,22 @@ _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy
              "nice and neat", "nice and tidy", "good", "proper")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
 _FREE = (
-    "in any order", "any order", "in whatever order", "in whichever order", "whatever order", "any order you like",
-    "in any order you like", "the order does not matter", "order does not matter", "no matter the order",
+    *(
+        f"{lead}{which} order{free}"
+        for lead in ("", "in ")
+        for which in ("any", "whatever", "whichever")
+        for free in ("", " you like", " you want", " you please", " you prefer", " you wish", " you choose",
+                     " suits you", " at all", " is fine with me", " you fancy", " will do", " is fine", " works",
+                     " i do not mind")
+    ),
+    "the order does not matter", "order does not matter", "no matter the order",
     "no particular order", "in no particular order", "whichever way", "whichever way you like",
     "any way you like", "however you like", "whichever direction", "in whichever direction",
     "direction does not matter", "the direction does not matter", "in no particular direction",
     "regardless of the order", "regardless of order", "the exact order does not matter", "in random order",
     "in a random order", "hello", "hi", "hello there", "hi there", "hello robot", "hi robot", "hey", "hey robot",
     "hello everyone", "good morning", "good day", "dear robot", "ok", "okay", "alright", "great", "your choice",
-    "up to you", "as you like", "you choose", "either is fine", "any order will do", "any order is fine",
-    "any order works",
+    "up to you", "as you like", "you choose", "either is fine",
     "whichever", "whatever", "either will do", "either one will do", "either one is fine",
     "it does not matter which", "does not matter which", "no matter which",
     "any color", "any colors", "of any color", "whatever color", "whatever colors",
@@ -57,7 +63,10 @@ _FREE = (
     "the side does not matter", "on whichever side", "whichever side", "in either order", "either order is fine",
     "which goes where is up to you", "which one goes where is up to you", "which is which does not matter",
     "which goes where does not matter", "it does not matter which goes where", "in both cases", "in either case",
-    "in any case", "however", "no matter which one", "no matter which side", "whichever one",
+    "in any case", "however", "no matter which one", "no matter which side",
+    "no matter which ones", "it does not matter which ones", "i do not mind which ones", "i do not care which ones",
+    "which ones does not matter", "which ones is up to you", "which ones you choose is up to you",
+    "which ones you like", "whichever one",
     "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
     "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
     "that is all", "that is it", "i think",
@@ -75,6 +84,7 @@ _FREE = (
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
+_WHICHEVER = frozenset({"whatever", "whichever"})
 _LINES = frozenset({"row", "line", "tower", "stack", "column"})
 _BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
 _DEGREES = frozenset(
@@ -131,11 +141,12 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         if end == at:
             out.append(tokens[at])
             at += 1
-        elif "order" in words[at:end] and words[at] in ("in", "any") and not _LINES.isdisjoint(words[:at]):
+        elif "order" in words[at:end] and words[at] in ("in", "any", *_WHICHEVER) and not _LINES.isdisjoint(words[:at]):
             # A list tells an order unless this is said; where it cannot be read, it says nothing.
             if out and out[-1].word == ",":
                 out[-1] = replace(out[-1], value=SOFT)
-            out += [replace(token, value=SOFT) for token in tokens[at:end]]
+            kept = tokens[at : at + words[at:end].index("order") + 1]
+            out += [replace(t, value=SOFT, word="any" if t.word in _WHICHEVER else t.word) for t in kept]
             at = end
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)

@@ -98,7 +98,8 @@ START_FRAMES = Phrases(
     "to begin with", "beginning with", "the initial state is", "in the initial state", "originally", "currently",
     "right now", "starting state", "start state", "start from", "the task starts with", "the scene starts with",
     "at first", "the episode starts with", "the initial state has", "as a start", "we start with",
-    "start :", "start state :", "at the start :", "in the beginning :", "initially :", "beginning :",
+    "start :", "start state :", "begin :", "begins :", "starts :", "start situation :",
+    "at the start :", "in the beginning :", "initially :", "beginning :",
     "initial situation :", "starting position :", "before :", "you start with",
     "the scene begins with", "the start is", "starts with", "start out with", "begin with", "initial state :",
     "initially ,", "at the start ,",
@@ -114,7 +115,8 @@ START_FRAMES = Phrases(
 FIRST = Phrases(
     "start by", "begin by", "phase 1 :", "stage 1 :", "phase one :", "stage one :",
     "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :",
-    "first :", "1 :", "2 :", "3 :", "picture this", "like this", "as follows", "put it all like this",
+    "first things first", "first things first :", "first things first ,", "to start ,", "to start with ,",
+    "to begin ,", "first :", "1 :", "2 :", "3 :", "picture this", "like this", "as follows", "put it all like this",
     "put everything like this",
     "arrange it like this", "do this", "do the following", "it goes like this", "arrange everything like this",
     "make it so that", "make it so",
@@ -130,7 +132,8 @@ DONT = (
 """What is said behind these must not be done."""
 THEN = (
     "continue with", "continue by", "second of all",
-    "and only then", "only then", "and only after that", "only after that", "and at last", "at last",
+    "and only then", "only then", "and only afterwards", "only afterwards", "but only then", "and only later",
+    "and not before that", "and only after that", "only after that", "and at last", "at last",
     "and at the very end",
     "and finish by", "finish by", "and end by", "end by", "and conclude by", "conclude by", "and finish off by",
     "and then after that", "and then finally", "and after that", "and afterwards", "and finally", "and then",

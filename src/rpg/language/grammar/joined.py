@@ -213,6 +213,9 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
     comma = p.opt(at, ",", ";", "/")
     joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
     word = p.words[comma] if joined else ""
+    summed = isinstance(items[-1], Noun) and items[-1].traits.colors and p.one(comma, "+")
+    if summed and p.end > summed:  # "2 red + 1 blue": of things that have a colour, none shows the sign
+        joined, word = summed, "and"
     if op == "comma" and (k := p.any_of(comma, _AT_LAST)):
         joined, word = k, "then"
     yield from _except(p, i, items, comma)
@@ -232,6 +235,8 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         return
     for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
         if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
+            continue
+        if summed and not (isinstance(item, Noun) and item.traits.colors):
             continue
         like = _like(items[-1], item) if p.words[j - 1] in ("one", "ones") else item
         item = _weighed(items, like, op == "and" and p.words[at] in (",", ";"))

@@ -156,6 +156,9 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("in either direction", "either", {}), (", in either direction", "either", {}), ("either way round", "either", {}),
     (", either way round", "either", {}),
     ("in no particular order", "any", {}), ("in reverse order", "reverse", {}), ("in reverse", "reverse", {}),
+    *((f"in {the}{word} order", "reverse", {}) for the in ("", "the ", "an ", "exactly the ")
+      for word in ("reversed", "opposite", "inverse", "inverted")),
+    ("in the reverse order", "reverse", {}), ("in exactly the reverse order", "reverse", {}),
     ("in that order", "given", {}), ("in this order", "given", {}), ("in the order given", "given", {}),
     ("in order", "in_order", {}),
     ("in sequence", "in_order", {}), ("in the right order", "in_order", {}), ("in the given order", "given", {}),

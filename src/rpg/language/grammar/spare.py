@@ -40,6 +40,8 @@ _DOING_NOTHING = Patterns(
 _AROUND = Patterns(
     "lie|lies|stand|stands|sit|sits|are|is also|too|just|only? around|about|lying_around|lying_about also|too? "
     "somewhere|on_the_table?",
+    "are|is|exist|exists? in_the_scene|available|present|in_play|at_hand|in_stock|to_work_with|to_use|to_choose_from",
+    "exist|exists in_the_scene|altogether|in_all|in_total?",
 )
 """What is said of where blocks are, which is nowhere in particular: there are such, and they may be used or not."""
 _BELONGING = Patterns("that|which do|does not belong to the_word|it|the_tower|the_row|the_structure|them")
@@ -49,6 +51,14 @@ _LABELS = (
     "for distraction :", "for distraction", "decoration :", "with the distractors", "with the distractor",
     "with distractors :", "distraction :", "distractions :",
 )  # fmt: skip
+_LED = Patterns(
+    "as|for a|an|some|the|mere|pure|only? distractor|distractors|distraction|decoration|decorations|decoy|decoys|"
+    "extra|extras|extra_blocks ,|:? there_is|there_are|there_should_be|there_must_be|add|put|place|have|include|use|"
+    "lay|throw_in|we_have|you_have|we_add|you_find|you_see|i_want|i_need|i_have|take",
+    "distractor|distractors|decoy|decoys present|in_the_scene|on_the_table|lying_around|around :|are|is",
+)
+"""What distractors are told behind, besides."""
+_THERE = ("present", "also present", "in the scene", "around", "lying around", "in view", "as well", "too")
 
 
 _PLACED = frozenset({"on", "onto", "in", "into", "to", "behind", "under", "beside", "near", "next", "of", "above"})
@@ -70,10 +80,11 @@ def spare(p: Parser, i: int) -> Results[Clause]:
         aside = _ASIDE.matches(p, j) if p.words[i].startswith("leav") or _told(theme) else ()
         for k in {*aside, *_AS.matches(p, j)}:
             yield _said(p, i, k, theme), k
-    named = p.any_of(i, _LABELS)
-    for theme, j in noun_phrase(p, p.opt(named, "are", "is")) if named else ():
+    label = p.any_of(i, _LABELS)
+    named = max(_LED.matches(p, i), default=0) or (p.opt(label, "are", "is") if label else 0)
+    for theme, j in noun_phrase(p, named) if named else ():
         if not _told(theme):
-            yield _said(p, i, j, theme), j
+            yield from ((_said(p, i, end, theme), end) for end in {j, p.any_of(j, _THERE) or j})
     for theme, j in noun_phrase(p, i):
         further = isinstance(theme, Noun) and theme.det == "another" and theme.amount is not None
         for k in _AROUND.matches(p, j) if further or _counted(theme) else ():

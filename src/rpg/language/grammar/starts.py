@@ -6,9 +6,10 @@ from dataclasses import replace
 
 from rpg.language.grammar.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.labels import literal
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.piled import piled
-from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure, Traits
 
 STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
           "start out", "initially is", "initially sits", "starts the episode")  # fmt: skip
@@ -19,6 +20,7 @@ def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
     j = p.any_of(at, ("as", "out as", "with", "off as")) or at
     it = isinstance(theme, Pronoun) and theme.word == "it"
     the = isinstance(theme, Structure) and theme.det == "the" and theme.members is None
+    yield from _as_a_word(p, i, j, theme)
     for first, k in simple(p, j) if j and (it or the) else ():
         for found, end in adjuncts(p, k):
             if isinstance(first, Structure) and first.members is not None:
@@ -27,6 +29,25 @@ def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
             upright = all(isinstance(a, Loc) and a.rel in ("on", "above") for a in found)
             if isinstance(first, Noun) and found and upright:
                 yield piled(Clause(verb="be", theme=first, adjuncts=found, mode="start", span=p.span(i, end))), end
+
+
+_SHOWN = frozenset({"row", "line", "stack", "word", "column"})
+
+
+def _as_a_word(p: Parser, i: int, j: int, theme: Meaning) -> Results[Meaning]:
+    """ "The row (of letters) starts as TAC", "the letters start as TAC": what can be read there."""
+    text = literal(p, p.any_of(j, ("the word", "word", "spelling", "reading")) or j)
+    line = isinstance(theme, Structure) and theme.kind in _SHOWN and theme.det == "the" and not theme.plural
+    members = theme.members if line and isinstance(theme, Structure) else theme
+    plain = Traits(kind="letter")
+    letters = isinstance(members, Noun) and members.traits in (plain, Traits()) and members.head == "block"
+    if text is None or len(text) < 2 or not (letters or (line and members is None)):
+        return
+    end = (p.any_of(j, ("the word", "word", "spelling", "reading")) or j) + 1
+    word = Structure(kind="word", det="the", letter=text, span=p.span(j, end))
+    down = isinstance(theme, Structure) and theme.kind == "stack"
+    for more, last in adjuncts(p, end) if not down else ():
+        yield Clause(verb="spell", theme=word, adjuncts=more, mode="start", span=p.span(i, last)), last
 
 
 _ENDING = frozenset(

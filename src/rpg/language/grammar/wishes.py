@@ -263,6 +263,11 @@ STATE_WISHES = Patterns(
     f"the|our|this|an|your? {_QUEST}|robot|agent|you|we|i|it succeeds|succeed|wins|win|ends|end|won {_WHEN}",
     f"you|we|i|the_robot are|is|have|will_be|will_have|'ve {_DONE} {_WHEN}",
     f"success is|will_be|gets {_DONE} {_WHEN}",
+    f"success|completion|victory|a_win is|means|comes|is_given|is_reached only|exactly? {_WHEN}",
+    f"{_WHO} {_WOULD}? call|consider|count|regard|take it|this|that|the_task|the_job as? {_DONE} {_WHEN}",
+    "reach|achieve|attain|get_to|arrive_at|produce|bring_about|obtain|end_in|end_up_in a|the|one? "
+    "final|end|goal|target|desired? state|configuration|situation|arrangement|scene|result|layout|setup|outcome "
+    "where|in_which|such_that|so_that|with|that_has|that_shows|:",
     f"success {_WHEN}",
     f"it|this|that is|counts_as|will_be a? win|success|victory|pass {_WHEN}",
     f"the|this check|test|trial passes|is_passed|is_met {_WHEN}",

@@ -54,6 +54,7 @@ from rpg.passes.schema.resolve.of_each import each_later
 from rpg.passes.schema.resolve.premises import keep_premises
 from rpg.passes.schema.resolve.rest import speaks_of_rest
 from rpg.passes.schema.resolve.rows_told import words_in_rows
+from rpg.passes.schema.resolve.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.sized import sized
 from rpg.passes.schema.resolve.spare import definite, none_ignored, without_spare
 from rpg.passes.schema.resolve.things import fits, matching
@@ -153,6 +154,9 @@ def resolve(
         if bold != facts and refusal.diagnostics[0].code in UNMEANT:
             with suppress(Refusal):
                 return _resolved(*told_later(links, bold), text, notes, name, seed, author, lenient)
+        if (named := told_one_by_one(links, facts, refusal, text)) is not None:
+            with suppress(Refusal):
+                return _resolved(*told_later(*named), text, notes, name, seed, author, lenient)
         if (ahead := start_first(*told_later(links, facts))) is not None:
             with suppress(Refusal):
                 return _resolved(*ahead, text, notes, name, seed, author, lenient)
@@ -206,6 +210,7 @@ def _resolved(
     if isinstance(goal, g.All) and not goal.goals:
         raise _no_goal(scene, text)
     goal = brought_about(keep_premises(goal, scene), scene)
+    check_counted(chains, scene, text)
     chosen = finish.choose(scene)
     goal = tidy(goal, scene)
     check(goal, scene)

@@ -31,6 +31,7 @@ _UNFOUND = (
     "it is not said of each of them",
     "it is not said which symbols there are",
     "it is not clear what belongs to 'each'",
+    "the blocks that are counted may be those that are described",
     "these places contradict each other",
 )
 """Refusals that come of words joined that do not belong together, so that a pronoun or a place finds nothing to be

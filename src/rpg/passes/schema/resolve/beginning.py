@@ -33,7 +33,8 @@ _END = re.compile(r"\b(?:at|in|by) the (?:very )?end\b|\bfinally\b|\bfinal\b", r
 def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Chain, ...]:
     """The sentences, with facts before a command about what they bring up told of the start.
 
-    `bold`: facts about known things too ("the red block is on the patch. Move it to the left half").
+    `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
+    behind them of how it should be ("it should not be there at the end").
     """
     chains = tuple(map(_there_too, chains))
     if (picture := _pictured(chains, text)) is not None:
@@ -41,7 +42,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     told = [_facts(chain, bold) for chain in chains]
     final = [_of_its_end(chains, n, text) for n in range(len(chains))]
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
-    commands = [n for n, chain in enumerate(chains) if _commands(chain)]
+    commands = [n for n, chain in enumerate(chains) if _commands(chain) or (bold and not _facts(chain))]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [x or (n < max(undone, default=0) and _facts(chains[n])) for n, x in enumerate(told)]
     told = [x or _moved_next(chains[n : n + 2]) for n, x in enumerate(told)]
@@ -244,12 +245,20 @@ def _indefinite(theme: Meaning | None) -> bool:
 
 def _commands(chain: Chain) -> bool:
     """Whether a sentence commands something about what was spoken of."""
-    if not any(isinstance(c, Clause) and c.mode == "command" for c in chain.clauses):
+    if not any(isinstance(c, Clause) and (c.mode == "command" or _to_be_moved(c)) for c in chain.clauses):
         return False
     return any(
         isinstance(part, Pronoun) or (isinstance(part, Noun | Structure) and part.det in ("the", "its", "all", "other"))
         for part in parts_of(chain)
     )
+
+
+def _to_be_moved(clause: Clause) -> bool:
+    """ "It must be moved to the left half": as good as a command."""
+    return (clause.mode, clause.verb) == ("goal", "place") and clause.lemma in _MOVING and not clause.negated
+
+
+_MOVING = frozenset({"move", "take", "bring", "carry", "transfer", "relocate", "shift", "get", "remove"})
 
 
 def start_first(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]] | None:

@@ -45,7 +45,7 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     """Whether two atoms contradict each other by their names alone."""
     if isinstance(a, g.Not) or isinstance(b, g.Not):
         inner, other = (a.goal, b) if isinstance(a, g.Not) else (b.goal, a)  # type: ignore[union-attr]
-        return _same(inner, other)
+        return _same(inner, other) or _covers(other, inner)
     match a, b:
         case (r.On(), r.On()):
             return (a.a == b.a and a.b != b.b) or (a.b == b.a and a.a == b.b) or (a.b == b.b and a.a != b.a)
@@ -118,6 +118,15 @@ def _orders_differ(a: s.Stack | s.Row, b: s.Stack | s.Row) -> bool:
     given = a.order.by == b.order.by == "given" and a.order.first == b.order.first
     single = all(len(rank) == 1 for rank in (*a.order.ranks, *b.order.ranks))
     return given and single and set(a.blocks) == set(b.blocks) and a.order.ranks != b.order.ranks
+
+
+def _covers(whole: g.Goal, part: g.Goal) -> bool:
+    """Whether what holds of several blocks holds of these: "red and blue are on the mat" and "red is not"."""
+    kinds = (r.OnPatch, r.InRegion, r.OnTable, r.Stayed)
+    if not isinstance(whole, kinds) or not isinstance(part, kinds) or not isinstance(whole.a, tuple):
+        return False
+    fewer = isinstance(part.a, tuple) and set(part.a) < set(whole.a)
+    return fewer and _same(whole.model_copy(update={"a": part.a}), part)
 
 
 def _same(a: g.Goal, b: g.Goal) -> bool:

@@ -144,6 +144,8 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
     for theme, k in noun_phrase(p, j):
         if isinstance(theme, Noun) and (theme.head, theme.det, theme.amount, theme.traits) == _THE_ONE:
             continue
+        if p.stands(k, ("left", "right")) and (not p.stands(k + 1, ("of",)) or p.stands(k + 2, _MARKS)):
+            yield from ((Absolute(theme=theme, adjuncts=x, span=p.span(j, end)), end) for x, end in _places(p, k))
         k = p.opt(k, "is", "are", "being", "goes", "should", "lying", "standing", "left")
         k = p.opt(k, "be")
         k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
@@ -292,6 +294,10 @@ def _no_place(mark: Meaning | None) -> bool:
     return isinstance(mark, Structure) or (isinstance(mark, Pronoun) and mark.word not in ("it", "them"))
 
 
+_LINES = frozenset({"row", "line"})
+_MARKS = frozenset({"it", "them", "that", "this", "the", "those", "both"})
+
+
 @choice
 def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     for found, k in loc(p, i):
@@ -323,6 +329,8 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
     ):
         if k := p.one(i, phrase):
             yield (At(side=side, span=p.span(i, k)),), k
+    if p.stands(i, ("left", "right")) and p.words[i + 1] in ("", ",", ";", "and", ".") and p.anywhere(_LINES):
+        yield (At(side=p.words[i], span=p.span(i, i + 1)),), p.reach(i + 1)
     if p.words[i : i + 1] in (["first"], ["last"]):
         yield (At(side="first", index=1 if p.words[i] == "first" else -1, span=p.span(i, i + 1)),), p.reach(i + 1)
     for k in {p.any_of(i, ("lying around", "lying on the table")), *AS_EXTRAS.matches(p, i)} - {0}:

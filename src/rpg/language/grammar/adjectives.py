@@ -8,6 +8,7 @@ from typing import Any
 from rpg.language import lexicon
 from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.edges import STANDARD, USUAL, edge_told
 from rpg.language.grammar.labels import label_list, run
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Traits
@@ -168,6 +169,8 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
     if plain := p.peek(i, _PLAIN):
         key, value = plain
         yield Marks({key: value}), p.reach(i + 1)
+    if p.stands(i, USUAL) and (j := p.any_of(i + 1, ("sized", "size", "edged"))):
+        yield EMPTY, j
     size = p.lex(i, lexicon.SIZE)
     if size:
         yield Marks({"size": size}), i + 1
@@ -313,6 +316,10 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     if j := p.any_of(i, _EDGE_OF):
         yield from ((Marks({"edge": metres}), p.any_of(k, _EDGES) or k) for metres, k in length(p, j))
     yield from _each_long(p, i)
+    if j := p.any_of(i, STANDARD):
+        yield EMPTY, j
+    if head == "block":
+        yield from ((Marks({"edge": metres}), j) for metres, j in edge_told(p, i))
     if j := p.any_of(
         i, ("with", "having", "that has", "which has", "with a", "have", "has", "that have", "which have")
     ):

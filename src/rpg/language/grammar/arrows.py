@@ -1,4 +1,4 @@
-"""Signs of notes in words: "black -> far corner" goes there, "A -> B -> C" follow each other, "2 red + 1 blue" are both."""
+"""Signs of notes in words: "black -> far corner" goes there, "A -> B -> C" follow each other, "red + blue" are both."""
 
 from __future__ import annotations
 

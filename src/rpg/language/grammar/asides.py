@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.arrows import in_words
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.framing import VIEW
 from rpg.language.grammar.rephrased import rephrased
@@ -150,7 +151,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             at = end
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
-    return rephrased([token for n in range(len(out)) for token in _meant(out, n)])
+    return rephrased(in_words([token for n in range(len(out)) for token in _meant(out, n)]))
 
 
 def _between(tokens: list[Token], at: int) -> Token:
@@ -289,7 +290,7 @@ def _meant(tokens: list[Token], at: int) -> list[Token]:
     """ "red n blue": "n" between two things is "and"; "can u": you; "so its behind": it is."""
     token = tokens[at]
     after = tokens[at + 1].word if at + 1 < len(tokens) else ""
-    if token.word == "either" and at and (tokens[at + 1 :] and tokens[at + 1].kind == "literal" or after == "the"):
+    if token.word == "either" and at and ((tokens[at + 1 :] and tokens[at + 1].kind == "literal") or after == "the"):
         named = [t.word for t in tokens[at + 1 : at + 3]] == ["the", "word"] or tokens[at + 1].kind == "literal"
         return [] if named else [token]
     if token.word == "its" and at and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING:

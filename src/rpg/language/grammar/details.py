@@ -15,6 +15,7 @@ from rpg.language.grammar.onto import piled_from_an_end
 from rpg.language.grammar.parts import IS, part, part_statement
 from rpg.language.grammar.patterns import DIAGONALS, pattern
 from rpg.language.grammar.strangers import strangers_told
+from rpg.language.grammar.succession import succession
 from rpg.language.grammar.wholes import wholes_told
 from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, Structure
 
@@ -28,6 +29,7 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
     yield from piled_from_an_end(p, i)
     yield from surrounded(p, i)
     yield from body_clause(p, i)
+    yield from succession(p, i)
     for lines, j in each_line(p, i):
         if isinstance(lines, Coord):
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j

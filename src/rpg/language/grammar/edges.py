@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
+from rpg.language.grammar.amounts import length
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.meaning import Amount, Coord, Noun
 
@@ -39,3 +40,28 @@ def lengths(p: Parser, i: int) -> Results[tuple[float, ...]]:
         if len(numbers) > 1 and last is not None and len(set(found)) == len(found):
             yield found, at
         at = p.opt(p.opt(at, ","), "and", "&")
+
+
+USUAL = frozenset({"standard", "normal", "usual", "ordinary", "default", "regular"})
+STANDARD = tuple(
+    f"{of} {the}{usual} size"
+    for of in ("of", "in", "with", "having")
+    for the in ("", "the ", "a ", "its ")
+    for usual in ("standard", "normal", "usual", "ordinary", "default", "regular")
+)
+"""What says of a block no more than is so anyway."""
+_WIDE = ("wide", "long", "edge", "edges", "edge length", "side length", "on each side", "across", "in size", "on edge",
+         "along the edge", "per side", "a side", "on a side", "in width", "along each edge")  # fmt: skip
+_EDGE_IS = ("edge length", "edge", "side length", "size", "an edge of", "edge length of", "edge of", "edge :", "size :",
+            "edge length :", "size of", "with an edge length of", "its edge is", "its edge")  # fmt: skip
+
+
+def edge_told(p: Parser, i: int) -> Results[float]:
+    """ ", 5 cm wide", ", edge length 5 cm,", "of 5 cm edge": the edge of one block, set off or not."""
+    comma = p.opt(i, ",")
+    lead = p.any_of(comma, _EDGE_IS) if comma > i else 0
+    for metres, j in length(p, lead or comma) if lead or comma > i else ():
+        end = j if lead else p.any_of(j, _WIDE)
+        if end and p.words[end] not in ("apart", "away", "from", "to", "of"):
+            for last in {end, p.opt(end, ",")}:
+                yield metres, last

@@ -13,6 +13,7 @@ from rpg.language.grammar.apposed import layers_told, symbols_told
 from rpg.language.grammar.ascents import measures
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each_line import EACH
+from rpg.language.grammar.gradients import gradient
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.limbs import LIMBED, limb
 from rpg.language.grammar.lists import listed
@@ -40,6 +41,7 @@ from rpg.language.meaning import (
 def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     """A structure with what is said of its size, of its blocks, and of single ones among them."""
     from rpg.language.grammar.each import each_of, heights
+    from rpg.language.grammar.onto import counted_pile
 
     many = base.amount.low if base.amount is not None else 0
     for (tall, named), k in heights(p, j, many) if base.plural and base.kind == "stack" else ():
@@ -52,9 +54,11 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
             yield from _sized(p, i, k, told)
     for sized, k in _sized(p, i, j, base):
         yield sized, k
+        yield from gradient(p, i, k, sized) if base.kind == "gradient" and not sized.members else ()
         yield from _one_each(p, i, k, sized)
         for whole, end in _members(p, i, k, sized):
             yield whole, end
+            yield from counted_pile(p, i, end, whole)
             yield from _one_each(p, i, end, whole)
             for lot, last in each_of(p, end) if base.plural else ():
                 yield replace(whole, details=(*whole.details, lot), span=p.span(i, last)), last

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import simple
-from rpg.language.meaning import Amount, Clause, Meaning, Noun, OrderBy, Structure
+from rpg.language.meaning import Amount, Clause, Meaning, Noun, OrderBy, Structure, Traits
 
 _OVER = (
     "on top of",
@@ -41,6 +43,20 @@ def one_on_another(p: Parser, i: int) -> Results[OrderBy]:
             if len(items) > 1:
                 yield OrderBy(by="named", items=items, first=first, span=p.span(i, j)), j
     yield from piled_up(p, i)
+
+
+def counted_pile(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "a tower of two 3 cm cubes, white on black": which of the counted blocks lies on which."""
+    blocks = base.members
+    if base.kind != "stack" or base.plural or not isinstance(blocks, Noun) or blocks.amount is None:
+        return
+    plain = replace(blocks.traits, edge=None, size=None) == Traits() and not blocks.part_of and not blocks.conditions
+    for order, end in one_on_another(p, p.any_of(k, (",", ":", ", with"))) if plain and p.stands(k, (",", ":")) else ():
+        items = [replace(x, traits=replace(x.traits, edge=x.traits.edge or blocks.traits.edge)) for x in order.items
+                 if isinstance(x, Noun)]  # fmt: skip
+        if blocks.amount.low == blocks.amount.high == len(items):
+            told = replace(order, items=tuple(items))
+            yield replace(base, members=None, details=(*base.details, told), span=p.span(i, end)), end
 
 
 _ON_IT = ("on it", "on top of it", "on that", "on top of that", "above it", "above that", "over it", "on this")

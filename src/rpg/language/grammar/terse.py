@@ -176,10 +176,27 @@ def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
         if bare or not isinstance(theme, Noun | Structure | Coord) or getattr(theme, "op", "and") == "except":
             continue
         for region, k in named(p, p.opt(j, ":", ",")):
+            if p.words[k - 1] in _BARE_SIDES and _end_of_line(p, i, j, theme):
+                continue
             if k >= p.end or p.words[k] in (",", ";", "and"):
                 verb = "build" if isinstance(theme, Structure) else "be"
                 place = In(region=region, span=p.span(j, k))
                 yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=3), k
+
+
+_BARE_SIDES = frozenset({"left", "right", "front", "back"})
+
+
+def _end_of_line(p: Parser, i: int, j: int, theme: Meaning) -> bool:
+    """ "a row of red, white and blue, red left": an end of the line, and no side of the table."""
+    if not isinstance(theme, Structure) and p.anywhere(_LINES):
+        return True
+    words = p.words[i:j]
+    commas = [n for n, word in enumerate(words) if word == ","]
+    return "and" in words and bool(commas) and commas[-1] > words.index("and")
+
+
+_LINES = frozenset({"row", "line"})
 
 
 @rule

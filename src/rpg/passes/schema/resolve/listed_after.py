@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import (
+    Amount,
     Chain,
     Clause,
+    Coord,
     Into,
     Loc,
     Meaning,
@@ -68,6 +71,8 @@ def filled(last: Clause, said: Clause) -> Clause | None:
         return None
     if _gaps_of_it(said) and _one_line(last):
         return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
+    if (told := _rainbow(last, said)) is not None:
+        return told
     items = next((a.items for a in said.adjuncts if isinstance(a, OrderBy) and a.by == "given" and a.items), ())
     listed = said.verb == "arrange" and said.theme is None and said.mode == "goal"
     if not listed or not items or any(not isinstance(a, OrderBy | Toward) for a in said.adjuncts):
@@ -79,6 +84,21 @@ def filled(last: Clause, said: Clause) -> Clause | None:
     if told or not _unlooked(shape) or _many(shape) not in (None, len(items)):
         return None
     return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
+
+
+def _rainbow(last: Clause, said: Clause) -> Clause | None:
+    """ "Make a rainbow! Red, orange, yellow, green in a line": in its order."""
+    shape, listed = last.theme, said.theme
+    bare = isinstance(shape, Structure) and shape == Structure(kind="gradient", det=shape.det, amount=shape.amount,
+                                                               span=shape.span)  # fmt: skip
+    items = listed.items if isinstance(listed, Coord) and listed.op == "and" else (listed,)
+    colors = [c for x in items if isinstance(x, Noun) and x.amount in (None, Amount(1, 1)) for c in x.traits.colors]
+    lines = [a for a in said.adjuncts if isinstance(a, Into) and getattr(a.structure, "kind", "") in _LINES]
+    if not bare or last.adjuncts or len(colors) < max(3, len(items)) or not set(colors) <= set(RAINBOW):
+        return None
+    if len(lines) != 1 or any(not isinstance(a, Into | Toward) for a in said.adjuncts):
+        return None
+    return replace(said, adjuncts=(*said.adjuncts, OrderBy(by="rainbow", span=last.span)))
 
 
 def _gaps_of_it(said: Clause) -> bool:

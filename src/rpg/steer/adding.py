@@ -259,7 +259,12 @@ def _belongs(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         k = longest(p, k, "now | instead | rather") or k
         for where, end in place(p, k) if k and not fresh(theme) else ():
             stop = given_up(p, end)
-            if isinstance(where, r.Spot) or stop > end or _GIVING_WAY.intersection(p.words[i:end]):
+            if (
+                isinstance(theme, m.Structure)
+                or isinstance(where, r.Spot)
+                or stop > end
+                or _GIVING_WAY.intersection(p.words[i:end])
+            ):
                 yield r.Move(theme=theme, place=where, span=p.span(i, stop), cost=1), stop
 
 

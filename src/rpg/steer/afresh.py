@@ -82,6 +82,14 @@ def only_a_number(request: str) -> bool:
 _ALL = re.compile(r"^\W*(?:(?:and|now|also|then|but)\s+)*(?:each|every|all|both|none|no)\b", re.IGNORECASE)
 
 
+_NAMED = re.compile(r"^\W*(?:(?:just|only|now|then|and|rather)\s+)*(?:a|an|one)\s", re.IGNORECASE)
+
+
+def only_named(request: str) -> bool:
+    """Whether a request only names something: "a rectangle of six"."""
+    return bool(_NAMED.match(request) or _NUMBER.match(request))
+
+
 def of_all(request: str) -> bool:
     """Whether a request begins with "every", "all", "both": of what is there, rather than of blocks it would bring."""
     return bool(_ALL.match(request))
@@ -123,6 +131,8 @@ def extended(
 ) -> None:
     """Read the words of `request` from `begin` on as one more sentence about the task, and take over what they add."""
     only_known(draft, request, begin)
+    if _APART.search(request):
+        raise Refusal([_vague(begin, len(request))])
     said = _by_name(draft, request[begin:].strip(" ,;"))
     known = describe(draft.schema)
     whole = f"{known} {said[:1].upper()}{said[1:]}"
@@ -147,6 +157,13 @@ def _says_nothing(before: TaskSchema | None, after: TaskSchema) -> bool:
         return False
     same = before.assets == after.assets and before.init == after.init
     return same and _bare(before.goal) == _bare(after.goal)
+
+
+_APART = re.compile(
+    r"\b(?:take|taken|pull|pulled|break|broken)\b.*\b(?:apart|down|up)\b|\b(?:unstack|dismantle|disassemble)",
+    re.IGNORECASE,
+)
+"""What is built is to be built no more: nothing that a sentence could add to the task."""
 
 
 _THE_BLOCK = re.compile(r"^\W*(?:\w+\W+){0,6}?the (?:block|cube|one|box|brick)\b", re.IGNORECASE)
@@ -233,6 +250,21 @@ def mentions_known(draft: Draft, request: str) -> bool:
     """Whether a sentence says "the ..." of anything that the task has."""
     known = any(exists(draft.view, noun) for named in _definite(request, 0) for noun in named)
     return known or names_structure(draft, request)
+
+
+def speaks_of_kinds(draft: Draft, request: str) -> bool:
+    """Whether a sentence says "the letters", "all digits", "the vowels" of some that the task has."""
+    p = Parser(tokenize(request)[0])
+    for i in range(p.end):
+        if p.words[i] in ("the", "all", "every", "each", "both", "these"):
+            named = [noun for noun, _ in noun_phrase(p, i) if isinstance(noun, m.Noun) and _of_a_kind(noun.traits)]
+            if any(_there(draft, noun) for noun in named):
+                return True
+    return False
+
+
+def _of_a_kind(traits: m.Traits) -> bool:
+    return bool(traits.kind or traits.quality) and not traits.labels and not traits.colors
 
 
 def _structures(request: str) -> Iterator[m.Structure]:

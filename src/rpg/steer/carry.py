@@ -20,7 +20,7 @@ from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
 from rpg.steer.operations.move import move
 from rpg.steer.operations.order import group, reorder
-from rpg.steer.operations.parties import new_tower, told_apart
+from rpg.steer.operations.parties import new_tower, so_many, told_apart
 from rpg.steer.operations.parts import drop_part, part
 from rpg.steer.operations.remove import remove
 from rpg.steer.operations.reshape import reshape
@@ -29,12 +29,13 @@ from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.starts import begin
 from rpg.steer.operations.symbols import carry_on, equate, other_word
 from rpg.steer.operations.terse import bound, bring, more, pile_up, shift, tint
-from rpg.steer.operations.trading import trade
+from rpg.steer.operations.trading import trade, trade_colors
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.operations.vary import climb, closer, copies, divide, enough, some, turn
-from rpg.steer.parties import NewTower
+from rpg.steer.parties import NewTower, SoManyTowers
 from rpg.steer.parts import DropPart, Part
 from rpg.steer.refer import resolve
+from rpg.steer.replacing import TradeColors
 from rpg.steer.starts import Begin
 from rpg.steer.symbols import Continue, Equate, Respell
 from rpg.steer.terse import Bound, Bring, More, PileUp, Shift, Tint
@@ -61,6 +62,8 @@ OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Climb: climb,
     r.Turn: turn,
     NewTower: new_tower,
+    SoManyTowers: so_many,
+    TradeColors: trade_colors,
     Part: part,
     DropPart: drop_part,
     Equate: equate,

@@ -76,7 +76,10 @@ def becomes(p: Parser, i: int, n: int, theme: m.Meaning | None, cost: int = 0) -
     for how, k in _scale(p, n):
         yield r.Restyle(theme=theme, scale=how, span=p.span(i, k), cost=cost), k
     start = p.opt(n, "all", "both", "each")
+    of_some = isinstance(theme, m.Pronoun) and theme.word in _DETERMINERS
     for marks, k in adjectives(p, start):
+        if of_some and {"kind", "colors"} <= set(marks):
+            continue
         if marks and not set(marks) & (_NO_LOOKS if _patch(theme) else _NO_LOOKS | _OF_PATCHES):
             styled = r.Restyle(theme=theme, traits=m.Traits(**marks), span=p.span(i, k), cost=cost)
             yield styled, k
@@ -137,6 +140,10 @@ def _mere_number(phrase: m.Meaning) -> bool:
 def _sized(traits: m.Traits) -> bool:
     """Phrases such as "5 cm cubes": blocks by their size alone."""
     return traits == m.Traits(edge=traits.edge, size=traits.size) and bool(traits.edge or traits.size)
+
+
+_DETERMINERS = frozenset({"all", "both", "each", "these", "those"})
+"""Words that belong to what follows them: "make all letters blue" is about the letters alone."""
 
 
 _NO_LOOKS = frozenset({"rank", "extra", "target", "matching", "empty"})

@@ -10,7 +10,7 @@ from rpg.steer.amounts import recount
 from rpg.steer.changing import arrange, change, paint, resize
 from rpg.steer.elliptic import elliptic
 from rpg.steer.grouping import group, mixture, outliers
-from rpg.steer.language import Parser, Results, longest, phrases, rule
+from rpg.steer.language import Parser, Results, colors, count, lexicon, longest, phrases, rule
 from rpg.steer.parties import parties
 from rpg.steer.parts import parts
 from rpg.steer.replacing import instead, keep, replace_with, trade
@@ -37,10 +37,16 @@ def request(p: Parser, i: int) -> Results[r.Request]:
     """One request, with the small words around it."""
     starts = [skip(p, i)]
     if p.words[starts[0] - 1] == "no":
-        starts.append(starts[0] - 1)
+        starts = [starts[0] - 1] if _bare(p, starts[0]) else [starts[0], starts[0] - 1]
     for j in starts:
         for found, k in _request(p, j):
             yield found, tail(p, k)
+
+
+def _bare(p: Parser, i: int) -> bool:
+    """Whether "no" speaks of what comes right behind it: "no red please"."""
+    block = i < p.end and p.lex(i, lexicon.BLOCK) is not None
+    return block or any(True for _ in colors(p, i)) or any(True for _ in count(p, i))
 
 
 def skip(p: Parser, i: int) -> int:

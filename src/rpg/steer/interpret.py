@@ -25,7 +25,9 @@ from rpg.steer.afresh import (
     names_structure,
     of_all,
     only_known,
+    only_named,
     reused,
+    speaks_of_kinds,
     speaks_of_parts,
 )
 from rpg.steer.backrefs import Reference
@@ -298,7 +300,7 @@ def _standalone(request: str, history: History, read: Reader) -> Interpretation:
     """An instruction of its own; one that names some of the task's blocks must not name others that it lacks."""
     draft = Draft(history.current.schema, history.current.focus)
     only_known(draft, request, 0)
-    if names_structure(draft, request) or _SAME.search(request):
+    if names_structure(draft, request) or _SAME.search(request) or speaks_of_kinds(draft, request):
         raise _not_understood(request, None, (), True)
     found = _whole(request, by_itself(request), 0, history, read, "PIVOT")
     not_half(request, found.task.goal, history)
@@ -317,7 +319,9 @@ def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
     looks = [look(block) for block in found.task.blocks]
     there = [look(block) for block in old.blocks]
     fewer = Counter(map(repr, looks)) < Counter(map(repr, there))
+    unsaid = any(text.startswith("the colours of the blocks are not said") for text in found.task.assumptions)
     made_up = of_all(found.request) and any("not said" in text for text in found.task.assumptions)
+    made_up = made_up or (unsaid and only_named(found.request) and by_itself(found.request) == found.request)
     if made_up or fewer or (counted and all(each in there for each in looks) and len(looks) != len(there)):
         message = "this may be about the blocks that are there, or about others"
         hint = "say 'the red blocks', or how many there should be"

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, lexicon, longest, m
+from rpg.steer.language import Parser, count, lexicon, longest, m, phrases
 from rpg.steer.phrases import fresh, labelled, things
 
 
@@ -16,6 +16,32 @@ class NewTower(r.Request):
 
     theme: m.Meaning
     ordinal: int | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SoManyTowers(r.Request):
+    """So many towers like those that there are. `only`: fewer of them, not others of the same blocks."""
+
+    amount: int
+    only: bool = False
+
+
+_MANY = phrases(
+    "make that | make it | make them | only | just | use only | with only | build only | make only | have only | "
+    "now with | use just | only build | we need only | i only need | i need only | only have"
+)
+
+
+def _so_many(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "only two towers", "make that three towers"."""
+    lead = longest(p, i, _MANY) or i
+    skipped = i > 0 and p.words[i - 1] in ("only", "just")
+    for n, j in count(p, lead):
+        k = p.one(j, frozenset({"towers", "stacks"}))
+        end = longest(p, k, "only | will do | are enough | is enough | suffice | instead | like that | of them") or k
+        only = skipped or bool({"only", "just"} & set(p.words[i:lead])) or (end > k and p.words[k] != "instead")
+        if k and (lead > i or end > k or skipped):
+            yield SoManyTowers(amount=n, only=only, span=p.span(i, end)), end
 
 
 _LEADS = (
@@ -28,6 +54,7 @@ _KINDS = frozenset({"tower", "stack", "towers", "stacks"})
 
 def parties(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Every such request."""
+    yield from _so_many(p, i)
     lead = longest(p, i, _LEADS) or i
     for theme, j in things(p, lead):
         if fresh(theme) or labelled(theme):

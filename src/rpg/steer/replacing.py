@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TypeGuard
 
 from rpg.core.diagnostics import Span
@@ -162,9 +162,36 @@ _TRADING = phrases(
 )
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TradeColors(r.Request):
+    """The two colours of the blocks (or of the patches) change over."""
+
+    patches: bool = False
+
+
+_COLORS = phrases(
+    "swap the colors | swap the two colors | exchange the colors | switch the colors | swap colors | exchange the two "
+    "colors | switch the two colors | flip the colors | invert the colors | interchange the colors | swap both colors"
+)
+_OF_ALL = tuple(
+    f"of the {two} {noun}".replace("  ", " ")
+    for two in ("", "two", "three", "four")
+    for noun in ("blocks", "cubes", "layers", "rows", "columns", "towers", "stacks", "groups", "piles", "letters")
+)
+_OF_PATCHES = phrases("of the patches | of the two patches | of the mats | of the two mats | of the zones")
+
+
+def _traded_colors(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
+    """Phrases such as "swap the colours of the two layers"."""
+    if j := longest(p, i, _COLORS):
+        end = longest(p, j, _OF_PATCHES)
+        yield TradeColors(patches=bool(end), span=p.span(i, end or j)), end or longest(p, j, _OF_ALL) or j
+
+
 def trade(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "swap the red and the blue block", "switch the red one with the blue one"."""
     yield from _change_places(p, i)
+    yield from _traded_colors(p, i)
     for phrase in TRADE:
         j = p.seq(i, phrase)
         if not j:

@@ -43,11 +43,17 @@ _ENDS_UP = re.compile(
 )
 
 
+_ENDED = re.compile(
+    rf"[,:]\s*(?:with )?(?P<who>[\w\s]+?) (?:is |goes |now )?(?P<where>{'|'.join(_ENDS)})\s*[.!]*$", re.IGNORECASE
+)
+_TURNS = re.compile(r"^\W*(?:swap|switch|exchange|reverse|flip|turn|invert|interchange)\b", re.IGNORECASE)
+
+
 def divided(request: str) -> tuple[str, int] | None:
     """The request before what it says again, and where that begins."""
     if found := _READS.search(request):
         return request[: found.start()], found.start("text")
-    if found := _ENDS_UP.search(request):
+    if found := _ENDS_UP.search(request) or (_TURNS.match(request) and _ENDED.search(request)) or None:
         return request[: found.start()], found.start("who")
     before, colon, after = request.partition(":")
     if not colon or not before.strip() or not after.strip() or _pairs(after, 0) is None:
@@ -65,7 +71,7 @@ def check(request: str, begin: int, task: TaskSchema) -> None:
         if not any(_reads(part) == text for part in conjuncts(task.goal)):
             raise _not_so(found.span("text"))
         return
-    if found := _ENDS_UP.search(request):
+    if found := _ENDS_UP.search(request) or (_TURNS.match(request) and _ENDED.search(request)) or None:
         if not _at_end(found["who"], _ENDS[found["where"].lower()], view):
             raise _not_so((found.start("who"), found.end("where")))
         return

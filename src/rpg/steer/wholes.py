@@ -128,7 +128,8 @@ def _check_described(view: View, phrase: m.Structure, found: Found) -> None:
     if size is not None and phrase.kind in ("stack", "row", "column", "circle") and size.low != len(found.names):
         told = f"it has {len(found.names)} blocks, not {size.low}"
         raise Refusal([diagnostic("no-such-object", phrase.span, told, "say how many it has, or leave that out")])
-    for traits in (phrase.traits, members.traits if members is not None else m.Traits()):
+    one = members is not None and members.det == "the" and not members.plural
+    for traits in (phrase.traits, members.traits if members is not None and not one else m.Traits()):
         fits = [matches(view, name, traits) for name in found.names if name in view.world.blocks]
         if sum(fits) * 2 > len(fits) and traits.colors and not traits.labels:
             continue

@@ -8,6 +8,7 @@ from rpg.steer import requests as r
 from rpg.steer.changing import becomes
 from rpg.steer.language import Parser, adjectives, colors, label_list, longest, m, phrases
 from rpg.steer.phrases import old, subjects
+from rpg.steer.places import given_up, place
 
 _WANTS = phrases(
     "i would rather have | i would rather see | i would rather | i would like | i would prefer | i prefer | i want | "
@@ -15,6 +16,7 @@ _WANTS = phrases(
     "i want to see | i want to have | let me have | let me see | show me | what if | how about | what about"
 )
 _AUXILIARIES = frozenset({"can", "could", "may", "might", "should", "must", "shall", "will", "would"})
+_GO = phrases("go | move | come | sit | stand | be | be put | be placed | be moved | rather be | go back")
 _LINKS = phrases("to be | to become | be | become | turn | in | as | was | were | is | are")
 
 
@@ -31,6 +33,12 @@ def _question(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
         n = longest(p, k, "be | become | turn | turn into | both be | all be | instead be | maybe be")
         if n and old(theme):
             yield from becomes(p, i, n, theme, cost=1)
+        goes = longest(
+            p, k, "go | move | come | sit | stand | be | be put | be placed | be moved | rather be | go back"
+        )
+        for where, end in place(p, goes) if goes and old(theme) else ():
+            end = given_up(p, end)
+            yield r.Move(theme=theme, place=where, span=p.span(i, end), cost=1), end
 
 
 def _wanted(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:

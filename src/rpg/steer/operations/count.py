@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
+from rpg.blocks.predicates.order import SORTED
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -173,8 +174,9 @@ def _by_turns(draft: Draft, line: Line, wanted: int, request: r.Recount) -> bool
 
 
 def join_line(draft: Draft, line: Line, name: str, span: Span) -> None:
-    """One more block in a line: anywhere where its order is free, else at its end."""
-    if isinstance(line.node, Stack | Row) and line.node.order.by == "any" and not line.ordered:
+    """One more block in a line: anywhere where its order is free, where a sorted one has it, else at its end."""
+    free = isinstance(line.node, Stack | Row) and line.node.order.by == "any" and not line.ordered
+    if free or (isinstance(line.node, Stack | Row) and line.node.order.by in SORTED):
         draft.do(SetField(at=line.path, field="blocks", value=(*line.members, name)), span)
     else:
         insert(draft, line, len(line.members), name, span)

@@ -11,6 +11,7 @@ from rpg.ir.edits import AddCondition, SetGoal
 from rpg.ir.node import Lowest, members
 from rpg.ir.relations import Beside, Directional, InRegion, OnPatch
 from rpg.ir.shrink import close, without
+from rpg.ir.structures import GroupBy
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
@@ -30,6 +31,7 @@ def move(draft: Draft, request: r.Move) -> None:
     found = resolve(draft.view, request.theme)
     names = found.names
     request = replace(request, place=_beside_as_now(draft, there(draft, request.place), names))
+    request = replace(request, place=_by_the_other(draft, request.place, found))
     near = getattr(request.place, "landmark", None) or getattr(request.place, "whole", None)
     if near is not None and exists(draft.view, near) and set(resolve(draft.view, near).names) <= set(names):
         told, hint = "a block cannot be moved next to itself", "name another block"
@@ -43,7 +45,12 @@ def move(draft: Draft, request: r.Move) -> None:
             draft.aim("EXTEND")
             stand_on(draft, found.line, patch, request.span)
             return
-        if found.figure is not None:
+        together = _stays_together(draft, names, request.place)
+        if together and line is not None:
+            draft.aim("EXTEND")
+            stand_on(draft, line, patch, request.span)
+            return
+        if found.figure is not None or together:
             draft.aim("EXTEND")
             draft.do(AddCondition(goal=OnPatch(a=names, patch=patch)), request.span)
             return
@@ -55,6 +62,9 @@ def move(draft: Draft, request: r.Move) -> None:
         raise draft.refusal("edit-unclear", told, request.span, hint)
     if found.whole and not isinstance(request.place, r.Spot):
         _whole_elsewhere(draft, found, request)
+        return
+    if _stays_together(draft, names, request.place):
+        _whole_elsewhere(draft, Found(names, line), request)
         return
     draft.aim("MODIFY")
     other = isinstance(near, m.Structure) and not set(names) <= set(resolve(draft.view, near).names)
@@ -69,6 +79,16 @@ def move(draft: Draft, request: r.Move) -> None:
     _give_way(draft, names, request, _without(anchor, names))
 
 
+def _stays_together(draft: Draft, names: Sequence[str], place: r.Place) -> bool:
+    """Whether blocks that are named one by one form all of a tower, a row or a group, and go elsewhere as that."""
+    landmark = getattr(place, "landmark", None)
+    if len(names) < 2 or isinstance(place, r.Spot) or isinstance(landmark, m.TableTop):
+        return False
+    parties = [line.members for line in draft.view.lines if line.node is not None]
+    parties += [group for f in draft.view.figures if isinstance(f.node, GroupBy) for group in f.node.groups]
+    return any(set(party) == set(names) for party in parties)
+
+
 def _beside_in_line(draft: Draft, line: Line, names: Sequence[str], request: r.Move, anchor: Found) -> bool:
     """Whether blocks go to another place of their row, told by one that stays in it: "shift A to the right of C"."""
     rel = request.place.rel if isinstance(request.place, m.Loc) and not request.place.negated else ""
@@ -80,6 +100,27 @@ def _beside_in_line(draft: Draft, line: Line, names: Sequence[str], request: r.M
     put_in_order(draft, line, [*rest[:index], *names, *rest[index:]], request.span)
     draft.look_at(tuple(names))
     return True
+
+
+def _by_the_other(draft: Draft, place: r.Place, found: Found) -> r.Place:
+    """What "the other one" means where a tower or a row is spoken of: the only other one that there is."""
+    landmark = getattr(place, "landmark", None)
+    other_one = isinstance(landmark, m.Pronoun) and landmark.word in ("the other one", "the other")
+    other_one = other_one or (isinstance(landmark, m.Structure) and landmark.det == "other")
+    if not isinstance(place, m.Loc) or landmark is None or not other_one or found.line is None:
+        return place
+    others = [line for line in draft.view.lines if line.kind == found.line.kind and line != found.line]
+    if len(others) != 1:
+        return place
+    world, other = draft.view.world, others[0]
+    model = next((n for n in other.members if sum(world.look[n] == world.look[b] for b in world.blocks) == 1), None)
+    if model is None:
+        return place
+    symbol = symbol_of(world, model)
+    traits = m.Traits(labels=(symbol,)) if symbol else m.Traits(colors=(world.assets[model].color,))
+    held = m.Noun(head="block", det="the", traits=traits, span=landmark.span)
+    kind = "stack" if other.kind == "tower" else other.kind
+    return replace(place, landmark=m.Structure(kind=kind, det="the", members=held, span=landmark.span))
 
 
 def _beside_as_now(draft: Draft, place: r.Place, names: Sequence[str]) -> r.Place:

@@ -68,9 +68,9 @@ def _swap_two(draft: Draft, named: tuple[str, ...], span: Span) -> None:
     two = named or (draft.view.busy if len(draft.view.busy) == 2 else draft.view.focus)
     if len(two) != 2:
         raise draft.refusal("ambiguous-object", "this could be any two blocks", span, "name the two blocks")
-    before = draft.schema.goal
+    before, looks = draft.schema.goal, draft.view.world.look
     permute(draft, {two[0]: two[1], two[1]: two[0]}, span)
-    if draft.schema.goal == before:
+    if draft.schema.goal == before or looks.get(two[0]) == looks.get(two[1], ()):
         raise draft.refusal("nothing-to-do", "the goal does not tell these blocks apart", span)
     draft.aim("MODIFY")
     draft.look_at(tuple(two))

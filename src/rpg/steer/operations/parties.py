@@ -13,7 +13,7 @@ from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
 from rpg.steer.operations.make import named, new_assets
-from rpg.steer.parties import NewTower
+from rpg.steer.parties import NewTower, SoManyTowers
 from rpg.steer.view import Shape
 
 
@@ -55,6 +55,34 @@ def _tower(draft: Draft, figure: Shape, names: tuple[str, ...], request: NewTowe
         told, hint = f"each tower here is of one {node.each}", "say blocks that agree in it"
         raise draft.refusal("edit-unclear", told, request.span, hint)
     draft.do(ChangeCondition(at=figure.path, to=node.model_copy(update=update)), request.span)
+
+
+def so_many(draft: Draft, request: SoManyTowers) -> None:
+    """More or fewer of the towers that there are, all of one height and of blocks that look alike."""
+    figure = next((f for f in draft.view.figures if isinstance(f.node, Towers)), None)
+    node = figure.node if figure is not None else None
+    heights = set(node.heights or ()) if isinstance(node, Towers) else set()
+    if figure is None or not isinstance(node, Towers) or node.heights is None or len(heights) != 1:
+        told, hint = "the task has no towers of one height that there could be more or fewer of", "say the towers again"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
+    alike = len({draft.view.world.look[name] for name in node.blocks}) == 1
+    there, each = len(node.heights), heights.pop()
+    other = request.amount != there and len(node.blocks) % request.amount == 0 and not request.only
+    if not alike or node.each is not None or request.amount < 2 or (other and len(node.blocks) // request.amount > 1):
+        told = "this may be fewer of the towers that there are, or other towers of the same blocks"
+        raise draft.refusal("edit-unclear", told, request.span, "give the whole instruction")
+    if request.amount == there:
+        raise draft.refusal("nothing-to-do", f"there are {there} already", request.span)
+    draft.aim("TWEAK")
+    draft.note("count", {"amount": request.amount})
+    blocks = _as_many(draft, list(node.blocks), request.amount * each)
+    gone = [name for name in node.blocks if name not in blocks]
+    update: dict[str, object] = {"blocks": tuple(blocks), "heights": (each,) * request.amount}
+    if node.count is not None:
+        update["count"] = request.amount
+    draft.do(ChangeCondition(at=figure.path, to=node.model_copy(update=update)), request.span)
+    for name in gone:
+        draft.do(RemoveAsset(name=name), request.span)
 
 
 def raised(draft: Draft, figure: Shape, request: r.Recount) -> bool:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.core.diagnostics import Refusal
 from rpg.ir import goal as g
 from rpg.ir.edits import ChangeCondition, DropCondition, Path, SetGoal
@@ -18,7 +20,7 @@ from rpg.steer.operations.relate import relation
 from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.vary import some
-from rpg.steer.refer import resolve
+from rpg.steer.refer import exists, resolve
 from rpg.steer.terse import Bound, Bring, More, PileUp, Shift, Tint
 
 
@@ -83,10 +85,28 @@ def _counted(node: g.Goal) -> g.Count | None:
 def bring(draft: Draft, request: Bring) -> None:
     """A new block that was named like one that is there; where the task has such a block, that one would be meant."""
     there = [name for name in draft.view.world.blocks if matches(draft.view, name, request.theme.traits)]
+    near = getattr(request.place, "landmark", None)
+    if there and isinstance(near, m.Noun) and near.det == "bare" and not exists(draft.view, near):
+        _bring_other(draft, request, near)
+        return
     if there:
         told, hint = "the task has such a block", "say 'another ...' for one more, or 'move the ...'"
         raise draft.refusal("ambiguous-object", told, request.theme.span, hint)
     add(draft, r.Add(theme=request.theme, places=(request.place,), span=request.span))
+
+
+_BACK = {"left": "right", "right": "left", "front": "behind", "behind": "front", "beside": "beside"}
+
+
+def _bring_other(draft: Draft, request: Bring, near: m.Noun) -> None:
+    """Phrases such as "blue left of white", where the task has a blue block alone: a white one comes to its right."""
+    place = request.place
+    if not isinstance(place, m.Loc) or place.rel not in _BACK or place.negated or near.head == "patch" or near.plural:
+        told, hint = "the task does not have both of these", "say 'a white block' for one that is to be added"
+        raise draft.refusal("ambiguous-object", told, near.span, hint)
+    there = replace(place, rel=_BACK[place.rel], landmark=replace(request.theme, det="the", amount=None))
+    new = replace(near, det="a", amount=m.Amount(1, 1))
+    add(draft, r.Add(theme=new, places=(there,), span=request.span))
 
 
 def more(draft: Draft, request: More) -> None:

@@ -8,9 +8,11 @@ from rpg.core.diagnostics import Span
 from rpg.ir.structures import Equation, Row, Spells, Stack
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
+from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.lines import pin
 from rpg.steer.operations.order import permute, put_in_order
 from rpg.steer.refer import resolve
+from rpg.steer.replacing import TradeColors
 from rpg.steer.view import Line
 
 
@@ -60,3 +62,28 @@ def trade(draft: Draft, request: r.Trade) -> None:
     draft.aim("MODIFY")
     draft.note("swap", [list(a), list(b)])
     draft.look_at((*a, *b))
+
+
+def trade_colors(draft: Draft, request: TradeColors) -> None:
+    """What had one of two colours gets the other; two single blocks take each other's places."""
+    world = draft.view.world
+    names = tuple(world.patches) if request.patches else draft.view.busy
+    colors = list(dict.fromkeys(world.assets[name].color for name in names))
+    if len(colors) != 2:
+        told, hint = f"there are {len(colors)} colours", "say which two: swap red and blue"
+        raise draft.refusal("ambiguous-object", told, request.span, hint)
+    draft.aim("MODIFY")
+    draft.note("swap", colors)
+    if len(names) == 2 and not request.patches:
+        before = draft.schema.goal
+        permute(draft, {names[0]: names[1], names[1]: names[0]}, request.span)
+        if draft.schema.goal == before:
+            raise draft.refusal("nothing-to-do", "the goal does not tell these blocks apart", request.span)
+        draft.look_at(names)
+        return
+    other = {colors[0]: colors[1], colors[1]: colors[0]}
+    exchange(
+        draft,
+        {name: world.assets[name].model_copy(update={"color": other[world.assets[name].color]}) for name in names},
+        request.span,
+    )

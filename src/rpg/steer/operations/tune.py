@@ -135,6 +135,10 @@ _SIDE_BY_SIDE = (rel.Directional, rel.Near, rel.Beside, rel.Adjacent)
 
 def _gaps(draft: Draft, request: r.Loosen, only: g.Goal | None = None) -> bool:
     done = False
+    kinds = {type(atom) for _, atom in draft.view.atoms}
+    if only is None and rel.Apart in kinds and kinds & {rel.Near, rel.Beside, rel.Adjacent}:
+        mixed = "some blocks are to be close and others far apart"
+        raise draft.refusal("edit-unclear", mixed, request.span, "say which blocks, and how far apart")
     for path, atom in draft.view.atoms:
         if only is not None and atom != only:
             continue

@@ -204,7 +204,19 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
     shape = item.theme if isinstance(item, Clause) else None
     if listed and isinstance(shape, Structure) and shape.det == "bare":  # "a staircase of red, blue and green steps"
         return True
+    if _other_side(p, k, previous, item):
+        return True
     return previous.lemma == "tally" and _of_the_list(p, j, k, item)
+
+
+def _other_side(p: Parser, k: int, previous: Clause, item: Meaning) -> bool:
+    """ "red is left of blue and green right": right of it, or on the right of the table?"""
+    sides = [a for a in previous.adjuncts if isinstance(a, Loc) and a.rel in _SIDES and a.landmark is not None]
+    bare = isinstance(item, Clause) and item.cost == 3 and len(item.adjuncts) == 1 and isinstance(item.adjuncts[0], In)
+    return bool(sides) and bare and p.words[k - 1] in _SIDES
+
+
+_SIDES = frozenset({"left", "right", "front", "behind", "back"})
 
 
 def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:

@@ -342,20 +342,28 @@ def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Result
     """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B"."""
     from rpg.language.grammar.nouns import noun_phrase, simple
 
-    whole = len(items) == 1 and universal(items[0])
+    whole = len(items) == 1 and universal(items[0]) and (op := _but(items[0])) is not None
     if whole and p.words[comma : comma + 1] == ["but"] and p.words[comma + 1] not in ("not", "only", "first"):
-        nothing = isinstance(items[0], Pronoun) and items[0].word == "nothing"
         for item, j in noun_phrase(p, p.reach(comma + 1)):
             if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in ("the", "all")):
-                yield Coord(op="only" if nothing else "except", items=(*items, item), span=p.span(i, j)), j
+                yield Coord(op=str(op), items=(*items, item), span=p.span(i, j)), j
     if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
         for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
             closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
             if p.words[comma] == "apart" and _of_another_kind(items[0], item):
                 continue
-            yield from (
-                (Coord(op="except", items=(*items, item), span=p.span(i, j)), e) for e in {j: None, closed: None}
-            )
+            if (op := _but(items[0])) is not None:
+                yield from ((Coord(op=op, items=(*items, item), span=p.span(i, j)), e) for e in {j: None, closed: None})
+
+
+def _but(whole: Meaning) -> str | None:
+    """ "All but red" are the others; "nothing but red", "no block except red" is red alone. None: "no A except B"."""
+    if isinstance(whole, Pronoun) and whole.word == "nothing":
+        return "only"
+    if not isinstance(whole, Noun) or whole.det != "no":
+        return "except"
+    plain = whole.traits == Traits() and whole.head == "block" and whole.part_of is None
+    return "only" if plain else None
 
 
 def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:

@@ -34,7 +34,8 @@ def outside(p: Parser, i: int) -> Results[Meaning]:
     for mark, k in simple(p, j):
         patch = isinstance(mark, Noun) and mark.head == "patch"
         if patch or (isinstance(mark, Pronoun) and mark.word in ("it", "them", "there")):
-            yield Loc(rel="off", landmark=mark, span=p.span(i, k)), k
+            mods = () if patch else ("outside",)
+            yield Loc(rel="off", landmark=mark, mods=mods, span=p.span(i, k)), k
     for region, k in named_regions(p, p.opt(j, "the")):
         yield In(region=region, negated=True, span=p.span(i, k)), k
 

@@ -50,6 +50,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
             goals = [conj(goals, clause.span)]
         if link == "and" and _restacked(stages[-1], goals, scene):
             link = "then"
+        _no_exception(clause, link)
         if link == "or" and not (goals and (stages[-1] or starts)):
             raise refuse("ambiguous", "it is not clear what 'or' leaves open here", clause.span, "say 'and'")
         if starts and clause.verb != "exist":
@@ -59,6 +60,14 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if both:
             stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
+
+
+def _no_exception(clause: Clause, link: str) -> None:
+    """Refuse "red is on blue or on green, not on the table": is the last said of one of the two, or of both?"""
+    spots = [a for a in clause.adjuncts if isinstance(a, Loc | In)]
+    if link == "or" and not clause.negated and {a.negated for a in spots} == {False, True}:
+        raise refuse("ambiguous", "it is not clear whether this is said of both alternatives", spots[-1].span,
+                     "say it in a sentence of its own")  # fmt: skip
 
 
 def _told_of_the_end(chain: Chain) -> Chain:

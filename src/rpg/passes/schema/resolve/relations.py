@@ -220,10 +220,11 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if theme.everything and theme.quant is not None and mark.patch and loc.rel in ("on", "above", "in"):
         return [r.Empty(patch=p, span=span) for p in mark.names]
     if mark.op == "except":
-        raise refuse(
-            "misplaced", "'except' does not fit a place", loc.span, "say 'all blocks except ...' where they are named"
-        )
+        hint = "say 'all blocks except ...' where they are named"
+        raise refuse("misplaced", "'except' does not fit a place", loc.span, hint)
     _check_self(theme, mark, loc)
+    if "outside" in loc.mods and not mark.patch and not any(b.kind == "stack" for b in mark.built):
+        raise refuse("misplaced", "this is no patch that something could be out of", loc.span, "say 'not next to ...'")
     if loc.rel == "off" and "leaving" in loc.mods:
         _begins_on(theme, mark, scene, span)
     if theme.op == "only":
@@ -374,12 +375,8 @@ def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
 def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     patches = mark.names
     if "side" in loc.mods:
-        raise refuse(
-            "ambiguous",
-            f"the {loc.rel} side of a patch could be a part of it or the table beside it",
-            loc.span,
-            f"say 'on the patch' or 'to the {loc.rel} of the patch'",
-        )
+        told = f"the {loc.rel} side of a patch could be a part of it or the table beside it"
+        raise refuse("ambiguous", told, loc.span, f"say 'on the patch' or 'to the {loc.rel} of the patch'")
     if loc.rel == "off":
         return [
             spread(

@@ -93,10 +93,29 @@ def _remade(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | N
             again = Structure(kind=theme.kind, span=theme.span)
             spec.intos.append(Into(structure=again, span=theme.span))
     known = _known_already(clause, scene)
+    if (line := _lined_already(clause, spec, scene, scope)) is not None:
+        return line
     if isinstance(theme, Structure) and spec.intos and (known or clause.lemma in ("turn into", "alphabetize")):
         there = refer(theme, scene, scope if known else replace(scope, start=True, given=True))
         return arrange_blocks(Ref(names=there.names, plural=True), "arrange", spec, scene, scope, clause.span)
     return None
+
+
+def _lined_already(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """ "Stack each colour. The towers stand in a row", "... form a row": of the towers, and never of all blocks."""
+    towers, line = clause.theme, spec.intos[0].structure if len(spec.intos) == 1 else None
+    if clause.lemma == "form" and len(spec.usings) == 1:
+        towers, line = spec.usings[0].members, clause.theme
+    if not isinstance(towers, Structure) or towers.kind != "stack" or not towers.plural or clause.negated:
+        return None
+    if not isinstance(line, Structure) or line.kind not in ("row", "line") or line.plural or line.members is not None:
+        return None
+    told = line.details or line.sizes or spec.orders or spec.ats or spec.absolutes
+    if told or clause.lemma == "turn into" or not _spoken_of(towers, clause, scene):
+        return None
+    spec.intos, spec.usings = [], []
+    there = refer(towers, scene, scope)
+    return [line_of(list(there.built), scene, clause.span), *places(there, spec, scene, scope, clause.span)]
 
 
 def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:

@@ -93,6 +93,8 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if shape.filled is False and shape.kind in _MASSIVE:
         raise refuse("unsupported-structure", f"a {shape.kind} has no hole here", shape.span, "say 'an outline square'")
     if shape.kind == "again":
+        if not scene.built and any(m.clause < scene.clause for m in scene.mentions):
+            raise refuse("no-referent", "it is not said in which other one", shape.span, "name the place")
         shape = replace(shape, kind=scene.built[-1].kind if scene.built else "pile")
     if shape.kind not in ("stack", "pile", "again") and any(p.unit == "stack" and p.different for p in spec.patterns):
         raise refuse(

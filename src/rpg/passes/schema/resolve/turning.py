@@ -53,6 +53,8 @@ def _stayed(theme: Ref, span: Span) -> g.Goal:
         raise refuse("fixed-patch", "patches and the table never move", theme.span, "name blocks")
     if not theme.names:
         raise refuse("no-referent", "there is no such block", theme.span)
+    if theme.op == "only":
+        raise refuse("ambiguous", "it is not said what becomes of the others", theme.span, "say where they should be")
     if theme.quant is not None or theme.mixed:
         return spread(theme, lambda a: r.Stayed(a=a, span=span), span, together=True)
     return r.Stayed(a=theme.names, span=span)

@@ -28,6 +28,7 @@ FEW = 2
 """Numbers up to this are said in passing ("the two towers", "no two of them") and are not asked for."""
 LENGTHS = ("at_least", "distance")
 """Fields of goals that are said as often as not; of other fields only values that are not the default are."""
+PATCHES = frozenset({"patch", "patches", "mat", "mats"})
 SIGNS = "+*/="
 """Signs of arithmetic; in a list of symbols they are nothing else, but for the minus, which may be a dash."""
 ALWAYS_FOUR = ("corners", "sides", "edges")
@@ -80,6 +81,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         if token.kind == "sign" and listed and token.word in SIGNS and token.word not in shown:
             return token
         if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms):
+            return token
+        if token.word in PATCHES and not task.patches:
             return token
         if token.word == "while" and _meanwhile(words, index):
             return token

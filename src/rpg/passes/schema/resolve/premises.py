@@ -17,19 +17,8 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
     """Premises hold at the start; what is asserted at the end too; blocks other than those alone moved stay put."""
     kept: list[g.Goal] = []
     scene.clause += 1
-    premises, scene.premises = scene.premises, []
-    for premise in premises:
-        if not isinstance(premise, Premise) or not isinstance(premise.condition, Loc | In):
-            continue
-        theme = Ref(names=premise.names, span=premise.span)
-        if isinstance(getattr(premise.condition, "landmark", None), Coord):
-            raise refuse("ambiguous", "it is not clear which block is where", premise.span, "say it of each block")
-        facts = place(theme, premise.condition, scene, Scope(start=True), premise.span)
-        facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
-        if "asserted" in getattr(premise.condition, "mods", ()):
-            kept += facts
-        else:
-            scene.start_goals += [f for f in facts if f not in scene.start_goals]
+    while scene.premises:
+        kept += _facts(scene.premises.pop(0), scene)
     for span in scene.held.values():
         raise refuse("no-goal", "a block that is held has no place at the end", span, "say where to put it down")
     for alone in scene.exclusive:
@@ -41,6 +30,21 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
     if still:
         kept.append(r.Stayed(a=still))
     return conj([goal, *kept]) if kept else goal
+
+
+def _facts(premise: object, scene: Scene) -> list[g.Goal]:
+    """What a premise says of the end; what it says of the start is noted. Its landmark may have one of its own."""
+    if not isinstance(premise, Premise) or not isinstance(premise.condition, Loc | In):
+        return []
+    theme = Ref(names=premise.names, span=premise.span)
+    if isinstance(getattr(premise.condition, "landmark", None), Coord):
+        raise refuse("ambiguous", "it is not clear which block is where", premise.span, "say it of each block")
+    facts = place(theme, premise.condition, scene, Scope(start=True), premise.span)
+    facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
+    if "asserted" in getattr(premise.condition, "mods", ()):
+        return facts
+    scene.start_goals += [f for f in facts if f not in scene.start_goals]
+    return []
 
 
 __all__ = ["clash", "keep_premises", "required"]

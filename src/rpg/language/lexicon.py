@@ -65,7 +65,7 @@ STRUCTURES = {
     "circle": "circle ring loop",
     "plus": "plus cross",
     "pile": "pile heap jumble bunch cluster group bundle clump",
-    "word": "word name",
+    "word": "word name acronym abbreviation",
     "equation": "equation sum formula multiplication addition subtraction division calculation product",
     "set": "set collection bunch_of",
 }
@@ -121,7 +121,7 @@ DOUBLED = {
 }  # fmt: skip
 POSTURES = (
     "is are be being been was were sits sit sitting stands stand standing rests rest resting lies lie lying "
-    "stays stay stayed staying remains remain remained remaining seen shown visible "
+    "lay lays laying stays stay stayed staying remains remain remained remaining seen shown visible "
     "come comes coming serve serves ends end goes go located positioned placed put found situated ending resides "
     "reside belong belongs live lives appear appears hidden act acts finish finishes finished"
 )

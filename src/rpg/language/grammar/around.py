@@ -11,6 +11,7 @@ from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meani
 _IS = ("is", "are", "should be", "must be", "has to be", "shall be", "is to be", "being", "be", "needs to be")
 _FLANKED = ("flanked on both sides by", "flanked by", "flanked left and right by", "flanked on either side by",
             "flanked on each side by", "flanked on the left and right by", "flanked with")  # fmt: skip
+_FLANK = ("flank", "should flank", "must flank", "are flanking", "are to flank", "have to flank", "enclose", "frame")
 _BOTH_SIDES = ("on both sides", "on either side", "on each side", "left and right", "on the left and on the right")
 _SURROUNDED = ("surrounded by", "encircled by", "surrounded on all sides by", "surrounded on all four sides by",
                "enclosed by", "ringed by")  # fmt: skip
@@ -57,7 +58,7 @@ def surrounded(p: Parser, i: int) -> Results[Meaning]:
 
 
 _MARKS = frozenset({"around", "round", "surrounded", "encircled", "enclosed", "ringed", "flanked", "sides", "side",
-                    "surrounding"})  # fmt: skip
+                    "surrounding", "flank", "flanking", "enclose"})  # fmt: skip
 
 
 _COMMANDS = ("put", "place", "have", "set", "lay", "i want", "we want", "there is", "there are", "arrange", "build",
@@ -82,6 +83,10 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
                 yield from _plus(p, i, four, hub, ring)
             if end := p.any_of(k, _AROUND):
                 yield from _shaped(p, i, end, hub, ring)
+    for sides, j in _two_at(p, begin):
+        flanks = p.any_of(j, _FLANK)
+        for hub, k in _hubs(p, flanks) if flanks else ():
+            yield _between(p, i, k, hub, sides), k
     ringed = p.any_of(begin, ("a ring of", "a circle of"))
     for ring, j in _rings_at(p, ringed or begin):
         mark = p.any_of(j, ("around", "all around", "round", "surrounding"))
@@ -114,10 +119,14 @@ def _rings_at(p: Parser, i: int) -> Results[Noun]:
 
 
 def _two(p: Parser, i: int) -> Results[Meaning]:
+    yield from _two_at(p, i) if i else ()
+
+
+def _two_at(p: Parser, i: int) -> Results[Meaning]:
     """Two blocks: "a black block (on both sides)", "two black ones", "red and blue"."""
     from rpg.language.grammar.nouns import noun_phrase
 
-    for sides, j in noun_phrase(p, i) if i else ():
+    for sides, j in noun_phrase(p, i):
         if isinstance(sides, Coord) and sides.op == "and" and len(sides.items) == 2:
             if all(isinstance(x, Noun) and not x.plural and x.amount in (None, _ONE) for x in sides.items):
                 yield sides, j

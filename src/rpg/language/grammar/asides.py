@@ -16,7 +16,7 @@ from rpg.language.tokens import Token
 _ANYWHERE = (
     "once upon a time", "as a result", "long story short", "in short", "as discussed", "as agreed", "as requested",
     "to sum up", "in summary", "pretty please", "as promised", "as usual", "as mentioned", "as planned",
-    "um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh", "yeah", "yep", "yup", "lol", "haha",
+    "all in all", "um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh", "yeah", "yep", "yup", "lol", "haha",
     "cheers", "thx", "ty", "tx", "thanks", "thanks a lot", "thanks so much", "thanks in advance", "many thanks",
     "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
     "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",

@@ -368,6 +368,8 @@ def _link(p: Parser, i: int) -> Results[str]:
     elif k := p.any_of(j, _ALSO):
         both = p.opt(k, "also", "both")
         yield "and", both
+        if p.words[k] == "that" and p.rarely(_TELLING):
+            yield "and", k + 1
         if both > k and p.words[k] == "both":
             yield "and", k
         if p.words[k : k + 1] == [","]:
@@ -376,6 +378,8 @@ def _link(p: Parser, i: int) -> Results[str]:
         yield "and", j
 
 
+_TELLING = frozenset({"see", "sees", "shows", "show", "want", "sure", "expect", "means", "such", "so", "when", "is"})
+"""What has several clauses with "that" behind it."""
 _ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also", "while", "but also", "but",
     "as well as", "also", "whereas", "&",
          "yet", "although", "though")  # fmt: skip

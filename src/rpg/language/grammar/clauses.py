@@ -21,6 +21,7 @@ from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.offsets import centering
 from rpg.language.grammar.piled import piled
+from rpg.language.grammar.slots import Classes, Rows
 from rpg.language.grammar.spare import spare
 from rpg.language.grammar.standby import leads
 from rpg.language.grammar.states import state
@@ -174,10 +175,20 @@ _NO_PLACE = frozenset({"there", "besides", "apart", "aside"})
 """What a place in front of its clause does not begin with: "apart from the red block there are two blue ones"."""
 
 
+_IT_IS = Rows(
+    Classes({}),
+    "it|this|that|here is|are|was",
+    "it must|should|shall|has|have|needs|will|would to? be|stand|lie|exist|stay|become",
+)
+"""What a text may begin with before anything is there that "it" could be."""
+
+
 def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     """Positions after the polite and framing words at i, with what they leave open."""
     found = [(i, "any")]
-    seen = {i}
+    if i == 0 and p.words[0] in _IT_IS.begun and p.char(0, 0) == 0:
+        found += [(j, "end") for j in _IT_IS.matches(p, 0)]
+    seen = {j for j, _ in found}
     for start, mode in found:
         for table, kind in (
             (FRAMES, "end"),
@@ -213,6 +224,9 @@ _AGENTS = (
     "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i",
 )  # fmt: skip
 """Who does something in the indicative: "the robot puts ..." asks for it."""
+_DOERS = ("somebody", "someone", "the robot", "the robot arm", "the arm", "the machine", "they", "people", "a child",
+          "the child", "the children", "the kids", "the gripper", "some child")  # fmt: skip
+"""Who has done something: what is told of it is so then."""
 
 
 @rule
@@ -231,6 +245,10 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
     if k := p.any_of(i, _AGENTS):
         for found, end in verb_phrase(p, k, ("base", "s")):
             if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
+                yield replace(found, cost=found.cost + 1), end
+    if (k := p.any_of(i, _DOERS)) and (k := p.one(k, frozenset({"has", "have"}))):
+        for found, end in verb_phrase(p, k, ("past",)):
+            if found.adjuncts or found.verb != "place":
                 yield replace(found, cost=found.cost + 1), end
     if p.follows(i, ("by", "about", "mind", "of", "having")):
         yield from verb_phrase(p, i, ("ing",))

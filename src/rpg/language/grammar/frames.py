@@ -113,6 +113,20 @@ START_FRAMES = Phrases(
     "from a start with", "from a state where", "starting from a state where",
 )  # fmt: skip
 FIRST = Phrases(
+    *(
+        f"{lead}{many} {steps} :"
+        for lead in ("", "in ", "do it in ", "the ")
+        for many in ("two", "three", "four", "2", "3", "4")
+        for steps in ("steps", "stages", "phases", "moves", "parts", "actions")
+    ),
+    *(
+        f"as {the} first {step}{end}"
+        for the in ("the", "a", "your", "our")
+        for step in ("step", "stage", "thing", "action", "move")
+        for end in ("", " ,", " :")
+    ),
+    "in this order :", "in the following order :", "in this order ,", "in the following order ,", "this is the order :",
+    "the order is :", "the order of events :", "the order of events is :",
     "start by", "begin by", "phase 1 :", "stage 1 :", "phase one :", "stage one :",
     "step 1 :", "step 2 :", "step 3 :", "step 4 :", "step 4", "step one :", "step two :",
     "first things first", "first things first :", "first things first ,", "to start ,", "to start with ,",

@@ -22,7 +22,7 @@ _CLASSES = Classes(
         ),
         "just": ("just|only|also|simply|always|now|still|then|clearly|basically|again|really|indeed",),
         "see": (
-            "see|sees|saw|seeing|notice|notices|observe|observes|recognize|recognizes|spot|spots|discover|discovers",
+            "see|sees|seeing|notice|notices|observe|observes|recognize|recognizes|spot|spots|discover|discovers",
             "behold|perceive|perceives|view|views|make_out|makes_out|look_at|looks_at|looking_at|be_looking_at",
             "be_shown|get_to_see|gets_to_see|be_seeing",
         ),
@@ -32,6 +32,7 @@ _CLASSES = Classes(
             "envision|envisage|prefer|expect|expects|require|visualize|visualise|mean|describe|love|have_in_mind",
             "has_in_mind|had_in_mind|am_after|are_after|am_looking_for|are_looking_for|am_thinking_of|dream_of|think_of",
             "thought_of|drew|draw|took|take|made|painted|sketched|photographed|am_describing|am_imagining|am_picturing",
+            "ask_for|asks_for|ask|demand|demands|care_about|care_for",
         ),
         "kind": (
             "final|finished|end|target|goal|desired|wanted|imagined|completed|complete|whole|resulting|mental|expected",
@@ -45,6 +46,7 @@ _CLASSES = Classes(
             "final|finished|completed|complete|whole|resulting|desired|wanted|end "
             "thing|product|work|construction|model|build|structure|creation",
         ),
+        "anyone": ("<person>", f"{PEOPLE}|mommy|mummy|mum|daddy|granny|grandma|grandpa|auntie|she|he"),
         "surface": ("table|desk|workspace|tabletop|work_surface",),
         "whose": (
             "in|inside my|our|your|the mind|head|imagination|dreams|thoughts",
@@ -56,6 +58,8 @@ _CLASSES = Classes(
             "to be reached|built|made|seen|achieved",
             "to build|make|reach|achieve|aim_for|produce",
             "of|for|from the|this|my|our|your? task|job|table|game|goal|blocks|scene|desk|puzzle",
+            "of <work>",
+            "that|which? was|were|is|has_been taken|made|drawn|shot|painted by_me|yesterday|today? <time>?",
             "for you|me|us|the_robot|today",
             "here|below|above|attached|on_the_wall|on_the_card|on_my_desk|on_the_box|in_the_book|in_the_manual",
             "<time>",
@@ -80,18 +84,25 @@ _CLASSES = Classes(
             "on|upon completion",
             "at the finish|close",
             "as a|an|the final|end|overall result|outcome",
-            "<when> <work>|<worker> <have> <over>",
+            "<when> <work>|<worker> <have> <over> <work>|its_work|its_job|their_work|their_job|with_it_all?",
             "<when> <worker> finish|finishes|stop|stops|end|ends <work>|working|building?",
             "<when> <work> ends|end|finishes|finish|stops",
             "when|once all is? said_and_done",
             "when|if|as <person> look|looks|am_looking|are_looking|is_looking at|upon <pictured>|<table>",
+            "if|when|provided everything|all|it|things|the_work <went> <well>",
+            "if|when|provided|once <worker> <did> <well>",
             "<when> done|finished|completed|finishing|completing|ready",
             "after the|your|all_the|all work|job|building",
             "in|for the|a finished|final|end|completed|target|goal|desired|wanted "
             "state|version|form|scene|picture|situation|arrangement|layout|configuration|setup|result",
             "at|by quitting|closing|bed|finishing time",
         ),
-        "where": ("<time>", "finally|eventually|ultimately|lastly|at_last|at_long_last", "in|on <pictured>"),
+        "where": (
+            "<time>",
+            "at|in|by|on end|finish",
+            "finally|eventually|ultimately|lastly|at_last|at_long_last",
+            "in|on <pictured>",
+        ),
         "break": (",|:|that|…",),
         "is": ("is|are|was|were|would_be|will_be|should_be|must_be|shall_be|has_to_be|'s|be|is_to_be|is_just",),
         "this": (
@@ -105,11 +116,20 @@ _CLASSES = Classes(
         "so": (
             "exactly|just|precisely|more_or_less|roughly|something? "
             "like_this|as_follows|like_so|this_way|like_that|thus|like_the_following",
+            "as|like in|on <pictured>",
         ),
+        "fine": (
+            "great|nice|good|lovely|wonderful|perfect|cool|fine|fun|enough|ideal|right|correct|the_best|sufficient",
+        ),
+        "well": ("well|right|fine|correctly|correct|perfectly|properly|as_planned|according_to_plan|smoothly|out",),
+        "went": ("go|goes|went|is|works|worked|is_done|was_done|has_gone",),
+        "did": ("did|do|does|have_done|has_done|worked|works it|everything|all|this|the_task|the_job|your_job?",),
+        "thing": ("what|all|everything|the_thing|the_only_thing that|which?",),
+        "wanted": ("wanted|needed|required|desired|requested|asked_for|expected|wished_for|sought|planned|intended",),
         "shows": ("show|shows|showing|depict|depicts|display|displays|present|presents|feature|features|portrays",),
         "has": ("have|has|contain|contains|consist_of|consists_of|include|includes|is_made_of|comprises",),
         "how": ("exactly|precisely|just|basically|roughly? how|what|the_way",),
-        "of": ("of|showing|with|in_which|where|that_shows|which_shows|:|, :?",),
+        "of": ("of|showing|with|in_which|on_which|where|that_shows|which_shows|:|, :?",),
         "here": ("here|there|this|that|it is|comes|follows|are|was|will_be|would_be|should_be|must_be",),
         "told": ("<how> <person>|it|things|everything|all|<table>|<pictured> <may>? <want>|<see>|<get>|<looks>",),
         "wished": ("like|to_see|to_have|it|things",),
@@ -117,11 +137,16 @@ _CLASSES = Classes(
 )
 _FRAME = (
     "<where> ,|:? <where>? ,|:?",
-    "<where>? ,? <person> <just>? <may>? <just>? <see> <just>? <where>* <break>*",
+    "<where>? ,? on? <table>? ,? <person> <just>? <may>? <just>? <see> <just>? <this>? on_the_table? <where>* <break>*",
+    "on <table> ,? <person> <may>? <get> <where>* <break>*",
+    "<where>? ,? <anyone> drew|draws|has_drawn|painted|has_painted|sketched|imagines|describes|dreams_of|photographed "
+    "<break>*",
+    "<person> <may>? <want> <table>|<pictured>|it|everything|things to? look|be|appear like|as <break>*",
+    "<where>? ,? <table>|<pictured>|everything <just>? <may>? <just>? look|looks like|as <break>*",
     "<where> ,? <person> <just>? <may> <just>? <get> <just>? <where>* <break>*",
     "<where>? ,? <person> <may>? <want> <just>? to_see|to_have|to_get|to_find <where>* <break>*",
     "<where> ,? <person> <may>? <want> <just>? <where>* <break>*",
-    "<where>? ,? what|all|everything|the_thing|the_only_thing <person> <just>? <may>? <just>? <see>|<get>|<want> "
+    "<where>? ,? <thing> <person> <just>? <may>? <just>? <see>|<get>|<want> "
     "to_see|to_have|to_get|to_find|to_end_up_with|seen? <where>* ,|:? <is>? <this>? <break>*",
     "<where>? ,? what is|can_be|could_be|should_be|must_be|has_to_be|will_be|remains|stays|results|stands|lies "
     "to_be|then? seen|shown|left|there|visible|left_over|left_behind|standing|present|to_see|on_the_table|wanted? "
@@ -132,6 +157,25 @@ _FRAME = (
     "<where>? ,? <table> <just>? <may> <just>? <has> <this>? <where>* <break>*",
     "<where>? ,? <pictured> ,? <just>? <may>? <just>? <has>|<is> <this>? <where>* <break>*",
     "<pictured> :",
+    "there <may>|is|are|has_to be? seen|found|shown|visible|observed <where>* <break>*",
+    "<where>? ,? <person> <may>? look|looks|looking|glance at|upon|on <table>|<pictured>|it from_the_front|"
+    "from_above|from_here? and|, <person>? <see> "
+    "<where>* <break>*",
+    "looking at|upon|on <table>|<pictured> ,? <person> <may>? <see> <where>* <break>*",
+    "before us|me|you|my_eyes|our_eyes is|are|lies|lie|stands|stand|we_see|i_see|you_see|one_sees|there_is|there_are",
+    "<where>? ,? <table>|<person> <may>? end|ends|end_up|ends_up|finish|finishes|be_left|are_left with <break>*",
+    "<person> <did> <well> if|when|once|as_soon_as",
+    "<kind>* solution|answer|end_state|requirement|deliverable :|,",
+    "to be? built|made|seen|done|shown|achieved|reached|see|build|achieve|produce|find <where>* :",
+    "<wanted> is|are|: <where>* :?",
+    "have|take|let_us_have|let_us_take a look|glance|peek|good_look at this|the_following|it|<pictured> :|,",
+    "imagine|think_of|picture <pictured>|this|the_following? :|,?",
+    "<pictured> was|is|has_been taken|made|drawn|shot|painted <where>* <break>*",
+    "here|there|below|now? <person> <just>? <may>? <see> <told> <wished>? <where>* <break>*",
+    "<anyone> <may>? have|has|had|am|is|are|'ve? looking_at|holding|look_at|looks_at|got|took|taken|made|drew|"
+    "drawn|have|has|sent|showed|shows|show|painted|seen|see|sees|find|found me|us? <pictured> <of>",
+    "<where>? ,? it|everything|things|the_story|the_whole_thing|<work> all? <just>? <may>? end|ends|finish|finishes|"
+    "conclude|concludes with|by_having",
     "<here> <told> <wished>? <where>* <break>*",
     "<here> <pictured> <of>",
     "imagine|visualize|visualise|envision|envisage|think_of|consider|conjure_up|look_at|recreate|reproduce|give_me|make|"
@@ -159,6 +203,13 @@ _POINTING = (
 _CLOSING = (
     "that|this|which|so|and_that|and_this? is|'s|would_be <told> <wished>? <where>*",
     "that|this|which is|'s <pictured> <where>*",
+    "that|this|which|so|and_that? is|'s|would_be <how> <pictured>|<table> <may>? <shows>|<looks>|<has> <where>*",
+    "is|are|would_be|will_be exactly|just|really? all|what|everything that? <person> <just>? <may>? <want>|<see>|<get> "
+    "to_see|to_have? <where>*",
+    "that|this|it|which? would|will|shall be very|really|just|so? <fine>",
+    "that|this|it|which? would|will make me|us|everybody|everyone|the_children very|really|so? happy|glad|proud",
+    "and? that|this is|'s exactly? the|my|our|a <kind>* tower|stack|row|line|column|grid|figure|shape|word|pyramid|"
+    "circle|square|structure|thing|task|job|building that? <person> <may>? <want>|<see>|<get> <where>*",
     "as|like in|on|shown_in|seen_in|you_see_in|you_can_see_in|i_see_in <pictured>",
     "and? that|this is|'s|was|would_be the|my|our|a? <kind>* <scene>|all|it|everything",
 )

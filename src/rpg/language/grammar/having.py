@@ -23,6 +23,7 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
+    Into,
     Loc,
     Meaning,
     Noun,
@@ -242,6 +243,8 @@ def _on_it(part: Meaning) -> Meaning:
 
 
 def with_more(theme: Meaning | None, found: tuple[Meaning, ...]) -> bool:
-    """ "a red block with a blue one on it"."""
+    """ "a red block with a blue one on it", "three red blocks in a row"."""
+    if isinstance(theme, Noun) and any(isinstance(a, Into) for a in found):
+        return True
     beside = any(isinstance(a, Absolute) or (isinstance(a, Coord) and a.op == "absolutes") for a in found)
     return beside and isinstance(theme, Noun)

@@ -206,7 +206,7 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
         yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
 
 
-def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord | Noun]:
+def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord | Noun | Structure]:
     """Lists that go on from `items`; with commas only ("red, blue, green") they cost a little."""
     from rpg.language.grammar.nouns import simple
 
@@ -338,10 +338,19 @@ def _of_another_kind(whole: Meaning, out: Meaning) -> bool:
     return any(a and b and a != b for a, b in told)
 
 
-def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord]:
+_NO_MORE = ("and nothing else", "nothing else", "and nothing more", "nothing more", "and no other blocks",
+            "and nothing besides", "and that is all", "but nothing else")  # fmt: skip
+"""Behind a structure: no block is there anyway that is not called for."""
+
+
+def _except(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord | Structure]:
     """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B"."""
     from rpg.language.grammar.nouns import noun_phrase, simple
 
+    shape = items[0] if len(items) == 1 else None
+    alone = p.any_of(comma, _NO_MORE) if isinstance(shape, Structure) else 0
+    if isinstance(shape, Structure) and alone and (alone >= p.end or p.words[alone] in (",", ";", ":")):
+        yield shape, alone
     whole = len(items) == 1 and universal(items[0]) and (op := _but(items[0])) is not None
     if whole and p.words[comma : comma + 1] == ["but"] and p.words[comma + 1] not in ("not", "only", "first"):
         for item, j in noun_phrase(p, p.reach(comma + 1)):

@@ -43,6 +43,7 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
             yield from _shown(p, j)
         namely = comma > i and p.words[i + 1 : i + 3] == ["that", "is"]
         if j := p.one(that, frozenset({"is", "are"})) if not namely else 0:
+            j = p.opt(j, "all", "both", "each") if j else j
             for marks, k in adjectives(p, j):
                 if marks and head in ("block", "any", "patch"):
                     yield Traits(**marks), k

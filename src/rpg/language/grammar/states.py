@@ -15,6 +15,7 @@ from rpg.language.grammar.labels import digits_of, label_list, literal
 from rpg.language.grammar.manners import direction, manner
 from rpg.language.grammar.nouns import noun_phrase
 from rpg.language.grammar.retold import none_of, one_heap
+from rpg.language.grammar.slots import Classes, Rows
 from rpg.language.grammar.starts import STARTS, starts_as
 from rpg.language.grammar.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.meaning import (
@@ -56,6 +57,24 @@ _BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come"})
 _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
 
 
+_PLACES = Classes(
+    {
+        "place": (
+            "final|own|new|right|proper|correct|permanent|last|usual|end? "
+            "place|position|spot|location|home|seat|destination|resting_place",
+        ),
+        "its": ("its|their|a|the|his|her",),
+    }
+)
+_HAS_PLACE = Rows(
+    _PLACES,
+    "have|has|get|gets|find|finds|take|takes|has_found|have_found|has_got|takes_up|keeps <its> <place>",
+    "'s <place> is|should_be|must_be|will_be|shall_be|has_to_be",
+)
+"""Where something is, by the place that it has."""
+_PLACE_OF = Rows(_PLACES, "the <place> of|for")
+
+
 @rule
 def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
@@ -64,7 +83,8 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
     asked = p.one(barred or i, _ASKING) or (p.one(i, _DOES) if p.follows(i, ("that", "then")) else 0)
     if barred and not asked:
         return
-    for theme, j in noun_phrase(p, inverted or asked or i):
+    placed = max(_PLACE_OF.matches(p, i), default=0)
+    for theme, j in noun_phrase(p, inverted or asked or placed or i):
         j = past(p, p.opt(j, "all", "each", "both", "then"))
         j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
         k, words = _auxiliaries(p, j)
@@ -163,9 +183,15 @@ def _passive(p: Parser, j: int) -> bool:
     return p.words[j] in ("become", "becomes") and p.words[j + 1].endswith("ed") and p.words[j + 1] in lexicon.VERB
 
 
+_LASTLY = frozenset({"finally", "eventually", "ultimately"})
+_ORDERED = frozenset({"first", "then", "before", "after", "next", "second", "firstly"})
+"""Beside these "finally" tells a step, and not how it is in the end."""
+
+
 def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     words: set[str] = set()
-    while j < p.end and (p.words[j] in _MODALS | _FILLERS | _NOT or _passive(p, j)):
+    last = _LASTLY if p.all.isdisjoint(_ORDERED) else frozenset[str]()
+    while j < p.end and (p.words[j] in _MODALS | _FILLERS | _NOT | last or _passive(p, j)):
         if p.words[j] in words & _NOT:
             break
         if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
@@ -182,6 +208,9 @@ def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
 def _predicate_after_be(
     p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool
 ) -> list[tuple[Meaning, int]]:
+    had = k - 1 if p.follows(k, _HAVE) else k
+    if end := max(_HAS_PLACE.matches(p, had), default=0):
+        return list(_predicate(p, i, end, theme, mode, negated))
     if j := p.one(k, _BE):
         if p.words[k] in ("was", "were") and _UNREAL.isdisjoint(p.words[:i]):
             mode = "start"

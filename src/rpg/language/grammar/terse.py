@@ -16,6 +16,8 @@ from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.orders import order
 from rpg.language.grammar.parted import parted
 from rpg.language.grammar.regions import named, named_regions
+from rpg.language.grammar.slots import Classes, Rows
+from rpg.language.grammar.wishes import PEOPLE
 from rpg.language.meaning import (
     Amount,
     Clause,
@@ -36,14 +38,29 @@ from rpg.language.meaning import (
     Using,
 )
 
-_READ = tuple(
-    f"{who} {word}"
-    for who in ("you can read", "i can read", "one can read", "we can read", "you should read", "one should read",
-                "make it say", "make it read", "let it say", "let it read", "make it spell", "it should say",
-                "it must say", "it says", "it reads", "i want to read", "we want to read", "it should read", "you read",
-                "show", "show me", "display")
-    for word in ("", "the word", "the name", "the number", "the year")
-)  # fmt: skip
+_READ = Rows(
+    Classes(
+        {
+            "person": (
+                "you|we|i|one|people|somebody|someone|anyone|everybody|everyone|they",
+                f"the|my|our|your? little|young|other? viewer|camera|observer|spectators|{PEOPLE}",
+            ),
+            "may": (
+                "can|could|should|must|shall|will|may|has_to|have_to|want_to|wants_to|would_like_to|would_love_to|need_to",
+                "should|must|shall|will be able_to",
+                "am|is|are to|able_to|supposed_to",
+            ),
+            "what": (
+                "the? word|name|number|year|text|inscription|acronym|abbreviation|term|equation|sum|formula|letters",
+                "that",
+            ),
+        }
+    ),
+    "<person> <may>? then|there|finally? read|see_written|find_written <what>?",
+    "make|let|have it|them|the_table|the_row|the_blocks|the_letters say|read|spell <what>?",
+    "it|they <may>? say|says|read|reads|spell <what>?",
+    "show|display me|us? <what>?",
+)
 """What a word follows that is to be there at the end."""
 _SPELT = (
     *(
@@ -216,7 +233,8 @@ def _place_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
 @choice
 def _spelt(p: Parser, i: int) -> Results[Meaning]:
     """A word, and that it is spelt."""
-    if (k := p.any_of(i, _READ)) and (read := literal(p, k) or digits_of(p, k)) is not None and len(read) > 1:
+    k = max(_READ.matches(p, i), default=0)
+    if k and (read := literal(p, k) or digits_of(p, k)) is not None and len(read) > 1:
         word = Structure(kind="word", det="the", letter=read, span=p.span(k, k + 1))
         it = Pronoun(word="it", span=p.span(i, k))
         using = (Using(members=it, span=it.span),) if "it" in p.words[i:k] else ()

@@ -131,6 +131,8 @@ COMMAND_WISHES = Patterns(
     "would|could|are|will you be? so? willing|able|prepared|ready|happy|good|nice|generous enough? to",
     "would|is it be? too? much|bold|rude to_ask_you|to_ask_for_you|if_i_asked_you|if_we_asked_you|to_expect_you to",
     "please you",
+    "the_robot|the_arm|the_agent|the_machine|the_gripper|you|we|i is|are|am also|now|just? "
+    "supposed|meant|expected|asked|requested|required|told|instructed|programmed|going|about to",
     "clean|tidy|sort up|out :|,",
     "a|the? sequential|final|main|first|simple|small|multi_step|two_step|step_by_step? task|job|exercise|goal :",
     "how|what about",
@@ -276,6 +278,7 @@ STATE_WISHES = Patterns(
     "end|final|desired|goal|target state|result|picture|layout|scene|arrangement|outcome "
     "wanted|desired|required|needed :",
     "arrange|see_to_it for",
+    "please? make|do|see|arrange|care|manage|achieve|cause|provide|take_care|look|act it? so? that",
     "success|done|finished|win|victory|completion means? that? :",
     "what should|must|has_to|will come_out|result|be_there|be_seen|stand_there|appear in_the_end|at_the_end? is|:",
     f"the|our|my end|final|desired|target|goal? {_RESULT} "

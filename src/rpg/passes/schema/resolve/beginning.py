@@ -44,7 +44,10 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
     commands = [n for n, chain in enumerate(chains) if _commands(chain) or (bold and not _facts(chain))]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
-    told = [x or (n < max(undone, default=0) and _facts(chains[n])) for n, x in enumerate(told)]
+    told = [
+        x or (n < max(undone, default=0) and (_facts(chains[n]) or _looked_at(chains, n, text)))
+        for n, x in enumerate(told)
+    ]
     told = [x or _moved_next(chains[n : n + 2]) for n, x in enumerate(told)]
     chains = tuple(_heap_first(chain, chains[n + 1 : n + 2]) for n, chain in enumerate(chains))
     ordered = [n for n, chain in enumerate(chains) if _ordered(chain)]
@@ -53,12 +56,15 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
         for n, chain in enumerate(chains)
         if n < max(ordered, default=0) and (_heaped(chain) or _heap_for(chain, chains[n + 1]))
     ]
+    heaped += [n for n in range(max(ordered, default=0)) if _presented(chains, n, text)]
     heaped += _going_on(chains, final)
     found = []
     for n, chain in enumerate(chains):
         if n in heaped or (told[n] and any(m > n for m in (*commands, *undone))):
             clauses = tuple(
-                c if _tally(c) else replace(c, mode="start") for c in chain.clauses if isinstance(c, Clause)
+                c if _tally(c) else replace(c, mode="given" if c.verb == "exist" else "start")
+                for c in chain.clauses
+                if isinstance(c, Clause)
             )
             chain = replace(chain, clauses=clauses)
         found.append(chain)
@@ -155,6 +161,22 @@ def _there_is(clause: Meaning) -> TypeGuard[Clause]:
     """ "there is ...", with nothing but places."""
     said = isinstance(clause, Clause) and clause.verb == "exist" and clause.mode == "given" and not clause.lemma
     return said and isinstance(clause, Clause) and all(isinstance(a, Loc | In) for a in clause.adjuncts)
+
+
+def _looked_at(chains: tuple[Chain, ...], n: int, text: str) -> bool:
+    """ "I see a red block on a blue one. Swap them.": what is seen is so at the start where it is to be changed."""
+    before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
+    plain = _ASKED.search(before) is None and _SEEN.search(before) is not None and not _END.search(before)
+    return plain and all(isinstance(c, Clause) and _describes(c, text, True) for c in chains[n].clauses)
+
+
+_HERE = re.compile(r"\W*(?:it|this|that|here)(?: is|\'s| are)\W*", re.IGNORECASE)
+
+
+def _presented(chains: tuple[Chain, ...], n: int, text: str) -> bool:
+    """ "This is a tower of three red blocks. Put a blue block on it.": it is there before anything is done."""
+    before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
+    return _HERE.fullmatch(before) is not None and not any(_tally(c) for c in chains[n].clauses)
 
 
 def _undoes(chain: Chain) -> bool:

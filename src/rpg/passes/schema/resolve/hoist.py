@@ -30,7 +30,7 @@ from rpg.passes.schema.resolve.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.listed_after import filled, shapes_pictured
 from rpg.passes.schema.resolve.one_each import plainly
 from rpg.passes.schema.resolve.overs import in_one_tower
-from rpg.passes.schema.resolve.told_towers import one_more_tower, side_by_side, told_towers
+from rpg.passes.schema.resolve.told_towers import one_more_tower, other_side, side_by_side, told_towers
 from rpg.passes.schema.resolve.world import refuse
 
 _VERBS = ("stack", "arrange")
@@ -47,6 +47,8 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 kept.append((link, said))
                 continue
             said = drawn(plainly(said))
+            if link != "then" and other_side(found, said):
+                continue
             said = as_a_grid(said)
             if parts := in_a_line(said):
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]

@@ -58,6 +58,30 @@ def side_by_side(clause: Clause) -> Clause | None:
     return None
 
 
+def other_side(found: Kept, clause: Clause) -> bool:
+    """ "On the left there is a tower of two, on the right a tower of three": the second stands beside the first."""
+    last = next((kept for kept in reversed(found) if kept), None)
+    first = last[-1][1] if last is not None else None
+    if last is None or not isinstance(first, Clause) or not (_on_a_side(first) and _on_a_side(clause)):
+        return False
+    assert first.theme is not None and clause.theme is not None
+    parts = tuple(Absolute(theme=c.theme, adjuncts=c.adjuncts, span=c.span) for c in (first, clause) if c.theme)
+    both = Coord(op="absolutes", items=parts, span=first.span)
+    built = side_by_side(replace(first, verb="part", lemma="", theme=None, adjuncts=(both,)))
+    if built is not None:
+        last[-1] = (last[-1][0], built)
+    return built is not None
+
+
+def _on_a_side(clause: Clause) -> bool:
+    """Whether a clause builds something that stands on a side of nothing that it names."""
+    shape = clause.theme
+    new = isinstance(shape, Structure) and shape.det in ("a", "bare") and not shape.plural
+    place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    told = (clause.verb, clause.mode, clause.negated) == ("build", "goal", False)
+    return new and told and isinstance(place, At) and place.index is None and place.whole is None
+
+
 def _parts(clause: Clause) -> Sequence[Absolute]:
     one = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
     items = one.items if isinstance(one, Coord) and one.op == "absolutes" else (one,)

@@ -99,7 +99,7 @@ VERBS = {
     "keep": "keep leave",
     "unstack": "unstack dismantle disassemble topple destack",
     "use": "use take",
-    "touch": "touch disturb",
+    "touch": "touch disturb bump knock jostle",
     "ignore": "ignore",
     "remove": "remove clear empty",
 }

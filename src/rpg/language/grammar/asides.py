@@ -34,7 +34,7 @@ SOFT = 1.0
 """The value of a comma that may have set off nothing but an aside."""
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
-             "nice and neat", "nice and tidy", "good", "proper")  # fmt: skip
+             "nice and neat", "nice and tidy", "good", "proper", "dead", "smack")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""
 _FREE = (
     *(

@@ -31,6 +31,7 @@ from rpg.language.meaning import (
     Pronoun,
     Quality,
     Structure,
+    Traits,
     Using,
 )
 
@@ -93,6 +94,10 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         return
     if colon := p.one(at, ":"):
         yield from _behind_colon(p, i, had, links, colon)
+    if (comma := p.one(at, ",")) and isinstance(had[-1], Clause) and (many := _counted(had[-1].theme)):
+        for looks, k in looks_told(p, comma):  # "the two cubes touch, blue and yellow"
+            if isinstance(looks.theme, Coord) and len(looks.theme.items) == many and not looks.adjuncts:
+                yield Chain(clauses=(*had, looks), links=(*links, "and"), span=p.span(i, k)), k
     if isinstance(had[-1], Clause) and had[-1].negated:
         yield from _not_until(p, i, had, links, at)
     for alike, k in color_at_last(p, at, had[0]) if len(had) == 1 and isinstance(had[0], Clause) else ():
@@ -284,6 +289,11 @@ def _less_likely(before: Clause | None, item: Meaning) -> Meaning:
     return replace(item, cost=item.cost + 2) if idle or (colored and _mere_colors(item)) else item
 
 
+def _counted(theme: Meaning | None) -> int:
+    """How many blocks of no look a phrase speaks of."""
+    plain = isinstance(theme, Noun) and theme.head == "block" and theme.traits == Traits() and theme.part_of is None
+    amount = theme.amount if plain and isinstance(theme, Noun) and not theme.conditions else None
+    return amount.low if amount is not None and amount.low == amount.high and amount.low > 1 else 0
 def _contrasted(before: Clause, item: Meaning, link: str) -> Meaning:
     """ "red is not on blue and green on yellow" may deny both or one; "... and green not on yellow" denies both."""
     if not isinstance(item, Clause) or not (before.negated and item.negated) or link != "and":

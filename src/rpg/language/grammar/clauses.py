@@ -10,6 +10,7 @@ from rpg.language.grammar.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.alike import all_alike
 from rpg.language.grammar.chatter import CHATTER
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.covered import covered
 from rpg.language.grammar.denials import denied_of_all
 from rpg.language.grammar.details import part_clause
 from rpg.language.grammar.each_color import of_each_color
@@ -79,6 +80,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     when = "start" if mode == "start" else "goal"
     if mode in ("command", "any", "end"):
         yield from _command(p, i)
+        yield from covered(p, i)
     yield from gap(p, i)
     yield from centering(p, i)
     yield from state(p, i, when)

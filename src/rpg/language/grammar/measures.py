@@ -205,6 +205,11 @@ def their_ends(p: Parser, i: int) -> Results[str]:
         yield _THEIRS[phrase], p.any_of(j, ("of the blocks", "of the two", "of the two blocks", "of the cubes")) or j
 
 
+_NEARER = ("closer than", "nearer than", "no closer than", "no nearer than", "not closer than", "farther than",
+           "further than", "no farther than", "no further than", "not farther than", "not further than")  # fmt: skip
+"""What blocks are to each other where nothing else is named."""
+
+
 @choice
 def measured_bare(p: Parser, i: int) -> Results[Meaning]:
     """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
@@ -222,6 +227,8 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
             end, measure = j, "faces"
         if not end and start > i and p.words[start - 1] == "spaced":
             end, measure = j, "centres"
+        if not end and (j >= p.end or p.words[j] in (",", "and")) and (p.words[i] == "at" or p.any_of(i, _NEARER)):
+            end, measure = (j if start > i or p.words[i] != "at" else 0), "centres"
         if end:
             yield _each_other(p, i, end, low, high, measure), end
     noted = p.any_of(i, _NOTED)

@@ -101,6 +101,7 @@ def _join(a: _Before, b: _Before) -> _Before | None:
     )  # fmt: skip
 
 
+_OF_SO_MANY = (("stack", False), ("row", False), ("line", False), ("column", False))
 _BEFORE_UNITS = {
     "block high": "high", "blocks high": "high", "block tall": "high", "blocks tall": "high", "block long": "long",
     "high": "high", "tall": "high",
@@ -134,6 +135,8 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     for n, j in amounts.count(p, i):
         for unit, k in p.standing(j, _BEFORE_UNITS):
             yield _Before(sizes=(Size(what=_BEFORE_UNITS[unit], amount=Amount(n, n), span=p.span(i, k)),)), k
+        if j < p.end and p.tokens[j].joined and p.peek(j, lexicon.STRUCTURE) in _OF_SO_MANY:  # "a 2-tower"
+            yield _Before(sizes=(Size(what="size", amount=Amount(n, n), span=p.span(i, j)),)), j
     for marks, j in adjective(p, i):
         if marks.keys() & {"size", "long"}:
             continue

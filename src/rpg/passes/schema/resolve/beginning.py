@@ -235,11 +235,15 @@ def _heap_first(chain: Chain, after: tuple[Chain, ...]) -> Chain:
     if not isinstance(heap, Clause) or not isinstance(order, Clause) or order.mode != "command" or order.negated:
         return chain
     shape = heap.theme if (heap.verb, heap.mode) == ("build", "goal") and not heap.adjuncts else None
-    if not isinstance(shape, Structure) or shape.kind != "pile" or shape.plural or len(chain.clauses) > 1:
+    if not isinstance(shape, Structure) or shape.kind != "pile" or shape.plural or not _made_of_them(order):
         return chain
-    if not _made_of_them(order):
+    listed = chain.clauses[1] if len(chain.clauses) == 2 and shape.members is None else None
+    told = isinstance(listed, Clause) and listed.verb == "exist" and listed.lemma in ("tally", "stock")
+    if told and isinstance(listed, Clause) and not listed.adjuncts:  # "a heap: 2 red, 2 blue"
+        heap = replace(heap, theme=replace(shape, members=listed.theme))
+    elif len(chain.clauses) > 1:
         return chain
-    return replace(chain, clauses=(replace(heap, verb="exist", lemma="begun", mode="given"),))
+    return replace(chain, clauses=(replace(heap, verb="exist", lemma="begun", mode="given"),), links=chain.links[:1])
 
 
 def _facts(chain: Chain, bold: bool = True) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, Using
 from rpg.passes.schema.resolve.counted import put
 
 
@@ -46,6 +46,8 @@ def _counted(clause: Meaning, many: int) -> Meaning:
     bare = isinstance(shape, Noun) and shape == Noun(head="block", det=shape.det, plural=True, span=shape.span)
     if bare and (whole := _taking_turns(turns, many)) is not None:
         return replace(clause, theme=whole)
+    if clause.verb == "sort" and isinstance(shape, Noun) and (parted := _apart(clause, shape, many)) is not None:
+        return parted
     listed = shape.members if isinstance(shape, Structure) and not shape.plural else shape
     if isinstance(listed, Noun) and len(listed.traits.labels) > 1 and listed.det == "bare" and listed.amount is None:
         one = replace(listed, plural=False)
@@ -61,6 +63,16 @@ def _counted(clause: Meaning, many: int) -> Meaning:
         items = tuple(_so_many(x, many) for x in listed.items)
         return replace(clause, theme=put(clause.theme, listed, replace(listed, items=items)))
     return clause
+
+
+def _apart(clause: Clause, theme: Noun, many: int) -> Clause | None:
+    """ "Separate red from blue", three of each."""
+    other = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    if not isinstance(other, Using) or other.lead != "from" or not _single(theme) or not _single(other.members):
+        return None
+    return replace(
+        clause, theme=_so_many(theme, many), adjuncts=(replace(other, members=_so_many(other.members, many)),)
+    )
 
 
 def _taking_turns(turns: list[OrderBy], many: int) -> Coord | None:

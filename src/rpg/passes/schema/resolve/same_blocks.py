@@ -13,6 +13,7 @@ from rpg.passes.schema.resolve.world import Scene, refuse
 DOUBTED = (
     "the blocks that are counted may be those that are described",
     "it is not clear which blocks the structure is made of",
+    "could be the last ones, or all those spoken of before",
 )
 """How blocks are refused that may be the ones that are named beside them."""
 _TOLD_BEHIND = re.compile(r"[,:(;–—-]\s*(?!and\b|then\b|but\b|also\b|plus\b|while\b|next\b|after)", re.IGNORECASE)
@@ -25,7 +26,7 @@ def told_one_by_one(
 
     What is told behind a comma or a colon tells of the blocks in front of it; "and" would bring further ones.
     """
-    if not refusal.diagnostics[0].message.startswith(DOUBTED):
+    if not any(told in refusal.diagnostics[0].message for told in DOUBTED):
         return None
     told = _told_behind(chains, text)
     if told is None or len(told[2]) != told[1]:

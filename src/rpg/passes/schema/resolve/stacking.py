@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -49,6 +49,7 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         raise refuse("ambiguous", "two towers have no room on one block", loc.span, "say which of them stands on it")
     if theme.built and theme.built[0].kind == "stack":
         return _tower_on(theme, mark, scene, span)
+    mark = _as_a_tower(mark, scene)
     if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
         return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
     b = crown(mark)
@@ -60,6 +61,13 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
             "name one of them",
         )
     return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
+
+
+def _as_a_tower(mark: Ref, scene: Scene) -> Ref:
+    """ "Stack two blue cubes and put a red one on them": on the tower that they are."""
+    towers = [b for b in scene.built if b.kind == "stack" and set(b.members) == set(mark.names)]
+    alone = len(towers) == 1 and len(mark.names) > 1 and not mark.built and mark.op == "and" and mark.quant is None
+    return replace(mark, built=(towers[0],)) if alone else mark
 
 
 def _on(a: str, b: Operand, scene: Scene, span: Span) -> g.Goal:

@@ -41,6 +41,17 @@ class _Remembered:
     _inside: tuple[Meaning, ...]
     _whole_cost: int
 
+    def __init_subclass__(cls) -> None:
+        cls.__hash__ = _Remembered.__hash__  # type: ignore[method-assign]
+
+    def __hash__(self) -> int:
+        try:
+            return self._hash
+        except AttributeError:
+            kind: Any = type(self)
+            self._hash = hash((kind, _values(kind)(self)))
+            return self._hash
+
 
 @record
 class Meaning(_Remembered):
@@ -49,21 +60,9 @@ class Meaning(_Remembered):
     span: Span
     cost: int = 0
 
-    def __init_subclass__(cls) -> None:
-        cls.__hash__ = Meaning.__hash__  # type: ignore[method-assign]
-
-    def __hash__(self) -> int:
-        try:
-            return self._hash
-        except AttributeError:
-            kind: Any = type(self)
-            found = hash((kind, _values(kind)(self)))
-            object.__setattr__(self, "_hash", found)
-            return found
-
 
 @record
-class Traits:
+class Traits(_Remembered):
     """What a noun phrase says of each of its objects (colours and labels: of all of them together)."""
 
     colors: tuple[str, ...] = ()
@@ -84,9 +83,6 @@ class Traits:
     extra: bool = False
     target: bool = False
     shade: str | None = None
-
-    def __hash__(self) -> int:
-        return hash(_values(Traits)(self))
 
 
 @record
@@ -356,9 +352,8 @@ def cost_of(meaning: Any) -> int:
         except AttributeError:
             kind: Any = type(meaning)
             held = [getattr(meaning, name) for name in _inner(kind)]
-            found = meaning.cost + sum([cost_of(part) for part in held if part])
-            object.__setattr__(meaning, "_whole_cost", found)
-            return found
+            meaning._whole_cost = meaning.cost + sum([cost_of(part) for part in held if part])
+            return meaning._whole_cost
     if isinstance(meaning, tuple) and not isinstance(meaning, Amount):
         return sum([cost_of(item) for item in meaning])
     return 0
@@ -372,8 +367,7 @@ def parts_of(meaning: Any) -> Sequence[Any]:
         except AttributeError:
             kind: Any = type(meaning)
             held = [getattr(meaning, name) for name in _inner(kind)]
-            inside = tuple([part for one in held if one for part in parts_of(one)])
-            object.__setattr__(meaning, "_inside", inside)
+            inside = meaning._inside = tuple([part for one in held if one for part in parts_of(one)])
         return (meaning, *inside)
     if isinstance(meaning, tuple) and not is_dataclass(meaning):
         return [part for item in meaning for part in parts_of(item)]

@@ -188,7 +188,7 @@ _IT_IS = Rows(
 def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     """Positions after the polite and framing words at i, with what they leave open."""
     found = [(i, "any")]
-    if i == 0 and p.words[0] in _IT_IS.begun and p.char(0, 0) == 0:
+    if i == 0 and p.stands(i, _IT_IS.begun) and p.char(0, 0) == 0:
         found += [(j, "end") for j in _IT_IS.matches(p, 0)]
     seen = {j for j, _ in found}
     for start, mode in found:

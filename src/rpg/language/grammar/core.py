@@ -7,6 +7,7 @@ with which words it begins (`outlook`): it is not run before others.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import wraps
 from itertools import islice
@@ -51,6 +52,7 @@ class Parser:
         self.end = len(tokens)
         self.all = frozenset(self.words)
         self.memo: dict[tuple[Any, ...], list[tuple[Any, int]]] = {}
+        self.lasts: dict[Callable[..., Any], int] = {}
         self.far = 0
         self.work = 0
         self.steps = 0
@@ -161,6 +163,14 @@ class Parser:
     rarely = anywhere
     """The same of rare words: a sentence without them is spared whatever asks for them."""
 
+    def last(self, body: Callable[[Parser, int], Iterable[object]]) -> int:
+        """The last place where a rule finds something: none before it is sought behind it."""
+        if self.thorough:
+            return self.end
+        if body not in self.lasts:
+            self.lasts[body] = next((i for i in range(self.end - 1, -1, -1) if any(True for _ in body(self, i))), -1)
+        return self.lasts[body]
+
     def told(self, i: int, firsts: Firsts) -> list[tuple[Any, int]] | None:
         """The readings at a place where no word tells what a rule makes of it: it is to be run."""
         return None
@@ -245,6 +255,9 @@ class Inquiry(Parser):
     def rarely(self, words: frozenset[str]) -> bool:
         self.asked.anywhere.update(words)
         return False
+
+    def last(self, body: Callable[[Parser, int], Iterable[object]]) -> int:
+        return sys.maxsize
 
     def told(self, i: int, firsts: Firsts) -> list[tuple[Any, int]] | None:
         words, behind, anywhere, found = firsts
@@ -350,7 +363,7 @@ def _sparing(body: Callable[..., Any], name: str | None) -> Callable[..., Any]:
 def _distinct(readings: Results[M]) -> list[tuple[M, int]]:
     """The readings that differ: the first ones, or of many the cheapest."""
     found = list(islice(readings, MAX_READINGS))
-    if len(found) < 2:
+    if len(found) < 2 or len({j for _, j in found}) == len(found) < MAX_READINGS:
         return found
     seen = dict.fromkeys(found)
     if len(found) == MAX_READINGS:

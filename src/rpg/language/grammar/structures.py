@@ -72,6 +72,8 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
 
 
 def _quantities(p: Parser, i: int) -> Iterator[tuple[Quantity, int]]:
+    if i > p.last(_named):
+        return
     yield from ((q, j) for q, j in amounts.quantity(p, i) if not q.partitive)
     yield Quantity("bare"), i
 
@@ -194,15 +196,34 @@ _RANKS = {
 """Which of several structures is meant."""
 
 
+@choice
+def _named(p: Parser, i: int) -> Results[object]:
+    """Where what names a structure stands, whatever is said in front of it."""
+    yield from (found for found in noun(p, i) if found[0][0] != "cube" or _made_up(p, found[1]) or _dims_told(p))
+    if j := p.any_of(i, _CODES):
+        yield None, j
+    yield from equation(p, i)
+
+
+_CODES = ("number", "year", "pin", "code")
+
+
+def _dims_told(p: Parser) -> bool:
+    return any(token.kind == "dims" or token.word == "by" for token in p.tokens)
+
+
+def _made_up(p: Parser, k: int) -> bool:
+    """Whether a cube is one of several blocks, as what follows the word tells."""
+    if p.any_of(k, ("of", "out of", "made of", "made from", "from", "that is made of", "built of")):
+        return True
+    if (m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, EDGES)):
+        return True
+    return p.number(k) is not None and p.stands(k + 1, ("wide", "long", "deep", "high", "tall"))
+
+
 def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Results[Meaning]:
     for (kind, plural), k in noun(p, j):
-        if (
-            kind == "cube"
-            and len(before.dims) != 3
-            and not p.any_of(k, ("of", "out of", "made of", "made from", "from", "that is made of", "built of"))
-            and not ((m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, EDGES)))
-            and not (p.number(k) is not None and p.stands(k + 1, ("wide", "long", "deep", "high", "tall")))
-        ):
+        if kind == "cube" and len(before.dims) != 3 and not _made_up(p, k):
             continue
         if before.parallel and (not plural or kind not in ("row", "column")):
             continue
@@ -231,7 +252,7 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
         )  # fmt: skip
         yield from _tail(p, i, k, base)
-    if (k := p.any_of(j, ("number", "year", "pin", "code"))) and (digits := digits_of(p, k)) is not None:
+    if (k := p.any_of(j, _CODES)) and (digits := digits_of(p, k)) is not None:
         yield Structure(kind="word", det="the", letter=digits, span=p.span(j, k + 1)), k + 1
     for text, k in equation(p, j):
         end = p.any_of(p.opt(k, ","), _SHOWN) or k

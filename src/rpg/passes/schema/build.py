@@ -144,14 +144,14 @@ def resolve(
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     links, chains = hoisted(*places_told(*words_in_rows(links, from_heaps(chains))))
-    facts, bold = begun(chains, text), begun(chains, text, bold=True)
+    facts = begun(chains, text)
     if (last := heaps_last(*told_later(links, facts))) is not None:
         with suppress(Refusal):
             return _resolved(*last, text, notes, name, seed, author, lenient)
     try:
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)
     except Refusal as refusal:
-        if bold != facts and refusal.diagnostics[0].code in UNMEANT:
+        if refusal.diagnostics[0].code in UNMEANT and (bold := begun(chains, text, bold=True)) != facts:
             with suppress(Refusal):
                 return _resolved(*told_later(links, bold), text, notes, name, seed, author, lenient)
         if (named := told_one_by_one(links, facts, refusal, text)) is not None:

@@ -8,6 +8,7 @@ from rpg.language.grammar.absolutes import absolute
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.each import each_led
 from rpg.language.grammar.each_line import each_line
+from rpg.language.grammar.held import held
 from rpg.language.grammar.labels import literal
 from rpg.language.grammar.limbs import LIMBED, LIMBS, limb
 from rpg.language.grammar.makeup import apposed_blocks
@@ -154,6 +155,8 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         for rest, k in adjuncts(p, j):
             if _later(first) and any(isinstance(a, Loc | In) for a in rest):
                 continue
+            if rest and (lying := held(p, j, first, rest[0])) is not None:
+                rest = (lying, *rest[1:])
             yield (
                 (
                     (replace(first, cost=first.cost + 1), *rest)

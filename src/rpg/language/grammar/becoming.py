@@ -11,7 +11,20 @@ from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.lists import listed
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.sides import toward
-from rpg.language.meaning import Clause, Coord, Into, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import (
+    Clause,
+    Coord,
+    Into,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Structure,
+    TableTop,
+    Traits,
+)
 
 _IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")
 _THERE = frozenset({"seen", "shown", "visible", "present", "needed", "required", "wanted", "desired", "expected",
@@ -160,13 +173,13 @@ _PLACE = tuple(
 
 
 def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Clause]:
-    """ "(the red block) must never leave the patch": it is on it all the time."""
+    """ "(the red block) must never leave the patch", "... the table": it is on it all the time."""
     j = p.one(k, frozenset({"leave", "leaves"}))
     if end := p.any_of(j, _PLACE) if j else 0:
         stay = Manner(kind="stay", span=p.span(j, end))
         yield Clause(verb="be", theme=theme, adjuncts=(stay,), mode=mode, span=p.span(i, end)), end
     for mark, end in noun_phrase(p, j) if j else ():
-        if isinstance(mark, Noun) and mark.det in ("the", "bare"):
+        if isinstance(mark, TableTop) or (isinstance(mark, Noun) and mark.det in ("the", "bare")):
             on = Loc(rel="on", landmark=mark, span=p.span(k, end))
             always = Manner(kind="always", span=on.span)
             for begun, last in adjuncts(p, end):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar import amounts
-from rpg.language.grammar.adjectives import colors
+from rpg.language.grammar.adjectives import color, colors
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.labels import label_list
 from rpg.language.meaning import Amount, Noun
@@ -40,10 +40,30 @@ def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
         marks = noun.traits
         if end and not more and not marks.labels and (len(labels) > 1 or labels[0].isalpha()) and _shows(noun, labels):
             yield replace(noun, traits=replace(marks, labels=labels), span=p.span(i, end)), end
-    for (listed, either), k in colors(p, p.any_of(opened, ("one", "namely")) or opened):
+    each = [((found, False), k) for found, k in _one_by_one(p, opened)]
+    for (listed, either), k in [*colors(p, p.any_of(opened, ("one", "namely")) or opened), *each]:
         end = p.one(k, ")")
         if end and not either and not noun.traits.colors and _as_many(noun, len(listed)):
             yield replace(noun, traits=replace(noun.traits, colors=listed), span=p.span(i, end)), end
+
+
+def _one_by_one(p: Parser, i: int) -> Results[tuple[str, ...]]:
+    """ "a red one, a green one": the colour of each."""
+    found: list[str] = []
+    while j := p.one(i, _ONE):
+        named = next(iter(color(p, j)), None)
+        if named is None:
+            return
+        found.append(named[0])
+        end = p.opt(named[1], "one", "block", "cube")
+        if len(found) > 1 and p.stands(end, (")",)):
+            yield tuple(found), end
+        i = p.any_of(end, (", and", "and", ",", "plus"))
+        if not i:
+            return
+
+
+_ONE = frozenset({"a", "an", "one"})
 
 
 def _countable(noun: Noun) -> bool:
@@ -74,3 +94,20 @@ def _counted(noun: Noun, amount: Amount, span: tuple[int, int]) -> Noun:
         whole = replace(noun, det="the", plural=True, amount=amount, cost=0)
         return Noun(head=noun.head, det=noun.det, plural=True, part_of=whole, span=span)
     return replace(noun, amount=amount, span=span)
+
+
+_THERE_ARE = tuple(
+    f"{of}{there}{just}"
+    for of in ("", "of which ", "and ", "of them ", "and of them ")
+    for there in ("there are", "there is", "i have", "we have", "you have")
+    for just in ("", " just", " exactly", " only")
+)
+"""What a number of the blocks just spoken of follows, between commas."""
+
+
+def counted_aside(p: Parser, i: int, j: int, whole: Noun) -> Results[Noun]:
+    """ "all the red blocks, there are two, ...": how many they are, between commas."""
+    there = p.any_of(j + 1, _THERE_ARE) if p.words[j] == "," else 0
+    for many, k in amounts.count(p, there) if there else ():
+        if end := p.one(p.any_of(k, ("of them", "of those", "in all", "in total", "altogether")) or k, ","):
+            yield replace(whole, amount=Amount(many, many), plural=many > 1, span=p.span(i, end)), end

@@ -18,6 +18,7 @@ from rpg.language.grammar.frames import COMMAND_FRAMES, DONT, FIRST, START_FRAME
 from rpg.language.grammar.framing import CLOSING, FRAMES
 from rpg.language.grammar.gaps import gap
 from rpg.language.grammar.having import finally_there, having, structure_is, topped
+from rpg.language.grammar.held import LEADS, held
 from rpg.language.grammar.inventory import inventory
 from rpg.language.grammar.nouns import noun_phrase, simple
 from rpg.language.grammar.offsets import centering
@@ -147,11 +148,22 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
     for first, j in adjunct(p, i):
         if not leads(p, j, first) or p.words[i] in _NO_PLACE:
             continue
+        for second, k in adjunct(p, j) if isinstance(first, Loc) and p.stands(j, LEADS) else ():
+            if (lying := held(p, j, first, second)) is not None:
+                there = stands_there(p, i, p.opt(k, ","), first, mode)
+                told = [*there, *((_at(found, first), end) for found, end in _plain(p, p.opt(k, ","), mode))]
+                yield from ((_at(found, lying), end) for found, end in told)
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
         if isinstance(first, Loc | In | At) and p.words[i] != "separately":
             yield from stands_there(p, i, j, first, mode)
-        for found, end in _plain(p, j, mode):
+        placed = isinstance(first, Loc | In | At | Toward)
+        further = _fronted(p, j, mode) if placed and p.words[j - 1] == "," else ()
+        wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed else ()
+        for start in wished if isinstance(first, Loc | In | At) else ():
+            yield from stands_there(p, i, start, first, mode)
+        found_all = [x for start in wished for x in _plain(p, start, mode)]
+        for found, end in [*_plain(p, j, mode), *further, *found_all]:
             if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
                 yield replace(found, verb="build", theme=first.structure, span=p.span(i, end)), end
             elif isinstance(first, Into) and isinstance(found, Clause) and _of_a_place(first, found):
@@ -163,7 +175,16 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
             elif isinstance(found, Clause) and found.verb != "exist":
                 yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
         if isinstance(first, Toward):
-            yield from listed_there(p, i, j, first)
+            yield from (found for start in (j, *wished) for found in listed_there(p, i, start, first))
+
+
+_SEEN = frozenset({"state", "end", "command"})
+"""Frames that may stand behind a place or a direction: "on the left, I'd like to see ..."."""
+
+
+def _at(found: Meaning, place: Meaning) -> Meaning:
+    """A clause with a place that was said before it."""
+    return replace(found, adjuncts=(*found.adjuncts, place)) if isinstance(found, Clause) else found
 
 
 def _of_a_place(first: Into, found: Clause) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import adjectives, color
+from rpg.language.grammar.brackets import counted_aside
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.labels import label_list
 from rpg.language.grammar.retold import (
@@ -23,6 +24,7 @@ from rpg.language.grammar.retold import (
     sized_alike,
     tally,
     the_other,
+    told_anew,
     universal,
     what_is_left,
 )
@@ -44,15 +46,15 @@ def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
 
 
 def _but_so_many(p: Parser, i: int, whole: Meaning, j: int) -> Results[Noun]:
-    """ "all yellow blocks but one", "all five red blocks except two"."""
+    """ "all yellow blocks but one", "all five of the red blocks except two"."""
     k = p.any_of(j, ("but", "except", "except for", "apart from", "save")) if isinstance(whole, Noun) else 0
-    if not k or not isinstance(whole, Noun) or whole.det != "all" or not whole.plural or whole.part_of is not None:
+    if not k or not isinstance(whole, Noun) or whole.det != "all" or not whole.plural:
         return
+    them = whole.part_of or replace(whole, det="the")
     for many, end in amounts.count(p, k):
         end = p.any_of(end, ("of them", "of these", "block", "blocks", "cube", "cubes")) or end
         if not amounts.makes_number(p, end) and p.words[end] != "of":
             some, span = Amount(many, many), p.span(i, end)
-            them = replace(whole, det="the")
             yield Noun(head=whole.head, det="all but", amount=some, plural=True, part_of=them, span=span), end
 
 
@@ -179,13 +181,15 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
                 ),
                 end,
             )
-    if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and whole.traits == Traits():
+    plain = isinstance(whole, Noun) and whole.traits in (Traits(), Traits(kind="plain"))
+    if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and plain:
         for listed, k in _list_of(p, i, j + 1, whole.amount.low):
             named = replace(listed, items=tuple(_of_kind(item, whole) for item in listed.items))
             yield named, k
             if p.one(k, ","):
                 yield named, k + 1
     if isinstance(whole, Noun) and whole.amount is None:
+        yield from counted_aside(p, i, j, whole)
         for some, k in amounts.amount(p, j + 1):
             told = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those"))
             if not told and whole.traits.labels and p.tokens[j + 1].kind == "number":
@@ -268,7 +272,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
                 for end in {j: None, p.opt(j, ","): None} if same else ():
                     yield from ((replace(found, span=p.span(i, j)), end) for found in same)
                 continue
-            if not restates(items[-1], item):
+            if not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
 

@@ -11,11 +11,21 @@ from rpg.language.grammar.prepositions import relation
 from rpg.language.grammar.wishes import Patterns
 from rpg.language.meaning import Loc, Meaning, Pronoun
 
-_AMONG = ("between them", "between each other", "in between them", "in between", "between the two",
-    "between the blocks", "between each", "between neighbors",
-          "between neighboring blocks", "between each block", "between blocks", "between each pair",
-          "between each of them", "between every two blocks", "between adjacent blocks",
-          "between each of the blocks")  # fmt: skip
+_NEXT = tuple(
+    f"{which}{next_}{what}"
+    for which in ("", "two ", "the ", "any two ", "every two ", "each two ", "each pair of ", "every pair of ")
+    for next_, whats in (("", ("neighbors",)), ("neighboring ", ("blocks", "cubes", "ones", "letters")),
+                         ("adjacent ", ("blocks", "cubes", "ones", "letters")), ("consecutive ", ("blocks", "cubes")))
+    for what in whats
+)  # fmt: skip
+"""What stands side by side in a line."""
+_ENDS_OF = ("", " of the blocks", " of the cubes", " of them", *(f" of {next_}" for next_ in _NEXT))
+_AMONG = (
+    *(f"between {next_}" for next_ in _NEXT),
+    "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
+    "between each", "between each block", "between blocks", "between each pair", "between each of them",
+    "between every two blocks", "between each of the blocks",
+)  # fmt: skip
 
 
 _AROUND = {"about": 0.25, "around": 0.25, "roughly": 0.25, "approximately": 0.25, "nearly": 0.25, "exactly": 0.0}
@@ -169,19 +179,25 @@ def _bound(p: Parser, i: int, end: int, landmark: Meaning, metres: float, least:
     return Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
 
 
+_OF_CENTERS = (
+    "from center to center", "center to center",
+    *(f"{between} {their}centers{of}" for between in ("between", "from") for their in ("", "the ", "their ", "block ")
+      for of in _ENDS_OF),
+)  # fmt: skip
 _BETWEEN_CENTERS = (
+    *_OF_CENTERS,
     "apart from each other", "from each other", "away from each other", "apart", "from one another", "of each other",
     "of one another", "away", "to each other", "to one another", "center to center", "from center to center",
     "between centers", "apart from one another",
 )  # fmt: skip
 _BETWEEN_FACES = (
+    *(f"between {next_}" for next_ in _NEXT),
+    *(f"between {their}{ends}{of}" for their in ("", "the ", "their ") for ends in ("faces", "sides")
+      for of in _ENDS_OF),
     "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
-    "between each", "between neighbors", "between each block", "between neighboring blocks", "of space between them",
+    "between each", "between each block", "of space between them",
     "of empty space between them", "of space between the blocks", "between the groups", "between the two groups",
     "between groups", "between the piles", "between both groups", "between the two piles",
-)  # fmt: skip
-_OF_CENTERS = (
-    "between their centers", "between centers", "between the centers", "from center to center", "center to center",
 )  # fmt: skip
 _ROOM = ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance")
 _NOTED = (

@@ -18,13 +18,27 @@ _WITHIN = (
 _OFFSET = ("offset", "misalignment", "displacement", "deviation")
 _SIDEWAYS = ("horizontal", "lateral", "sideways", "center")
 _MOST = frozenset({"maximal", "maximum", "largest"})
-_NAMED = frozenset({"the", "a", *_MOST, *_SIDEWAYS, *_OFFSET})
+_NAMED = frozenset({"the", "a", "each", "every", *_MOST, *_SIDEWAYS, *_OFFSET})
 _OFF_CENTER = ("off center", "off the center", "off its center", "out of center", "off centre", "out of line")
+_BELOW = (
+    "the one below it", "the one below", "the block below it", "the block below", "the one under it", "the next one",
+    "the cube below it", "the cube below", "the next", "its neighbor below", "the one underneath", "the one beneath it",
+    "the block under it", "the one beneath", "the one underneath it",
+)  # fmt: skip
+_OFF = ("off", *(f"off {of}{below}" for of in ("", "from ", "of ") for below in _BELOW))
+_EACH = (
+    *(f"{each}{may}"
+      for each in ("each", "each one", "each block", "each cube", "every block", "every cube", "every one")
+      for may in ("", " may be", " is", " being", " must be", " should be", " can be")),
+)  # fmt: skip
+"""Of which blocks an offset is said: of all that lie on others."""
 _OF_WHAT = (
+    *(f"{of} {below}" for of in ("from", "to", "with respect to", "relative to") for below in _BELOW),
     "of the centers", "of their centers", "between the centers", "between their centers", "between them",
     "between the blocks", "between the two", "between the two blocks", "of the blocks", "of the two blocks",
     "between neighbors", "of the upper block", "of the top block", "from the center",
 )  # fmt: skip
+_CLOSED = frozenset({",", ";", "and", "but"})
 _MAY_BE = (
     "may be", "must be", "should be", "is", "can be", "has to be", "is to be", "shall be", "must stay",
     "must not exceed", "should not exceed", "may not exceed", "does not exceed", "has to stay", "should stay", "stays",
@@ -34,8 +48,7 @@ _EACH_ON_THE_NEXT = tuple(
     f"{each} {must} centered on {below}"
     for each in ("every block", "each block", "every cube", "each cube", "each one", "each", "every one", "they", "all")
     for must in ("must be", "should be", "is", "is to be", "has to be", "being", "are", "")
-    for below in ("the one below it", "the one below", "the block below it", "the block below", "the one under it",
-                  "the cube below it", "the cube below", "the next", "each other", "its neighbor below")
+    for below in (*_BELOW, "each other")
 )  # fmt: skip
 _MEET = ("line up", "be aligned", "coincide", "match", "agree", "be lined up", "are aligned", "lie above each other")
 _MUST = ("must", "should", "have to", "shall", "are to", "need to")
@@ -46,6 +59,7 @@ _DIFFER = ("may differ by", "must not differ by", "should not differ by", "diffe
 def offset(p: Parser, i: int) -> Results[Loc]:
     """ "centred to within 5 mm", "with at most 5 mm offset", "offset by at most 5 mm": of what lies on what."""
     start = p.opt(i, "and")
+    start = p.any_of(start, _EACH) or start
     if j := p.any_of(start, _CENTERED):
         yield from _limit(p, i, p.any_of(j, _WITHIN) or j)
     lead = p.any_of(start, ("with", "at", "having"))
@@ -55,6 +69,12 @@ def offset(p: Parser, i: int) -> Results[Loc]:
         k = p.opt(p.opt(k, "of"), *_SIDEWAYS)
         if end := p.any_of(k, _OFFSET) or p.any_of(k, _OFF_CENTER):
             yield _loc(p, i, p.any_of(end, _OF_WHAT) or end, far)
+        elif (end := p.any_of(k, _OFF)) and (end >= p.end or p.words[end] in _CLOSED):
+            yield _loc(p, i, end, far)
+    if end := p.any_of(j, _OFFSET) if start > i else 0:  # "each offset at most 3 mm from the one below"
+        yield from (_loc(p, i, p.any_of(k, _OF_WHAT) or k, far) for far, k in _most(p, p.opt(end, "by")))
+    if end := p.any_of(j, ("off by", "off center by")):
+        yield from (_loc(p, i, p.any_of(k, _OF_WHAT) or k, far) for far, k in _most(p, end))
     j = p.opt(j, "the")
     most = p.one(j, _MOST)
     k = p.opt(most or j, *_SIDEWAYS)

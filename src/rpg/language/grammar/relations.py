@@ -65,6 +65,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if isinstance(landmark, Structure) and p.tokens[i].joined:  # "a red-on-blue tower"
                 continue
+            if name == "in" and isinstance(landmark, Pronoun) and landmark.word == "all":  # "four in all"
+                continue
             if isinstance(landmark, TableTop) and p.words[i:j] == ["to"]:
                 yield Loc(rel="on", landmark=landmark, mods=mods, span=p.span(i, k), cost=1), k
             if isinstance(landmark, TableTop) and name not in ("on", "off", "above", "behind", "front"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.phrases import by_first
 from rpg.language.tokens import Token
 
@@ -54,6 +55,10 @@ def rephrased(tokens: list[Token]) -> list[Token]:
     out: list[Token] = []
     at = 0
     while at < len(tokens):
+        if tokens[at].word == "otherwise":
+            out += _otherwise(tokens, at)
+            at += 1
+            continue
         begun = phrases.get(tokens[at].word, ()) if tokens[at].kind == "word" else ()
         words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 6]] if begun else []
         said = max((x for x in begun if tuple(words[: len(x)]) == x), key=len, default=())
@@ -65,3 +70,15 @@ def rephrased(tokens: list[Token]) -> list[Token]:
         out += [Token("word", word, word, span) for word in _PHRASES[" ".join(said)].split()]
         at += len(said)
     return out
+
+
+def _otherwise(tokens: list[Token], at: int) -> list[Token]:
+    """ "otherwise white": everything else is; "white otherwise": it is so elsewhere."""
+    token = tokens[at]
+    after = tokens[at + 1].word if at + 1 < len(tokens) else ""
+    if after in lexicon.COLOR:
+        return [Token("word", word, word, token.span) for word in ("everything", "else")]
+    closed = after in ("", ",", ".", ";", "!", "?", ")")
+    if at and tokens[at - 1].word in lexicon.COLOR and closed:
+        return [Token("word", "elsewhere", "elsewhere", token.span)]
+    return [token]

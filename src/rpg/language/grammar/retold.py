@@ -53,6 +53,13 @@ def restates(before: Meaning, item: Meaning) -> bool:
     return item.members is None or (isinstance(item.members, Noun) and item.members.head == "any")
 
 
+def told_anew(before: Meaning, item: Meaning) -> bool:
+    """ "a tower of three blocks, four red ones": blocks of no look and a comma, and then so many that have one."""
+    if not (isinstance(before, Noun) and isinstance(item, Noun)) or before.traits != Traits() or before.head != "block":
+        return False
+    return before.amount is not None and item.amount is not None and bool(item.traits.colors)
+
+
 def retelling(items: tuple[Meaning, ...], item: Meaning) -> tuple[Noun, ...] | None:
     """ "some distractors, exactly three purple ones": the first thing with what a comma adds to it; with nothing where
     "digits, A, B, C" would list things beside a word for all of them. None: the list goes on."""

@@ -130,7 +130,7 @@ def all_extra(meaning: Meaning) -> bool:
 def leads(p: Parser, j: int, first: Meaning) -> bool:
     """Whether an adjunct may stand before its clause, which begins at `j`: it says nothing of parts, and takes no noun
     from it ("with three brown | cubes on the table")."""
-    if isinstance(first, Using):
+    if isinstance(first, Using) or p.words[j - 1] in lexicon.COLOR:
         return not p.stands(j, lexicon.BLOCK)
     if isinstance(first, Absolute):
         return all_extra(first.theme)

@@ -40,6 +40,9 @@ _THERE = Patterns(
 )
 """What says that there is what follows."""
 _TODAY = ("today", "altogether", "in total", "in all", "here", "now", "on the table", "in the scene", "available")
+_IN_ALL = ("in all", "in total", "altogether", "all in all", "overall")
+"""Behind a number of blocks these tell that there are no more: "(each on) a gray block, three gray blocks in all"."""
+_SET_OFF = frozenset({",", ";", "("})
 _SHOW = frozenset({"carry", "carries", "bear", "bears", "show", "shows", "display", "displays", "have", "has"})
 _KINDS = {"letters": "letter", "letter": "letter", "numbers": "digit", "number": "digit", "digits": "digit",
           "digit": "digit", "symbols": "symbol", "symbol": "symbol"}  # fmt: skip
@@ -73,6 +76,12 @@ def stock(p: Parser, i: int) -> Results[Clause]:
         for listed, j in noun_phrase(p, i):
             if j == p.end and _several(listed) and (mere_looks(listed) or all(map(_counted, _items(listed)))):
                 yield replace(given(p, i, j, listed, (), 3), lemma="stock"), j
+    if i == 0 or p.follows(i, _SET_OFF):
+        for listed, j in simple(p, i):
+            end = p.any_of(j, _IN_ALL) if _counted(listed) else 0
+            again = isinstance(listed, Noun) and not {*listed.traits.colors}.isdisjoint(p.words[:i])
+            if end and again and isinstance(listed, Noun) and listed.det in ("bare", "a") and not listed.conditions:
+                yield replace(given(p, i, end, listed, (), 0), lemma="stock"), end
     yield from _sized(p, i, lead or p.any_of(i, _USED))
     if lead or i == 0 or p.follows(i, (":",)):
         yield from _with_patches(p, lead or i)

@@ -20,6 +20,11 @@ _STANDS = (
     "stands", "lies", "go", "you put", "place", "put", "comes then", "come", "i want", "we want", "i need", "we need",
     "i would like", "we would like", "there shall be", "there has to be", "there needs to be", "i want to see",
 )  # fmt: skip
+_LAST = (
+    "should be", "must be", "should go", "must go", "goes", "go", "belong", "belongs", "has to be", "have to be",
+    "should lie", "should stand", "must lie", "must stand", "should sit", "is to be", "are to be", "has to go",
+)  # fmt: skip
+"""Verbs that may close what a place began: "on the mat the red block should be"."""
 _FACTS = frozenset({"is", "are", "sits", "stands", "lies"})
 _SEEN = Rows(
     Classes({"line": ("the|this row|line|tower|stack|column|blocks|cubes|letters|digits|numbers|colors|order",)}),
@@ -39,7 +44,8 @@ def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Result
         bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
         if bare and isinstance(theme, Noun) and not (theme.traits.colors or theme.traits.labels):
             continue
-        for more, last in adjuncts(p, end):
+        behind = p.any_of(end, _LAST) if not k else 0
+        for more, last in [((), behind)] if behind >= p.end > 0 else adjuncts(p, end):
             verb = "build" if isinstance(theme, Structure) else "be"
             when = "start" if mode == "start" else "goal"
             span = p.span(i, last)

@@ -280,7 +280,7 @@ _MUST_BE = ("should be", "must be", "has to be", "have to be", "goes", "go", "st
 
 
 def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
-    """ "..., not the blue block", "... and no blue one", "..., the others elsewhere": the place of the clause before, denied of another."""
+    """ "..., not the blue block", "... and no blue one", "..., the others elsewhere": the place before, denied."""
     place = before.adjuncts[0] if len(before.adjuncts) == 1 and before.verb in ("be", "place") else None
     if not isinstance(place, Loc | In) or place.negated or before.negated:
         return

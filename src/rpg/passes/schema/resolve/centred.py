@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -19,12 +20,24 @@ def centred(spec: Spec, scene: Scene, span: Span, names: tuple[str, ...] | None 
         return []
     spec.places = [p for p in spec.places if p not in found]
     pairs = [(a, b) for a, b in scene.on_top.items() if a not in scene.begun_on and (names is None or a in names)]
+    alike = [] if pairs or scene.denying else _alike(scene, names)
+    pairs = pairs or alike
     stacked = {name for pair in pairs for name in pair}
     others = any(t.name not in stacked and not t.extra for t in scene.blocks()) and "all" in found[0].mods
     if len(found) > 1 or not pairs or scene.denying or others:
         raise refuse("ambiguous", "it is not said which block lies on which, centred so well", found[0].span,
                      "say it of a block that is put on another one")  # fmt: skip
-    return [r.Distance(a=(a,), b=(b,), maximum=found[0].high, span=span) for a, b in pairs]
+    near: list[g.Goal] = [r.Distance(a=(a,), b=(b,), maximum=found[0].high, span=span) for a, b in pairs]
+    return [*(r.On(a=(a,), b=(b,), span=span) for a, b in alike), *near]
+
+
+def _alike(scene: Scene, names: tuple[str, ...] | None) -> list[tuple[str, str]]:
+    """What lies on what in towers of blocks that look alike: which of them is which makes no difference."""
+    towers = [b.members for b in scene.built if b.kind == "stack" and (names is None or {*b.members} & {*names})]
+    things = [[scene.things[name] for name in members] for members in towers]
+    if any(len({(t.color, t.label, t.size, t.edge) for t in tower}) > 1 for tower in things):
+        return []
+    return [(upper, lower) for members in towers for lower, upper in pairwise(members)]
 
 
 def by_centring(clause: Clause, spec: Spec) -> None:

@@ -6,10 +6,11 @@ from dataclasses import replace
 
 from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.arranging import arrange_blocks
+from rpg.passes.schema.resolve.boards import by_corners, by_layers
 from rpg.passes.schema.resolve.figures import check_built
 from rpg.passes.schema.resolve.fitting import uses_orders
 from rpg.passes.schema.resolve.lined_towers import line_of, lined_up
-from rpg.passes.schema.resolve.placing import Goals, absolutes, is_extra, places
+from rpg.passes.schema.resolve.placing import Goals, absolutes, is_extra, loose_ats, places
 from rpg.passes.schema.resolve.refer import refer
 from rpg.passes.schema.resolve.relations import related
 from rpg.passes.schema.resolve.spec import Spec
@@ -59,6 +60,8 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if uses_orders(built):
         spec.orders = []
     goals += places(ref, spec, scene, scope, clause.span)
+    if len(built) == 1 and built[0].kind == "stack" and not scope.start and _sided(spec):
+        goals += loose_ats(ref, spec, scene, clause.span)
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
     if scope.start and any(b.kind == "pile" for b in built):
@@ -66,6 +69,12 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if not used and not goals:
         raise refuse("no-goal", "it is not said what to do with it", clause.span)
     return goals
+
+
+def _sided(spec: Spec) -> bool:
+    """ "A tower of two on the left": a side of the table, or of what else is there, and no place in the tower."""
+    plain = [at for at in spec.ats if at.index is None and not at.whole and not at.own]
+    return len(spec.ats) == len(plain) == 1 and plain[0].side in ("left", "right", "front", "back")
 
 
 def _of_them_all(clause: Clause, spec: Spec) -> None:
@@ -125,7 +134,7 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
             raise refuse("misplaced", "piles lie on the table", shape.span)
         if shape.det == "the" and clause.verb not in ("build", "arrange"):
             check_built(shape)
-        shape = lined_up(_laid_in(shape, spec), spec)
+        shape = by_layers(by_corners(lined_up(_laid_in(shape, spec), spec), spec), spec)
         built, atoms = make(shape, spec, None, scene, scope)
         atoms = [*atoms, line_of(built, scene, shape.span)] if spec.lined else atoms
         spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]

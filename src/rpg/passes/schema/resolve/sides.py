@@ -15,7 +15,7 @@ from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning
 from rpg.passes.schema.resolve.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.logic import conj
-from rpg.passes.schema.resolve.operands import UPRIGHT
+from rpg.passes.schema.resolve.operands import UPRIGHT, foot
 from rpg.passes.schema.resolve.positions import SIDES, alternatives, places_of, ranks_from
 from rpg.passes.schema.resolve.structures import either, stack_built
 from rpg.passes.schema.resolve.world import Ref, Scene, refuse
@@ -54,6 +54,7 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
     scene.loose = []
     names = [n for ref, _, _ in loose for n in ref.names]
     told = any(isinstance(a, r.InRegion) for a in atoms(goal))
+    told = told or any(ref.built and getattr(at_, "side", "") != "middle" for ref, at_, _ in loose)
     whole = max(len(ref.names) for ref, _, _ in loose) if told else 0
     for node in (n for n in _lines(goal) if set(names) <= set(n.blocks) and whole < len(n.blocks)):
         return _refine(goal, node, loose, scene)
@@ -339,7 +340,7 @@ def _across(loose: list[Loose]) -> g.Goal:
         raise refuse("ambiguous", "several blocks are said to be on the same side", loose[-1][2], "say of what")
     goals: list[g.Goal] = []
     for (a, _, span), (b, _, _) in itertools.pairwise(ranked):
-        goals.append(node(a=a.names, b=b.names, span=span))
+        goals.append(node(a=foot(a), b=foot(b), span=span))
     return conj(goals)
 
 

@@ -16,6 +16,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         if scope.role == "landmark"
         else []
     )
+    if scope.rel == "between" and (ends := _two_ends(word, own, scene)) is not None:
+        return ends
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
     for mention in reversed(scene.mentions):
         if before and mention in own:
@@ -50,6 +52,24 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if last:
         return Ref(names=tuple(last), plural=len(last) > 1)
     return _nobody(word)
+
+
+def _two_ends(word: Pronoun, own: list[Mention], scene: Scene) -> Ref | None:
+    """ "Red is on the left, a blue tower on the right. White is between them": the two things there are.
+
+    Not the blocks of one tower; None where it stands for two that were told together.
+    """
+    told: dict[tuple[str, ...], Ref] = {}
+    for ref in (m.ref for m in scene.mentions if m not in own and m.ref.names):
+        told[ref.names] = ref if ref.built or ref.names not in told else told[ref.names]
+    whole = [ref for ref in told.values() if len(ref.names) == 1 or [b.kind for b in ref.built] == ["stack"]]
+    apart = sum(len(names) for names in told) == len({n for names in told for n in names})
+    if len(whole) == len(told) == 2 and apart and word.word in ("them", "they"):
+        names = tuple(n for names in told for n in names)
+        return Ref(names=names, parts=tuple(whole), plural=True, op="and")
+    if len(whole) == len(told) and any(ref.built for ref in whole):
+        raise refuse("between-two", "it is not clear between which two things", word.span, "name both")
+    return None
 
 
 def _nobody(word: Pronoun) -> NoReturn:

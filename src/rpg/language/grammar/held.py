@@ -1,0 +1,33 @@
+"""What lies on a landmark: "left of a black block with a white one on it" has the white one on the black."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser
+from rpg.language.meaning import Absolute, Amount, Loc, Meaning, Noun, Pronoun
+
+_SIDES = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near", "touching"})
+_THAT = frozenset({"that", "which"})
+LEADS = _THAT | {"with", "having"}
+
+
+def held(p: Parser, j: int, first: Meaning, second: Meaning) -> Absolute | None:
+    """What is said at `j` to lie on the landmark of the place before it, with that in the place of "it".
+
+    Behind "on the blue block", "with a white one on it" may be said of what lies there; "that has ..." is not.
+    """
+    mark = first.landmark if isinstance(first, Loc) and not first.negated else None
+    if not isinstance(first, Loc) or not isinstance(mark, Noun) or mark.head == "patch" or mark.plural:
+        return None
+    if not p.stands(j, LEADS) or not (first.rel in _SIDES or p.stands(j, _THAT)):
+        return None
+    if not isinstance(second, Absolute) or len(second.adjuncts) != 1 or mark.amount not in (None, Amount(1, 1)):
+        return None
+    place = second.adjuncts[0]
+    if not isinstance(place, Loc) or place.rel != "on" or not isinstance(place.landmark, Pronoun):
+        return None
+    if place.landmark.word != "it":
+        return None
+    it = replace(mark, det="the", amount=None, cost=0)
+    return replace(second, adjuncts=(replace(place, landmark=it),))

@@ -84,6 +84,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word in PATCHES and not task.patches:
             return token
+        if token.word == "ones" and chosen and _of_counted(words, index, task):
+            return token
         if token.word == "while" and _meanwhile(words, index):
             return token
         if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
@@ -106,6 +108,14 @@ def _more_than(words: Sequence[Token], only: int, task: TaskSchema) -> Token | N
     plain = len(after) == 2 or after[2].kind == "punct"
     said = _number(after[0]) if plain else None
     return after[0] if said is not None and said != len(task.blocks) else None
+
+
+def _of_counted(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
+    """Whether "the red ones" are of the blocks counted before, "line up five blocks", beside which there are others."""
+    looks = lexicon.COLOR.get(words[index - 1].word) is not None
+    before = zip(words[:index], words[1:index], strict=False)
+    counts = [_number(number) for number, noun in before if noun.word in lexicon.BLOCK]
+    return looks and any(count is not None and count < len(task.blocks) for count in counts)
 
 
 def _alphabet(words: Sequence[Token], index: int) -> bool:
@@ -150,7 +160,8 @@ def _shown_orders(task: TaskSchema) -> set[str]:
 def _number(token: Token) -> float | None:
     if token.kind == "number":
         return float(str(token.value))
-    return lexicon.NUMBER.get(token.word) if token.kind == "word" else None
+    spelt = token.raw.isupper() and len(token.raw) > 1  # "Rearrange them to TEN"
+    return lexicon.NUMBER.get(token.word) if token.kind == "word" and not spelt else None
 
 
 def _symbols(asset: Asset) -> set[str]:

@@ -8,7 +8,10 @@ from rpg.language.grammar.wishes import PEOPLE
 
 _CLASSES = Classes(
     {
-        "which": ("the|my|our|your|this|that|a|an|one|some|every|their|his|her",),
+        "which": (
+            "the|my|our|your|this|that|a|an|one|some|every|their|his|her",
+            f"the|my|our|your robot|camera|viewer|{PEOPLE} 's",
+        ),
         "person": (
             "i|we|you|one|people|somebody|someone|anybody|anyone|everybody|everyone|they",
             f"<which> little|young? viewer|camera|observer|robot|beholder|onlooker|{PEOPLE}",
@@ -32,7 +35,7 @@ _CLASSES = Classes(
             "envision|envisage|prefer|expect|expects|require|visualize|visualise|mean|describe|love|have_in_mind",
             "has_in_mind|had_in_mind|am_after|are_after|am_looking_for|are_looking_for|am_thinking_of|dream_of|think_of",
             "thought_of|drew|draw|took|take|made|painted|sketched|photographed|am_describing|am_imagining|am_picturing",
-            "ask_for|asks_for|ask|demand|demands|care_about|care_for",
+            "aim_for|aim_at|strive_for|go_for|hope_for|wish_for|ask_for|asks_for|ask|demand|demands|care_about|care_for",
         ),
         "kind": (
             "final|finished|end|target|goal|desired|wanted|imagined|completed|complete|whole|resulting|mental|expected",
@@ -100,10 +103,11 @@ _CLASSES = Classes(
         "where": (
             "<time>",
             "at|in|by|on end|finish",
+            "through|in|with|by the|my|your|a? camera|camera_lens|lens|own_eyes|eyes",
             "finally|eventually|ultimately|lastly|at_last|at_long_last",
             "in|on <pictured>",
         ),
-        "break": (",|:|that|…",),
+        "break": (",|:|that|how|…",),
         "is": ("is|are|was|were|would_be|will_be|should_be|must_be|shall_be|has_to_be|'s|be|is_to_be|is_just",),
         "this": (
             "this|the_following|as_follows|like_this|like_that|like_so|so|this_one|this_here|this_way|thus|this_picture",
@@ -156,6 +160,18 @@ _FRAME = (
     "<where>? ,? <table>|<pictured> ,? <just>? <may>? <just>? <shows> <this>? <where>* <break>*",
     "<where>? ,? <table> <just>? <may> <just>? <has> <this>? <where>* <break>*",
     "<where>? ,? <pictured> ,? <just>? <may>? <just>? <has>|<is> <this>? <where>* <break>*",
+    "<kind>* <scene> <wanted>? :",
+    "<where> ,? is|are|can_be|could_be|it_is|one_can to? be? see|seen|shown|visible|found|depicted <break>*",
+    "please? build|make|do|recreate|copy|reproduce|produce|show|set_up what <person> <may>? <see>|<want> <where>* :|,",
+    "please? do|build|arrange|put|lay|place|set|make|have it|this|them|everything|things|all? <so> <where>* :",
+    "please? do|build|arrange|put|lay|place|set the|all|all_the blocks|cubes|bricks|things|letters <so> <where>* :",
+    "the|all|all_the blocks|cubes|bricks|things|letters <just>? <may>? be|are|stand|lie|go|get? "
+    "positioned|placed|arranged|put|laid|standing|lying|set_up|distributed|laid_out? <so> <where>* :",
+    "<person> am|is|are|will_be|would_be very|really|quite? satisfied|happy|content|pleased|glad if|when|once",
+    "<so> <where>* :",
+    "so|thus|like_this|this_way it|everything|the_table|things <may>? be|look|stand? <where>* :",
+    "so <may> it be|look <where>* :",
+    "exactly|just? this|the_following <may> come_out|be_the_result|result|be_there|be_seen <where>* :",
     "<pictured> :",
     "there <may>|is|are|has_to be? seen|found|shown|visible|observed <where>* <break>*",
     "<where>? ,? <person> <may>? look|looks|looking|glance at|upon|on <table>|<pictured>|it from_the_front|"
@@ -246,6 +262,8 @@ VIEW = Rows(
     "as? seen|viewed|looked_at|visible? from where <here>",
     "as? seen|viewed|looked_at|visible from|by <viewer> 's? <side>?",
     "as? seen|viewed|looked_at|visible from my|our|your <side>",
+    "as? seen|viewed|looked_at|watched? from above|straight_above",
+    "seen|viewed|looked_at from the_top",
     "from my|our|your|this? point_of_view|perspective|viewpoint|standpoint|angle",
     "from <viewer> 's point_of_view|perspective|viewpoint|standpoint|angle|side",
     "for the viewer|camera|audience|spectator|observer",

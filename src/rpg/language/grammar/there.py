@@ -25,7 +25,24 @@ _LAST = (
     "should lie", "should stand", "must lie", "must stand", "should sit", "is to be", "are to be", "has to go",
 )  # fmt: skip
 """Verbs that may close what a place began: "on the mat the red block should be"."""
-_FACTS = frozenset({"is", "are", "sits", "stands", "lies"})
+_VERBS = Classes(
+    {
+        "must": ("should|must|shall|will|has_to|have_to|needs_to|need_to|ought_to|is_to|are_to",),
+        "be": (
+            "be|stand|lie|sit|rest|appear|come|remain|exist|lay",
+            "be placed|put|standing|lying|sitting|seen|found|located|shown|built",
+        ),
+        "is": (
+            "stands|stand|lies|lie|sits|sit|rests|rest|appears|appear|exists|exist|remains|remain|follows|follow|lay",
+            "is|are standing|lying|sitting|resting|placed|put|shown|found|located|seen|built",
+            "has|have been placed|put|built|stacked|laid",
+        ),
+    }
+)
+_STANDING = Rows(_VERBS, "there? also|then|only? <must> also? <be>", "there? also|then? <is>")
+_THERE_MUST = Rows(_VERBS, "there also|then? <must> also? <be>")
+_THERE_STANDS = Rows(_VERBS, "there also|then? <is>")
+_FACTS = frozenset({"is", "are", "sits", "stands", "lies", "rests", "lie", "stand", "sit", "rest"})
 _SEEN = Rows(
     Classes({"line": ("the|this row|line|tower|stack|column|blocks|cubes|letters|digits|numbers|colors|order",)}),
     "there should|must|shall|has_to? be|is|are",
@@ -38,7 +55,7 @@ _SEEN = Rows(
 
 def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Results[Meaning]:
     """ "on the left of the blue block there is a red one"."""
-    k = p.any_of(j, _STANDS)
+    k = max(p.any_of(j, _STANDS), *_STANDING.matches(p, j), 0)
     lemma = "fact" if k and p.words[k - 1] in _FACTS else ""
     for theme, end in noun_phrase(p, k or j):
         bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
@@ -80,6 +97,7 @@ def exists(p: Parser, i: int) -> Results[Meaning]:
             "there should only be",
         ),
     )
+    j = j or max(_THERE_MUST.matches(p, i), default=0)
     mode = "goal"
     if not j:
         j = p.any_of(i, ("there are already", "there is already", "there are", "there is", "you have", "we have",
@@ -88,6 +106,7 @@ def exists(p: Parser, i: int) -> Results[Meaning]:
                          "the workspace contains", "the table holds", "there also are",
                          "you start with", "there were", "there was", "the table contains", "on the table there are",
                          "on the table are", "on the table there is"))  # fmt: skip
+        j = j or max(_THERE_STANDS.matches(p, i), default=0)
         mode = "given"
     if not j:
         return

@@ -15,7 +15,8 @@ def piled(found: Meaning) -> Meaning:
         bunch = tuple(part for part in found.adjuncts if isinstance(part, Into))
         return replace(found, verb="place", lemma="put", adjuncts=bunch) if bunch else found
     for index, (first, second) in enumerate(zip(found.adjuncts, found.adjuncts[1:], strict=False)):
-        if _lies_on(first) and _lies_on(second) and second.span[0] <= first.span[1] + 1:
+        alike = getattr(first, "rel", "") == getattr(second, "rel", "")
+        if alike and _lies_on(first) and _lies_on(second) and second.span[0] <= first.span[1] + 1:
             assert isinstance(first, Loc) and isinstance(first.landmark, Noun)
             theme = replace(first.landmark, det="the", amount=None, cost=0)
             span = (first.landmark.span[0], found.span[1])
@@ -34,4 +35,5 @@ def _bunched(part: Meaning) -> bool:
 
 
 def _lies_on(part: Meaning) -> bool:
-    return isinstance(part, Loc) and part.rel == "on" and not part.negated and isinstance(part.landmark, Noun)
+    upright = isinstance(part, Loc) and part.rel in ("on", "above") and not part.negated
+    return upright and isinstance(part, Loc) and isinstance(part.landmark, Noun)

@@ -31,17 +31,20 @@ def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
                 yield piled(Clause(verb="be", theme=first, adjuncts=found, mode="start", span=p.span(i, end))), end
 
 
+_IN_A_ROW = ("in a row as", "in a line as", "lined up as", "side by side as", "in the order", "in a row :")
 _SHOWN = frozenset({"row", "line", "stack", "word", "column"})
 
 
 def _as_a_word(p: Parser, i: int, j: int, theme: Meaning) -> Results[Meaning]:
     """ "The row (of letters) starts as TAC", "the letters start as TAC": what can be read there."""
+    j = p.any_of(j, _IN_A_ROW) or j
     text = literal(p, p.any_of(j, ("the word", "word", "spelling", "reading")) or j)
     line = isinstance(theme, Structure) and theme.kind in _SHOWN and theme.det == "the" and not theme.plural
     members = theme.members if line and isinstance(theme, Structure) else theme
     plain = Traits(kind="letter")
     letters = isinstance(members, Noun) and members.traits in (plain, Traits()) and members.head == "block"
-    if text is None or len(text) < 2 or not (letters or (line and members is None)):
+    named = isinstance(members, Noun) and text is not None and sorted(members.traits.labels) == sorted(text)
+    if text is None or len(text) < 2 or not (letters or named or (line and members is None)):
         return
     end = (p.any_of(j, ("the word", "word", "spelling", "reading")) or j) + 1
     word = Structure(kind="word", det="the", letter=text, span=p.span(j, end))

@@ -92,20 +92,7 @@ def _alternatives(p: Parser, i: int, had: tuple[Chain, ...]) -> Results[Chain]:
 def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
     if len(had) > 16:
         return
-    if colon := p.one(at, ":"):
-        yield from _behind_colon(p, i, had, links, colon)
-    if (comma := p.one(at, ",")) and isinstance(had[-1], Clause) and (many := _counted(had[-1].theme)):
-        for looks, k in looks_told(p, comma):  # "the two cubes touch, blue and yellow"
-            if isinstance(looks.theme, Coord) and len(looks.theme.items) == many and not looks.adjuncts:
-                yield Chain(clauses=(*had, looks), links=(*links, "and"), span=p.span(i, k)), k
-    if isinstance(had[-1], Clause) and had[-1].negated:
-        yield from _not_until(p, i, had, links, at)
-    for alike, k in color_at_last(p, at, had[0]) if len(had) == 1 and isinstance(had[0], Clause) else ():
-        yield Chain(clauses=(*had, alike), links=(*links, "and"), span=p.span(i, k)), k
-    for told, k in bodies(p, at, had[-1]):
-        whole, joined = (*had, *told), (*links, *("and" for _ in told))
-        yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k
-        yield from _more(p, i, whole, joined, k)
+    yield from _told_of_it(p, i, had, links, at)
     for link, j in _link(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
         if previous is not None and previous.negated and link in ("before", "after"):
@@ -174,6 +161,22 @@ def _there_too(p: Parser, i: int, before: Clause) -> Results[Clause]:
         told = isinstance(theme, Noun) and theme.det in ("a", "bare", "some") and theme.part_of is None
         if told and isinstance(theme, Noun) and (theme.head == "patch" or theme.traits.colors or theme.traits.labels):
             yield replace(before, theme=theme, adjuncts=(), span=p.span(i, j), cost=1), j
+
+
+def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
+    """What may follow a clause without a word that joins clauses: looks, colours, what a colon brings."""
+    yield from _behind_colon(p, i, had, links, colon) if (colon := p.one(at, ":")) else ()
+    if (comma := p.one(at, ",")) and isinstance(had[-1], Clause) and (many := _counted(had[-1].theme)):
+        for looks, k in looks_told(p, comma):  # "the two cubes touch, blue and yellow"
+            if isinstance(looks.theme, Coord) and len(looks.theme.items) == many and not looks.adjuncts:
+                yield Chain(clauses=(*had, looks), links=(*links, "and"), span=p.span(i, k)), k
+    yield from _not_until(p, i, had, links, at) if isinstance(had[-1], Clause) and had[-1].negated else ()
+    for alike, k in color_at_last(p, at, had[0]) if len(had) == 1 and isinstance(had[0], Clause) else ():
+        yield Chain(clauses=(*had, alike), links=(*links, "and"), span=p.span(i, k)), k
+    for told, k in bodies(p, at, had[-1]):
+        whole, joined = (*had, *told), (*links, *("and" for _ in told))
+        yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k
+        yield from _more(p, i, whole, joined, k)
 
 
 def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], colon: int) -> Results[Chain]:
@@ -294,6 +297,8 @@ def _counted(theme: Meaning | None) -> int:
     plain = isinstance(theme, Noun) and theme.head == "block" and theme.traits == Traits() and theme.part_of is None
     amount = theme.amount if plain and isinstance(theme, Noun) and not theme.conditions else None
     return amount.low if amount is not None and amount.low == amount.high and amount.low > 1 else 0
+
+
 def _contrasted(before: Clause, item: Meaning, link: str) -> Meaning:
     """ "red is not on blue and green on yellow" may deny both or one; "... and green not on yellow" denies both."""
     if not isinstance(item, Clause) or not (before.negated and item.negated) or link != "and":

@@ -164,3 +164,30 @@ def _whole(p: Parser, i: int, j: int, told: Told, unit: str, first: str | None) 
 def _end(side: str, unit: str) -> str:
     """Rows of a grid on the table that are told as on a page: the top one is the far one."""
     return {"top": "back", "bottom": "front"}.get(side, side) if unit == "row" else side
+
+
+_ONE_LINE = ("one", "a", "an", "the other", "another", "the other one", "the first", "the second", "the third",
+             "another one", "the first one", "the second one")  # fmt: skip
+_IS = ("is", "is all", "in", "of", "being", "all", "all in", "should be", "must be", "made of", ":")
+
+
+def one_line_each(p: Parser, i: int) -> Iterator[tuple[str, tuple[str, ...], int]]:
+    """ "with one red row and one blue row", ", one row red, the other blue": a colour for each, whichever is where."""
+    at = p.any_of(i, (", with", "with", ",", ":", "of", ", of which", "of which", "where", ", where"))
+    unit, named = "", []
+    while at and (k := p.any_of(at, _ONE_LINE)):
+        before = _UNITS.get(p.words[k], "")
+        k = p.any_of(k + 1, _IS) or k + 1 if before else p.any_of(k, _IS) or k
+        told = next(iter(color(p, k)), None)
+        if told is None:
+            return
+        after = _UNITS.get(p.words[told[1]], "") if not before else ""
+        end = p.opt(told[1] + 1 if after else told[1], "one")
+        line = before or after or unit
+        if not line or unit not in ("", line) or told[0] in named:
+            return
+        unit = line
+        named.append(told[0])
+        if len(named) > 1:
+            yield unit, tuple(named), p.reach(end)
+        at = p.any_of(end, (", and", ",", "and", ", while", "while"))

@@ -12,7 +12,7 @@ from rpg.language.grammar.along import listed_along
 from rpg.language.grammar.apposed import layers_told, symbols_told
 from rpg.language.grammar.ascents import measures
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.each_line import EACH
+from rpg.language.grammar.each_line import EACH, one_line_each
 from rpg.language.grammar.gradients import gradient
 from rpg.language.grammar.labels import run
 from rpg.language.grammar.limbs import LIMBED, limb
@@ -220,8 +220,12 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
             closed = k >= p.end or p.words[k] == "," or (flat and p.words[k] in _CLOSED)
             if not either and (len(named) == 1 or base.kind == "checkerboard") and closed:
                 painted = replace(base.traits, colors=named)
-                cost = base.cost + (0 if p.words[comma] == "all" else 1)
+                cost = base.cost + (0 if every or p.words[comma] == "all" else 1)
                 yield replace(base, traits=painted, span=p.span(i, k), cost=cost), k
+    for unit, named, k in one_line_each(p, j) if plain and base.kind in _LINED and p.anywhere(_ONE) else ():
+        pattern = Pattern(unit=unit, span=p.span(j, k))
+        traits = replace(base.traits, colors=named)
+        yield replace(base, traits=traits, details=(*base.details, pattern), span=p.span(i, k)), k
     limbs = limb(p, j, base.kind) if base.kind in LIMBED else ()
     if plain and base.kind in _FLAT and (lead := p.any_of(j, ("in", "all in"))):
         for (named, either), k in colors(p, lead):
@@ -236,6 +240,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         yield from _sized(p, i, k, changed)
 
 
+_LINED = ("grid", "square", "rectangle", "wall")
+_ONE = frozenset({"one", "other", "another"})
 _FLAT = ("grid", "square", "rectangle", "wall", "pyramid", "circle", "plus", "staircase", "cube")
 _CLOSED = frozenset({",", "with", "except", "but", "where", ":", "apart", "save"})
 _ALL_ARE = (

@@ -58,6 +58,17 @@ def _lines_by_lines(p: Parser, i: int, first: int) -> Results[tuple[int, ...]]:
 
 
 @rule
+def rows_and_columns(p: Parser, i: int) -> Results[tuple[int, ...]]:
+    """ "two rows and three columns", "4 rows x 2 columns": a grid that is told by these alone."""
+    first = p.number(i)
+    other = _LINES.get(p.words[i + 1]) if first is not None else None
+    k = p.any_of(i + 2, ("and", "by", "x", ", and", ",", "times", "*")) if other else 0
+    second = p.number(k) if k else None
+    if first is not None and second is not None and other is not None and p.words[k + 1] in (other, other[:-1]):
+        yield ((first, second) if other == "columns" else (second, first)), p.reach(k + 2)
+
+
+@rule
 def size_phrase(p: Parser, i: int) -> Results[Size]:
     """One statement of size after the noun."""
     j = p.opt(i, ",", "and", "but", ":")

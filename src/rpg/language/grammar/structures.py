@@ -17,7 +17,7 @@ from rpg.language.grammar.makeup import per_color, sized_members
 from rpg.language.grammar.modifiers import DETAILS, EDGES, MODIFIERS, OPERATORS
 from rpg.language.grammar.shapes import noun
 from rpg.language.grammar.sides import SIDES, toward
-from rpg.language.grammar.sizes import dimensions, layers_of
+from rpg.language.grammar.sizes import dimensions, layers_of, rows_and_columns
 from rpg.language.meaning import (
     Amount,
     Meaning,
@@ -66,9 +66,16 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
     for size, j in layers_of(p, i):
         base = Structure(kind="grid", sizes=(size,), span=p.span(i, j))
         yield from _tail(p, i, j, base)
+    for dims, j in () if p.anywhere(_GRIDS) else rows_and_columns(p, i):
+        yield from _tail(p, i, j, Structure(kind="grid", dims=dims, span=p.span(i, j)))
+        return
     for quantity, j in _quantities(p, i):
         for before, k in _before(p, j):
             yield from _kinds(p, i, k, quantity, before)
+
+
+_GRIDS = frozenset({"grid", "grids", "square", "rectangle", "wall", "checkerboard", "arrangement", "matrix"})
+"""Of what else rows and columns may be told."""
 
 
 def _quantities(p: Parser, i: int) -> Iterator[tuple[Quantity, int]]:

@@ -20,7 +20,7 @@ _HAS = ("that starts with", "that begins with", "which starts with", "which begi
         "beginning with", "begins with", "starts with", "should start with", "should begin with", "must start with",
         "must begin with", "has to start with", "has to begin with", "starts", "begins", "starts with the",
         ": first", ", first", "with first", "has first", "is first", ":", "has", "with", "goes", "runs", "goes from",
-        ", with")  # fmt: skip
+        ", with", "where", ", where", "in which", ", in which", "so that", "such that")  # fmt: skip
 _THERE = ("there comes first", "there come first", "there comes", "there come", "comes first", "comes", "come", "first",
           "put", "first comes", "first come", "first there is", "there is first", "place", "i want first", "first put",
           ": first", "there is", "you see first", "you first see")  # fmt: skip
@@ -64,9 +64,9 @@ def succession(p: Parser, i: int) -> Results[Clause]:
         if marked and (end := p.any_of(k, _IN_LINE)):
             yield from _whole(p, i, end, items, _LINES[p.words[end - 1]], None)
         elif marked and (end := p.one(k, frozenset({",", ";"}))):
-            for way, last in toward(p, end):
-                if isinstance(way, Toward) and way.first is not None:
-                    yield from _whole(p, i, last, items, "row" if way.axis == "y" else "line", way)
+            for told, last in toward(p, end):
+                if isinstance(told, Toward) and told.first is not None:
+                    yield from _whole(p, i, last, items, "row" if told.axis == "y" else "line", told)
 
 
 _NAMED = frozenset(_LINES)
@@ -86,9 +86,9 @@ def _openings(p: Parser, i: int) -> Iterator[tuple[str, Toward | None, int]]:
             for at in dict.fromkeys((lead, p.any_of(set_off, _THERE) if set_off else 0, set_off)):
                 if at:
                     yield kind, way, at
-    for way, j in toward(p, i):
-        if isinstance(way, Toward) and way.first is not None and (at := p.any_of(p.opt(j, ",", ":"), _THERE)):
-            yield {"y": "row", "z": "stack"}.get(way.axis or "", "line"), way, at
+    for led, j in toward(p, i):
+        if isinstance(led, Toward) and led.first is not None and (at := p.any_of(p.opt(j, ",", ":"), _THERE)):
+            yield {"y": "row", "z": "stack"}.get(led.axis or "", "line"), led, at
 
 
 def _whole(

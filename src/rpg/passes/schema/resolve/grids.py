@@ -31,7 +31,7 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
     if any(p.unit == "checkerboard" for p in spec.patterns):
-        shape = _two_colors(shape, spec)
+        shape = _cornered(_two_colors(shape, spec), spec, rows * columns if rows % 2 and columns % 2 else 0)
     form = s.Grid(blocks=("",), rows=rows, columns=columns, layers=layers)
     shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
@@ -91,6 +91,25 @@ def _two_colors(shape: Structure, spec: Spec) -> Structure:
             spec.orders.remove(order)
             return replace(shape, members=Coord(op="and", items=order.items, span=order.span))
     return shape
+
+
+def _cornered(shape: Structure, spec: Spec, odd: int) -> Structure:
+    """ "a 3x3 checkerboard of black and white, black in the corners": there is one more black one than white ones."""
+    corners = [x for x in spec.absolutes if (place := place_of(x)) is not None and place.side == "corners"]
+    colors = plain_colors(shape.members) if shape.members is not None else shape.traits.colors
+    theme = corners[0].theme if len(corners) == 1 else None
+    first = theme.traits.colors if isinstance(theme, Noun) else ()
+    if not odd or len(colors) != 2 or len(first) != 1 or first[0] not in colors:
+        return shape
+    spec.absolutes.remove(corners[0])
+    other = colors[1 - colors.index(first[0])]
+    parts = tuple(
+        Noun(head="block", amount=Amount(n, n), plural=n > 1, traits=Traits(colors=(color,)), span=shape.span)
+        for color, n in ((first[0], (odd + 1) // 2), (other, odd // 2))
+    )
+    return replace(
+        shape, members=Coord(op="and", items=parts, span=shape.span), traits=replace(shape.traits, colors=())
+    )
 
 
 def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:

@@ -71,8 +71,8 @@ def filled(last: Clause, said: Clause) -> Clause | None:
         return None
     if _gaps_of_it(said) and _one_line(last):
         return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
-    if (told := _rainbow(last, said)) is not None:
-        return told
+    if (rainbow := _rainbow(last, said)) is not None:
+        return rainbow
     items = next((a.items for a in said.adjuncts if isinstance(a, OrderBy) and a.by == "given" and a.items), ())
     listed = said.verb == "arrange" and said.theme is None and said.mode == "goal"
     if not listed or not items or any(not isinstance(a, OrderBy | Toward) for a in said.adjuncts):

@@ -241,6 +241,7 @@ def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sco
     need = steps * (steps + 1) // 2
     names = members_of(shape, spec, theme, None if told else need, need, scene, scope)
     form = s.Staircase(blocks=("",), steps=steps, up=up)  # type: ignore[arg-type]
+    pattern: Pattern | None
     if told is not None and len(names) == need:
         spec.orders = []
         pattern, readable = _in_columns(form, told[1], names, scene), False

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.blocks.traits import VOWELS
 from rpg.steer import requests as r
-from rpg.steer.language import Parser, label_list, longest, m, noun_phrase, phrases, simple
+from rpg.steer.language import Parser, colors, label_list, longest, m, noun_phrase, phrases, simple
 from rpg.steer.phrases import fresh, labelled, old, plural_kind, subjects, things
 from rpg.steer.places import given_up, place, places
 
@@ -124,7 +124,13 @@ def _idle(p: Parser, i: int, theme: m.Meaning) -> Iterator[tuple[m.Meaning, int]
 
 def _further(p: Parser, i: int, told: r.Add) -> Iterator[tuple[r.Request, int]]:
     """What describes a new block after its place: "put one more cube on top, a gray one"."""
-    plain = isinstance(told.theme, m.Noun) and told.theme.traits == m.Traits() and told.theme.amount == m.Amount(1, 1)
+    theme = told.theme
+    uncoloured = isinstance(theme, m.Noun) and not theme.traits.colors and not theme.traits.scheme
+    for (listed, _), end in colors(p, longest(p, i, ", in | in")) if uncoloured and longest(p, i, ", in | in") else ():
+        if isinstance(theme, m.Noun) and len(listed) == 1:
+            painted = replace(theme, traits=replace(theme.traits, colors=listed))
+            yield replace(told, theme=painted, span=(told.span[0], p.span(i, end)[1])), end
+    plain = isinstance(theme, m.Noun) and theme.traits == m.Traits() and theme.amount == m.Amount(1, 1)
     for noun, end in noun_phrase(p, longest(p, i, ", namely | ,")) if plain and longest(p, i, ", namely | ,") else ():
         if isinstance(noun, m.Noun) and noun.det == "a" and noun.head in ("block", "any") and not noun.conditions:
             yield replace(told, theme=noun, span=(told.span[0], p.span(i, end)[1])), end

@@ -89,6 +89,8 @@ def carry_out(draft: Draft, requests: Sequence[r.Request]) -> None:
         if isinstance(request, r.Keep):
             names = resolve(draft.view, _meant(request, requests[:index])).names
             draft.kept += names
+            if not draft.focus:
+                draft.look_at(names)
             lasting += [(request, atom) for atom in _kept_so(draft, request, names)]
     for request in requests:
         if not isinstance(request, r.Keep):

@@ -13,6 +13,7 @@ from rpg.steer.afresh import by_itself, one_more, only_a_number
 from rpg.steer.history import History
 from rpg.steer.identity import look
 from rpg.steer.shape import STRUCTURES, conjuncts, gives_up_places, structures
+from rpg.steer.terse import Shift
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""
@@ -77,7 +78,7 @@ def besides(request: str, asked: Sequence[r.Request], before: g.Goal, after: g.G
         return False
     if _BESIDES.match(request):
         return True
-    if not _TOO.search(request) or not any(isinstance(each, r.Move) for each in asked):
+    if not _TOO.search(request) or not any(isinstance(each, r.Move | Shift) for each in asked):
         return False
     places = [_where(part) for part in conjuncts(before)]
     new = [part for part in conjuncts(after) if part not in conjuncts(before)]

@@ -322,7 +322,9 @@ def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
     unsaid = any(text.startswith("the colours of the blocks are not said") for text in found.task.assumptions)
     made_up = of_all(found.request) and any("not said" in text for text in found.task.assumptions)
     made_up = made_up or (unsaid and only_named(found.request) and by_itself(found.request) == found.request)
-    if made_up or fewer or (counted and all(each in there for each in looks) and len(looks) != len(there)):
+    alike = all(each in there for each in looks) and len(looks) != len(there)
+    alike = alike or all(any(block.type == "SemanticCube" for block in task.blocks) for task in (found.task, old))
+    if made_up or fewer or (counted and alike):
         message = "this may be about the blocks that are there, or about others"
         hint = "say 'the red blocks', or how many there should be"
         hint = "say 'move ...' for what is there, or 'new task: ...'" if fewer else hint

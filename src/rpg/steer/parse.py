@@ -124,7 +124,7 @@ def _chains(p: Parser, start: int, reference: Reference | None) -> list[Parsed]:
             return
         extended = False
         for found, j in request(p, i):
-            if so_far and isinstance(found, Tint) and p.words[i - 1] not in _STOPS:
+            if so_far and p.words[i - 1] not in _STOPS and (isinstance(found, Tint) or _of_the_new(p, i, so_far[-1])):
                 continue
             j = tail(p, j)
             total = cost + found.cost + m_cost(found) + 1
@@ -140,6 +140,11 @@ def _chains(p: Parser, start: int, reference: Reference | None) -> list[Parsed]:
 
     go(start, (), 0)
     return done
+
+
+def _of_the_new(p: Parser, i: int, last: r.Request) -> bool:
+    """Whether "in red" behind what is added is about that, rather than about everything."""
+    return isinstance(last, r.Add) and p.words[i] == "in"
 
 
 def _join(p: Parser, i: int) -> int:

@@ -33,7 +33,10 @@ _ENDS = {
     **{f"as {a} {nth} group".replace("  ", " "): "group" for a in ("a", "another", "their own", "an") for nth in (
         "", "new", "separate", "extra", "further",
     )},
-    **{f"{lead} {nth} group": f"group {n}" for lead in ("as a", "as the", "in a") for nth, n in (
+    **{f"{lead} {nth} group": f"group {n}" for lead in (
+        "as a", "as the", "in a", "forming a", "to form a", "which form a", ", they form a", ", forming a",
+        "that form a", ", which form a", ", to form a", ", as a", ". they form a",
+    ) for nth, n in (
         ("second", 2), ("third", 3), ("fourth", 4), ("fifth", 5), ("sixth", 6),
     )},
     "in a group of their own": "group", "in another group": "group", "in a new group": "group",

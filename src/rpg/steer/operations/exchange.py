@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir.assets import EDGE, Asset, GoalPatch, SemanticCube
-from rpg.ir.edits import Exchange, ReplaceAssets, SetField
+from rpg.ir.edits import ChangeCondition, Exchange, ReplaceAssets, SetField
 from rpg.ir.relations import Facing
-from rpg.ir.structures import Equation, Spells
+from rpg.ir.structures import Equation, GroupBy, Spells
 from rpg.steer.draft import Draft
 from rpg.steer.operations.make import free_name
 
@@ -62,6 +62,7 @@ def _respell(draft: Draft) -> None:
             continue
         if sorted(node.text) != sorted(traits.symbol(name) for name in node.blocks):
             draft.do(SetField(at=line.path, field="text", value=None))
+    _regroup(draft, traits)
     for path, atom in draft.view.atoms:
         block = draft.view.world.blocks.get(atom.block) if isinstance(atom, Facing) and atom.label else None
         if isinstance(block, SemanticCube) and block.label and block.label != getattr(atom, "label", None):
@@ -69,3 +70,19 @@ def _respell(draft: Draft) -> None:
         if isinstance(atom, Spells) and sorted(atom.word) != sorted(traits.symbol(n) for n in atom.blocks):
             word = "".join(traits.symbol(name) for name in atom.blocks)
             draft.do(SetField(at=path, field="word", value=word))
+
+
+def _regroup(draft: Draft, traits: Traits) -> None:
+    """Blocks that are sorted by what they look like go over to the group that they fit now."""
+    for path, atom in draft.view.atoms:
+        if not isinstance(atom, GroupBy) or atom.by is None or atom.outliers:
+            continue
+        found: dict[object, list[str]] = {}
+        for group in atom.groups:
+            for name in group:
+                found.setdefault(traits.of(name, atom.by), []).append(name)
+        groups = tuple(tuple(group) for group in found.values())
+        if len(groups) == 1 and len(atom.groups) > 1:
+            draft.do(SetField(at=path, field="by", value=None))
+        elif None not in found and set(groups) != set(atom.groups):
+            draft.do(ChangeCondition(at=path, to=atom.model_copy(update={"groups": groups})))

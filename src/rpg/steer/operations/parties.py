@@ -12,7 +12,7 @@ from rpg.ir.structures import Stack, Towers
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.language import m
-from rpg.steer.operations.make import named, new_assets
+from rpg.steer.operations.make import describe, named, new_assets, unused_colors
 from rpg.steer.parties import NewTower, SoManyTowers
 from rpg.steer.view import Shape
 
@@ -67,15 +67,28 @@ def so_many(draft: Draft, request: SoManyTowers) -> None:
         raise draft.refusal("edit-unclear", told, request.span, hint)
     alike = len({draft.view.world.look[name] for name in node.blocks}) == 1
     there, each = len(node.heights), heights.pop()
-    other = request.amount != there and len(node.blocks) % request.amount == 0 and not request.only
-    if not alike or node.each is not None or request.amount < 2 or (other and len(node.blocks) // request.amount > 1):
+    other = request.amount > 0 and request.amount != there and len(node.blocks) % request.amount == 0
+    other = other and not request.only
+    unsaid = any(text.startswith("the colours of the blocks are not said") for text in draft.schema.assumptions)
+    if (
+        not (alike or unsaid)
+        or node.each is not None
+        or request.amount < 2
+        or (other and len(node.blocks) // request.amount > 1)
+    ):
         told = "this may be fewer of the towers that there are, or other towers of the same blocks"
         raise draft.refusal("edit-unclear", told, request.span, "give the whole instruction")
     if request.amount == there:
         raise draft.refusal("nothing-to-do", f"there are {there} already", request.span)
     draft.aim("TWEAK")
     draft.note("count", {"amount": request.amount})
-    blocks = _as_many(draft, list(node.blocks), request.amount * each)
+    blocks = list(node.blocks)
+    if unsaid and request.amount > there:
+        number = (request.amount - there) * each
+        new = named(draft, describe(draft, m.Traits(colors=tuple(unused_colors(draft, number))), number))
+        blocks += draft.add(list(new), request.span)
+    else:
+        blocks = _as_many(draft, blocks, request.amount * each)
     gone = [name for name in node.blocks if name not in blocks]
     update: dict[str, object] = {"blocks": tuple(blocks), "heights": (each,) * request.amount}
     if node.count is not None:

@@ -34,6 +34,9 @@ def reshape(draft: Draft, request: r.Reshape) -> None:
         draft.assume("a line is a row from left to right")
         wanted = replace(wanted, kind="row")
     wanted = _sided(wanted)
+    if isinstance(request.theme, m.Structure) and request.theme.det == "each":
+        told, hint = "each of several is changed one by one", "say it of one: turn the red tower into a row"
+        raise draft.refusal("edit-unclear", told, request.span, hint)
     found = resolve(draft.view, request.theme) if request.theme is not None else None
     names = _together(draft.view, found.names) if found else draft.view.busy
     line = draft.view.line_of(names)

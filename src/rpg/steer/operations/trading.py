@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
-from rpg.ir.structures import Equation, Row, Spells, Stack
+from rpg.ir.edits import SetField
+from rpg.ir.structures import Equation, GroupBy, Row, Spells, Stack
 from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.exchange import exchange
@@ -59,9 +61,20 @@ def trade(draft: Draft, request: r.Trade) -> None:
             request.span,
             "swap blocks that the goal has a place for",
         )
+    _untied(draft)
     draft.aim("MODIFY")
     draft.note("swap", [list(a), list(b)])
     draft.look_at((*a, *b))
+
+
+def _untied(draft: Draft) -> None:
+    """Groups whose members do not agree any more are not told apart by what they agreed in."""
+    traits = Traits(draft.view.world)
+    for path, atom in draft.view.atoms:
+        if not isinstance(atom, GroupBy) or atom.by is None or atom.outliers:
+            continue
+        if any(len({traits.of(name, atom.by) for name in group}) > 1 for group in atom.groups):
+            draft.do(SetField(at=path, field="by", value=None))
 
 
 def trade_colors(draft: Draft, request: TradeColors) -> None:

@@ -182,7 +182,9 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         elif before and adjoining and before.kind == "number" and token.word in _ORDINAL_TAIL:
             out[-1] = Token("word", before.word + token.word, before.raw + token.raw, (before.span[0], token.span[1]))
         elif token.word == "-" and before and after and adjoining and after.span[0] == token.span[1]:
-            if _is_range(before, after):
+            if _is_range(before, after) and _in_a_chain(out, tokens, index):
+                out.append(replace(token, kind="punct", word=","))
+            elif _is_range(before, after):
                 out.append(replace(token, kind="word", word="to"))
             elif after.kind == "word":
                 tokens[index + 1] = replace(after, joined=True)
@@ -212,6 +214,15 @@ def _several(token: Token) -> bool:
 
 def _letter(token: Token) -> bool:
     return token.kind == "word" and len(token.raw) == 1 and token.raw.isupper()
+
+
+def _in_a_chain(out: list[Token], tokens: list[Token], index: int) -> bool:
+    """ "A-B-C", "3-2-1": more than two symbols bound by hyphens are a list."""
+    before = out[-2] if len(out) > 1 else None
+    bound = before is not None and before.raw == "-" and before.span[1] == out[-1].span[0]
+    after, further = tokens[index + 1], tokens[index + 2 : index + 4]
+    goes_on = len(further) == 2 and further[0].word == "-" and _is_range(after, further[1])
+    return bound or (goes_on and further[0].span == (after.span[1], further[1].span[0]))
 
 
 def _is_range(before: Token, after: Token) -> bool:

@@ -146,6 +146,9 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
             continue
         if p.stands(k, ("left", "right")) and (not p.stands(k + 1, ("of",)) or p.stands(k + 2, _MARKS)):
             yield from ((Absolute(theme=theme, adjuncts=x, span=p.span(j, end)), end) for x, end in _places(p, k))
+        for shape, end in _formed(p, k, theme):
+            spots = [(x, e) for x, e in _places(p, end) if isinstance(x[0], Loc)]
+            yield from ((Absolute(theme=shape, adjuncts=x, span=p.span(j, e)), e) for x, e in spots)
         k = p.opt(k, "is", "are", "being", "goes", "should", "lying", "standing", "left")
         k = p.opt(k, "be")
         k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
@@ -164,6 +167,17 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
             if isinstance(theme, Noun):
                 place = At(side=side, own=the > j, span=p.span(j, k))
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(j, end), cost=1), end
+
+
+_SHAPES = {"in a row": "row", "in a line": "line", "stacked": "stack", "in a stack": "stack", "in a tower": "stack",
+           "stacked up": "stack", "lined up": "line", "piled up": "stack", "in one row": "row"}  # fmt: skip
+
+
+def _formed(p: Parser, k: int, theme: Meaning) -> Results[Structure]:
+    """ "(a mat with) three white blocks in a row (on it)": a row of them."""
+    counted = isinstance(theme, Noun) and theme.head != "patch" and theme.amount is not None and theme.amount.low > 1
+    for phrase, end in p.standing(k, _SHAPES) if counted else ():
+        yield Structure(kind=_SHAPES[phrase], members=theme, span=(theme.span[0], p.span(k, end)[1])), end
 
 
 def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Results[Meaning]:

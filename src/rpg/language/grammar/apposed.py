@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from rpg.language import lexicon
+from rpg.language.grammar.adjectives import color
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.nouns import simple
-from rpg.language.meaning import Amount, Noun, Size, Traits
+from rpg.language.meaning import Absolute, Amount, Coord, Noun, Places, Size, Traits
 
 _LINED = ("grid", "row", "line", "column", "stack", "square", "circle", "rectangle", "wall", "checkerboard")
 
@@ -24,6 +25,26 @@ def symbols_told(p: Parser, j: int, kind: str) -> Results[Noun]:
         plain = marks == Traits(labels=marks.labels, kind=marks.kind)
         if isinstance(found, Noun) and plain and len(marks.labels) > 1 and found.amount is None:
             yield found, k
+
+
+@rule
+def a_lot_each(p: Parser, i: int, many: int) -> Results[Coord]:
+    """ "(two towers:) 2 red and 3 blue blocks": behind a colon as many lots as there are towers, one for each."""
+    at = p.one(i, frozenset({":"}))
+    lots: list[Absolute] = []
+    while at and len(lots) < many:
+        number, j = p.number(at), at + 1
+        named = next(iter(color(p, j)), None) if number is not None else None
+        if number is None or named is None:
+            return
+        end = p.any_of(named[1], _BLOCKS) or named[1]
+        span = p.span(at, end)
+        theme = Noun(head="block", amount=Amount(number, number), plural=number > 1, traits=Traits(colors=(named[0],)),
+                     span=span)  # fmt: skip
+        lots.append(Absolute(theme=theme, adjuncts=(Places(side="one", unit="whole", span=span),), span=span))
+        if len(lots) == many > 1 and (end >= p.end or p.words[end] in (",", ";")):
+            yield Coord(op="absolutes", items=tuple(lots), span=p.span(i, end)), end
+        at = p.any_of(end, (", and", ",", "and", "+", ";"))
 
 
 _BLOCKS = ("blocks", "block", "cubes", "cube", "bricks", "ones", "one")

@@ -73,6 +73,8 @@ def chain(p: Parser, i: int) -> Results[Chain]:
         yield from ((found, k) for found, k in chain(p, j) if "or" in found.links)
     for first, j in clause(p, i):
         yield Chain(clauses=(first,), links=("and",), span=p.span(i, j)), j
+        for alike, k in color_at_last(p, j, first) if isinstance(first, Clause) else ():
+            yield Chain(clauses=(first, alike), links=("and", "and"), span=p.span(i, k)), k
         yield from _more(p, i, (first,), ("and",), j)
 
 
@@ -104,6 +106,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             *clause(p, j),
             *(carried_on(p, j, previous) if previous is not None else ()),
             *(gerund_single(p, j) if link in ("before", "after") else ()),
+            *(_there_too(p, j, previous) if previous is not None and link == "and" else ()),
         ]
         bare = previous is not None and not previous.adjuncts
         bare = bare and (link == "then" or (link == "and" and p.words[j - 1] in (",", ";")))
@@ -124,11 +127,6 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
             yield from _more(p, i, whole, (*links, link), k)
-        if previous is not None and link == "and":
-            for further, k in _there_too(p, j, previous):
-                whole = (*had, further)
-                yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
-                yield from _more(p, i, whole, (*links, link), k)
         if previous is not None:
             denied = p.stands(p.opt(at, ","), ("but",))
             if link in ("before", "after"):
@@ -171,8 +169,6 @@ def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, .
             if isinstance(looks.theme, Coord) and len(looks.theme.items) == many and not looks.adjuncts:
                 yield Chain(clauses=(*had, looks), links=(*links, "and"), span=p.span(i, k)), k
     yield from _not_until(p, i, had, links, at) if isinstance(had[-1], Clause) and had[-1].negated else ()
-    for alike, k in color_at_last(p, at, had[0]) if len(had) == 1 and isinstance(had[0], Clause) else ():
-        yield Chain(clauses=(*had, alike), links=(*links, "and"), span=p.span(i, k)), k
     for told, k in bodies(p, at, had[-1]):
         whole, joined = (*had, *told), (*links, *("and" for _ in told))
         yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k

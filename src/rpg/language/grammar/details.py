@@ -17,13 +17,14 @@ from rpg.language.grammar.patterns import DIAGONALS, pattern
 from rpg.language.grammar.strangers import strangers_told
 from rpg.language.grammar.succession import succession
 from rpg.language.grammar.wholes import wholes_told
-from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, Structure
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, OrderBy, Structure
 
 
 @rule
 def part_clause(p: Parser, i: int) -> Results[Meaning]:
     """ "its top is red", "make the middle one blue", "the two ends should be white"."""
     yield from _comes_next(p, i)
+    yield from _first_then(p, i)
     yield from each_clause(p, i)
     yield from strangers_told(p, i)
     yield from piled_from_an_end(p, i)
@@ -46,6 +47,38 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
         for whole, k in more_parts(p, start, j, first):
             if isinstance(whole, Coord):
                 yield _said(p, i, k, whole), k
+
+
+_ONWARD = (", and then", ", then", "and then", "then", ", and finally", ", and lastly", "and finally", "and lastly",
+           ", finally", ", lastly", "followed by", ", followed by", ", next", ", and last", "and last",
+           ", and after that", ", after that")  # fmt: skip
+_IS_LAST = ("is last", "comes last", "last", "at the end", "is at the end")
+
+
+@choice
+def _first_then(p: Parser, i: int) -> Results[Clause]:
+    """ "First (comes) red, then white, and blue is last.": the blocks of a line from its beginning on."""
+    start = p.any_of(i, ("first", "first comes", "first there is", "first of all", "the first is", "first :"))
+    items: list[Meaning] = []
+    at = start
+    while at and len(items) < 12:
+        theme, k = next(((x, k) for x, k in simple(p, at) if isinstance(x, Noun) and _one(x)), (None, 0))
+        if theme is None:
+            return
+        items.append(theme)
+        end = p.any_of(k, _IS_LAST) or k
+        if end >= p.end and len(items) > 1:
+            order = OrderBy(by="named", items=tuple(items), span=p.span(i, end))
+            yield Clause(verb="part", adjuncts=(order,), mode="goal", span=p.span(i, end), cost=1), end
+        on = p.any_of(end, _ONWARD)
+        last = p.any_of(end, (", and", "and"))
+        at = (p.any_of(on, _COMES) or on) if on else last
+
+
+def _one(theme: Noun) -> bool:
+    """One block, told by its look."""
+    one = theme.amount in (None, Amount(1, 1)) and not theme.plural and theme.head != "patch" and theme.det != "each"
+    return one and len(theme.traits.colors + theme.traits.labels) == 1 and theme.part_of is None
 
 
 _COMES = ("comes", "come", "there comes", "follows", "follow", "there follows", "comes the", "there is", "is")

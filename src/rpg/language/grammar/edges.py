@@ -18,6 +18,8 @@ _LEADS = (
 
 def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord]:
     """As many blocks as there are lengths, each with its own."""
+    if noun.plural and noun.traits.edge is None:
+        yield from _of_any_edges(p, i, j, noun)
     k = p.any_of(j, _LEADS) if noun.plural and noun.head == "block" and noun.traits.edge is None else 0
     for edges, end in lengths(p, k) if k else ():
         many = noun.amount
@@ -25,6 +27,26 @@ def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord]:
             one = replace(noun, amount=Amount(1, 1), det="the" if noun.det == "the" else "bare", plural=False)
             items = tuple(replace(one, traits=replace(noun.traits, edge=edge), span=p.span(i, end)) for edge in edges)
             yield Coord(op="and", items=items, span=p.span(i, end)), end
+
+
+_DIFFERENT = (
+    "of different sizes", "in different sizes", "of different size", "with different sizes", "of increasing size",
+    "of various sizes", "each of a different size", ", each of a different size", "of unequal size", "in various sizes",
+    "of three sizes", "in three sizes", "of two sizes", "in two sizes", "with different edges",
+)  # fmt: skip
+_EDGES = {2: (0.03, 0.05), 3: (0.03, 0.04, 0.05)}
+"""Sizes that are told apart, for so many blocks."""
+
+
+def _of_any_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord]:
+    """ "three cubes of different sizes": each of a size of its own."""
+    k = p.any_of(j, _DIFFERENT) if noun.head == "block" and noun.amount is not None else 0
+    edges = _EDGES.get(noun.amount.low, ()) if k and noun.amount is not None and noun.traits.size is None else ()
+    said = {"two": 2, "three": 3}.get(p.words[k - 2], len(edges)) if k else 0
+    if edges and said == len(edges) and noun.amount == Amount(len(edges), len(edges)):
+        one = replace(noun, amount=Amount(1, 1), det="bare", plural=False)
+        items = tuple(replace(one, traits=replace(noun.traits, edge=edge), span=p.span(i, k)) for edge in edges)
+        yield Coord(op="and", items=items, span=p.span(i, k)), k
 
 
 def lengths(p: Parser, i: int) -> Results[tuple[float, ...]]:

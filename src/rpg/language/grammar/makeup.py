@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar import amounts
 from rpg.language.grammar.adjectives import colors
 from rpg.language.grammar.along import listed_along
-from rpg.language.grammar.apposed import layers_told, symbols_told
+from rpg.language.grammar.apposed import a_lot_each, layers_told, symbols_told
 from rpg.language.grammar.ascents import measures
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.each_line import EACH, one_line_each
@@ -160,6 +160,9 @@ def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
             named = tuple(c for x in items if isinstance(x, Noun) and x.amount is None for c in x.traits.colors)
             if base.amount is not None and len(named) == len(items) == base.amount.low:
                 yield _painted(base, named, Pattern(unit="stack", span=p.span(k, end)), p.span(i, end)), end
+    lots = a_lot_each(p, k, base.amount.low) if towers and base.amount is not None else ()
+    for told, end in lots if base.members is None else ():
+        yield replace(base, details=(*base.details, told), span=p.span(i, end)), end
     for found, end in wholes(p, k) if base.plural else ():
         places = [x.adjuncts[0] for x in found.items if isinstance(x, Absolute)]
         themes = [x.theme for x in found.items if isinstance(x, Absolute)]

@@ -69,7 +69,7 @@ _WAYS = tuple(
     )
 )
 """Where a tower is begun, and what is said of each block that comes next."""
-_AND = (", and", ", then", ", and then", "and then", "and", "then", ",", ";")
+_AND = (", and", ", then", ", and then", "and then", "and", "then", ",", ";", "with", ", with")
 
 
 @rule

@@ -100,6 +100,7 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
             or p.one(j + 1, frozenset({"shape", "formation"}))
             or p.words[i - 1] == "like"
             or (p.words[i - 1] == "the" and p.words[i - 2] in _FORMING)
+            or p.any_of(j + 1, _MADE_OF)
         ):
             yield (letter, False), p.opt(p.reach(j + 1), "shape", "formation")
         elif not letter and lead not in ("capital", "letter"):

@@ -164,6 +164,24 @@ def _by_ends(p: Parser, j: int) -> Results[Coord]:
         at = p.any_of(end, (", and", ",", "and"))
 
 
+_UPON = ("on top", "on top of it", "at the top", "on it")
+
+
+def _topped(p: Parser, j: int) -> Results[Coord]:
+    """ "(the left one is) red with blue on top": two blocks, one on the other."""
+    for below, k in simple(p, j):
+        top = p.any_of(k, ("with", ", with", "and has", "topped with", "topped by"))
+        for above, end in simple(p, top) if top and isinstance(below, Noun) and _one_look(below) else ():
+            last = p.any_of(end, _UPON) or (end if p.words[top - 2] == "topped" else 0)
+            if last and isinstance(above, Noun) and _one_look(above):
+                yield Coord(op="piled", items=(above, below), span=p.span(j, last)), last
+
+
+def _one_look(theme: Noun) -> bool:
+    one = theme.amount in (None, Amount(1, 1)) and not theme.plural and theme.head != "patch"
+    return one and len(theme.traits.colors + theme.traits.labels) == 1 and theme.part_of is None
+
+
 _END_WORDS = frozenset(phrase.split()[0] for phrase in _ENDS)
 
 
@@ -179,6 +197,7 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     j = p.any_of(j, _WHOLLY) or j
     yield from _colored_and_tall(p, j)
     yield from _by_ends(p, p.opt(j, "with"))
+    yield from _topped(p, j)
     piled = list(one_on_another(p, p.opt(j, "with")))
     for order, end in piled:
         items = order.items if order.first == "top" else order.items[::-1]

@@ -56,7 +56,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if (parts := in_one_tower(said)) and not any(found[:-1]) and not kept:
                 kept += [(link if n == 0 else "and", part) for n, part in enumerate(parts)]
                 continue
-            clause = _of_one(said)
+            clause = _of_the_rest(_of_one(said), found)
             if _asked_again(found, said, link) or _shape_alone(found, said, link) or _looks_listed(found, said, link):
                 continue
             if link not in ("then", "or") and _blocks_listed(found, said):
@@ -237,6 +237,24 @@ def _of_one(clause: Clause) -> Clause:
                    adjuncts=(Absolute(theme=look, adjuncts=(place,), span=clause.span),))  # fmt: skip
 
 
+def _of_the_rest(clause: Clause, found: list[list[tuple[str, Meaning]]]) -> Clause:
+    """ "(Both ends are red.) The rest are blue.": the other blocks of what parts were told of just before."""
+    theme, quality = clause.theme, clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    plain = isinstance(quality, Quality) and quality.traits == Traits(colors=quality.traits.colors[:1])
+    if not isinstance(theme, Pronoun) or theme.word not in _OTHERS or clause.verb != "be" or clause.negated:
+        return clause
+    last = _last(found)
+    told = [x for a in last.adjuncts for x in (a.items if isinstance(a, Coord) else (a,))] if last is not None else []
+    if not plain or not isinstance(quality, Quality) or not any(isinstance(x, Absolute) for x in told):
+        return clause
+    look = Noun(head="any", traits=quality.traits, span=quality.span)
+    rest = Places(side="rest", unit="block", span=theme.span)
+    return replace(clause, verb="part", theme=None,
+                   adjuncts=(Absolute(theme=look, adjuncts=(rest,), span=clause.span),))  # fmt: skip
+
+
+_OTHERS = ("the rest", "the others", "the other ones", "the remaining ones", "all others", "all the others",
+           "all the rest")  # fmt: skip
 _ONES = ("one", "the other", "the other one", "another", "one of them")
 _SIDES = ("left", "right", "front", "back", "middle")
 

@@ -22,6 +22,8 @@ from rpg.language.meaning import (
 )
 
 _CORNERS = Amount(4, 4)
+_SIZED = ("extreme", "size_down", "size_up")
+"""Orders by size, after which "by size" says no more."""
 
 
 def plainly(clause: Clause) -> Clause:
@@ -34,6 +36,8 @@ def plainly(clause: Clause) -> Clause:
         by_color = replace(grouped[0], by="attribute", attribute="color")
         parts = tuple(by_color if a is grouped[0] else a for a in kept)
         return replace(clause, verb="sort", lemma="sort", adjuncts=parts)
+    if clause.verb == "stack" and any(isinstance(a, OrderBy) and a.by in _SIZED for a in kept):
+        kept = tuple(a for a in kept if not (isinstance(a, OrderBy) and a.attribute == "size" and a.by == "attribute"))
     if clause.verb == "sort" and len(kept) == 1 and _one_group(kept[0]) and isinstance(clause.theme, Noun):
         return replace(clause, verb="place", lemma="put")
     amount = clause.theme.amount if isinstance(clause.theme, Noun) and clause.theme.part_of is None else None

@@ -42,18 +42,21 @@ def places_told(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str],
             continue
         kind, many = shape
         parts: list[tuple[int, int, Absolute]] = []
+        unread = False
         for line, place in said[at + 1 :]:
             link = joints[line][place] if place else links[line]
             if _inventory(rows[line][place]):
                 continue
             told = _told(rows[line][place], _LINES[kind], link)
             if told is None:
+                unread = unread or _somewhere(rows[line][place], _LINES[kind])
                 break
             parts.append((line, place, told))
         after = said[at + 1] if at + 1 < len(said) else None
         if after is not None and getattr(rows[after[0]][after[1]], "verb", "") == "part":
             rows[n][k] = _stacking(builder)
-        if not parts or len(parts) > many or (len(parts) < many and kind != "stack" and not _alternates(builder)):
+        some = kind == "stack" or _alternates(builder)
+        if unread or not parts or len(parts) > many or (len(parts) < many and not some):
             continue
         rows[n][k] = _stacking(builder)
         for line, place, told in parts:
@@ -85,6 +88,12 @@ def _counted(builder: Clause) -> tuple[str, int] | None:
     bare = isinstance(blocks, Noun) and blocks.traits == Traits(kind=blocks.traits.kind) and not blocks.part_of
     size = blocks.amount if bare and isinstance(blocks, Noun) and blocks.det == "bare" else size
     return (kind, size.low) if size is not None and size.low == size.high and size.low > 1 else None
+
+
+def _somewhere(said: Meaning, sides: tuple[str, ...]) -> bool:
+    """ "Blue is not on top": something else about places of the line, so that this is not all of it."""
+    places = said.adjuncts if isinstance(said, Clause) and said.verb == "be" else ()
+    return any(isinstance(a, At) and a.side in sides for a in places)
 
 
 def _alternates(builder: Clause) -> bool:

@@ -37,10 +37,14 @@ _UNFOUND = (
 """Refusals that come of words joined that do not belong together, so that a pronoun or a place finds nothing to be
 of: a reading that joins them otherwise may be meant."""
 _SOMEWHAT = 3
+_OPEN = ("one for all of them, or one for each?", "it is not clear which block is on which")
+"""Refusals of a reading that leaves open how many blocks there are: one as natural that does not see it guesses."""
 
 
 def patience(found: Diagnostic) -> int | None:
     """How much costlier than a reading that is refused so another may be; None: as much as it likes."""
+    if found.message.startswith(_OPEN):
+        return -1
     if found.code in _TORN or found.message.startswith(_UNFOUND):
         return _SOMEWHAT
     return 0 if found.code in SENSIBLE or found.message.startswith(LOST) else None

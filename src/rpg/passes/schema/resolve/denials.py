@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.ir import goal as g
-from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.operands import DIRECTIONS
 from rpg.passes.schema.resolve.world import Scene, refuse, wholes
@@ -15,6 +15,7 @@ def denied_once(clause: Clause) -> Clause:
     """ "is not on red and not on blue": both are denied, and neither twice."""
     if clause.negated or getattr(clause.theme, "det", "") == "no":
         _said_in_one(clause)
+    _not_in_pairs(clause)
     for far in clause.adjuncts if clause.negated else ():
         if isinstance(far, Loc) and far.rel in DIRECTIONS and (far.low is not None or far.high is not None):
             raise refuse("ambiguous", "it is not clear whether the side is denied, or how far it is", far.span,
@@ -27,6 +28,18 @@ def denied_once(clause: Clause) -> Clause:
     placed = tuple(replace(a, negated=False) for a in clause.adjuncts if isinstance(a, Loc | In))
     rest = (a for a in clause.adjuncts if not isinstance(a, Loc | In))
     return replace(clause, adjuncts=(Coord(op="and", items=placed, span=clause.span), *rest))
+
+
+def _not_in_pairs(clause: Clause) -> None:
+    """Refuse "in a row: red, blue on green, yellow": two of them on two, or one on one, and all of it in a row?"""
+    listed = _told_in_a_row(clause.theme) and any(isinstance(a, Into) for a in clause.adjuncts)
+    for spot in clause.adjuncts if listed else ():
+        if isinstance(spot, Loc) and spot.rel == "on" and _told_in_a_row(spot.landmark):
+            raise refuse("ambiguous", "it is not clear which block is on which", spot.span, "say it block by block")
+
+
+def _told_in_a_row(meaning: Meaning | None) -> bool:
+    return isinstance(meaning, Noun) and meaning.cost > 0 and meaning.head == "any" and len(meaning.traits.colors) > 1
 
 
 def _said_in_one(clause: Clause) -> None:

@@ -24,6 +24,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if (goals := _remade(clause, spec, scene, scope)) is not None:
         return goals
     _of_them_all(clause, spec)
+    clause = _where_all_of_it_is(clause, spec, scope)
     shapes: list[Meaning]
     if clause.theme is None:
         shapes = [spec.intos.pop(0).structure]
@@ -75,6 +76,28 @@ def _sided(spec: Spec) -> bool:
     """ "A tower of two on the left": a side of the table, or of what else is there, and no place in the tower."""
     plain = [at for at in spec.ats if at.index is None and not at.whole and not at.own]
     return len(spec.ats) == len(plain) == 1 and plain[0].side in ("left", "right", "front", "back")
+
+
+def _where_all_of_it_is(clause: Clause, spec: Spec, scope: Scope) -> Clause:
+    """ "Build a tower of red and blue that is on the mat": of the tower, as it should be, and not of the blue block."""
+    shape = clause.theme
+    higher = [x for x in spec.places if isinstance(x, Loc) and x.rel == "above" and "somewhere" in x.mods]
+    if isinstance(shape, Structure) and shape.kind == "stack" and higher:
+        raise refuse("ambiguous", "on top of it, or of more blocks?", higher[0].span, "say how many blocks each has")
+    if not isinstance(shape, Structure) or shape.det not in ("a", "bare", "some") or scope.given:
+        return clause
+    items = shape.members.items if isinstance(shape.members, Coord) else (shape.members,)
+    last = items[-1]
+    if not isinstance(last, Noun) or last.det != "bare" or last.amount or not last.conditions:
+        return clause
+    if last.head != "any" and not last.traits.labels:
+        return clause
+    if not all(isinstance(x, Loc | In) for x in last.conditions):
+        return clause
+    spec.places += last.conditions
+    kept = replace(last, conditions=())
+    members = replace(shape.members, items=(*items[:-1], kept)) if isinstance(shape.members, Coord) else kept
+    return replace(clause, theme=replace(shape, members=members))
 
 
 def _of_them_all(clause: Clause, spec: Spec) -> None:

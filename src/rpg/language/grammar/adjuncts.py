@@ -131,10 +131,21 @@ def _not_there(p: Parser, i: int) -> Results[That]:
     if not j or not p.anywhere(_NOT):
         return
     for theme, k in simple(p, j):
-        for place, end in at(p, k + 1) if isinstance(theme, Noun) and p.stands(k, ("not", "never")) else ():
-            denied = Clause(verb="be", theme=theme, adjuncts=(place,), negated=True, mode="goal", span=p.span(j, end))
-            so = Chain(clauses=(denied,), links=("and",), span=denied.span)
-            yield That(kind="so", clauses=so, span=denied.span), end
+        if not isinstance(theme, Noun) or not p.stands(k, _NOT):
+            continue
+        for place, end in at(p, k + 1):
+            if p.words[k] != "neither":
+                yield _not_at(p, j, end, theme, place), end
+            for other, last in at(p, end + 1) if p.words[k] == "neither" and p.stands(end, ("nor", "or")) else ():
+                yield _not_at(p, j, last, theme, place, other), last
+
+
+def _not_at(p: Parser, j: int, end: int, theme: Noun, *places: Meaning) -> That:
+    """That something is at none of these places."""
+    span = p.span(j, end)
+    denied = Clause(verb="be", theme=theme, negated=True, mode="goal", span=span)
+    clauses = tuple(replace(denied, adjuncts=(place,)) for place in places)
+    return That(kind="so", clauses=Chain(clauses=clauses, links=("and",) * len(places), span=span), span=span)
 
 
 _COPULAS = frozenset(

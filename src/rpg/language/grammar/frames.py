@@ -21,7 +21,11 @@ class Phrases:
 
 COMMAND_FRAMES = Phrases(
     "want to",
-    "pls", "plz", "please just", "also ,", "additionally ,", "the task :", "the goal :", "your task :", "requirement",
+    "pls", "plz", "please just", "also ,", "additionally ,", "the task :", "the goal :", "your task :",
+    "the task itself :",
+    "the job itself :", "the actual task :", "the actual job :", "the real task :", "the real job :", "note to self :",
+    "note to myself :", "note :", "reminder :", "reminder to self :", "robot has to", "robot must",
+    "robot should", "requirement",
     "requirement :", "requirement -", "i would prefer you to",
     "i 'd love you to", "i would love you to", "i would like to ask you to", "may i ask you to", "do me a favor and",
     "feel free to", "goal -", "task -", "and now", "first off", "first off ,",

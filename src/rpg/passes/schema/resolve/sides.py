@@ -193,6 +193,9 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
             "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
         )
     line = next((b for b in scene.built if b.kind in SIDES and not set(ref.names) & set(b.members)), None)
+    if line is not None and ref.built and at_.side != "middle":
+        raise refuse("ambiguous", f"this could be a side of the table or of the {line.kind}", at_.span,
+                     "say 'half of the table', or of what")  # fmt: skip
     if line is not None and line.kind != "stack" and at_.side in SIDES[line.kind]:
         raise refuse(
             "ambiguous", f"this could be a side of the table or an end of the {line.kind}", at_.span,

@@ -11,6 +11,7 @@ import math
 import re
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Sequence
+from itertools import pairwise
 
 from pydantic import BaseModel
 
@@ -113,8 +114,7 @@ def _more_than(words: Sequence[Token], only: int, task: TaskSchema) -> Token | N
 def _of_counted(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
     """Whether "the red ones" are of the blocks counted before, "line up five blocks", beside which there are others."""
     looks = lexicon.COLOR.get(words[index - 1].word) is not None
-    before = zip(words[:index], words[1:index], strict=False)
-    counts = [_number(number) for number, noun in before if noun.word in lexicon.BLOCK]
+    counts = [_number(number) for number, noun in pairwise(words[:index]) if noun.word in lexicon.BLOCK]
     return looks and any(count is not None and count < len(task.blocks) for count in counts)
 
 

@@ -244,12 +244,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             continue
         like = _like(items[-1], item) if p.words[j - 1] in ("one", "ones") else item
         item = _weighed(items, like, op == "and" and p.words[at] in (",", ";"))
-        if not joined and isinstance(items[-1], Structure) and isinstance(item, Noun) and bare_color(item):
-            continue
-        if joined and isinstance(items[-1], Structure) and isinstance(item, Structure) and _amid_colors(p, at):
-            continue
-        told = bare_color(item) and _of_sizes(items[-1]) if isinstance(item, Noun) else False
-        if not joined and isinstance(item, Noun) and (mere_size(item) or told or _of_them(items[-1], item)):
+        if _no_item(p, items[-1], item, bool(joined), at):
             continue
         if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
             yield from ((replace(again, span=p.span(i, j)), end) for end in {j: None, p.opt(j, ","): None})
@@ -288,6 +283,14 @@ def _like(before: Meaning, one: Meaning) -> Meaning:
     told = before.head != "any" and bool(before.traits.colors or before.traits.labels)
     further = one.head == "any" and one.det in ("a", "bare", "another") and one.part_of is None
     return replace(one, head=before.head) if told and further else one
+
+
+def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -> bool:
+    """Whether something is no further item of a list: a colour or a size of what came before it, or some of that."""
+    if joined:
+        return isinstance(before, Structure) and isinstance(item, Structure) and _amid_colors(p, at)
+    told = isinstance(item, Noun) and bare_color(item) and (isinstance(before, Structure) or _of_sizes(before))
+    return told or (isinstance(item, Noun) and (mere_size(item) or _of_them(before, item)))
 
 
 def _weighed(items: tuple[Meaning, ...], item: Meaning, closed: bool) -> Meaning:

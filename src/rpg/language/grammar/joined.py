@@ -210,18 +210,24 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
         yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
 
 
+def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int, str]:
+    """What joins the next thing of a list: the position after it, and the word for it."""
+    summed = p.one(comma, "+") if isinstance(before, Noun) and before.traits.colors else 0
+    if 0 < summed < p.end:  # "2 red + 1 blue": of things that have a colour, none shows the sign
+        return summed, "and"
+    if op == "comma" and (k := p.any_of(comma, _AT_LAST)):
+        return k, "then"
+    joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
+    return joined, p.words[comma] if joined else ""
+
+
 def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord | Noun | Structure]:
     """Lists that go on from `items`; with commas only ("red, blue, green") they cost a little."""
     from rpg.language.grammar.nouns import simple
 
     comma = p.opt(at, ",", ";", "/")
-    joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
-    word = p.words[comma] if joined else ""
-    summed = isinstance(items[-1], Noun) and items[-1].traits.colors and p.one(comma, "+")
-    if summed and p.end > summed:  # "2 red + 1 blue": of things that have a colour, none shows the sign
-        joined, word = summed, "and"
-    if op == "comma" and (k := p.any_of(comma, _AT_LAST)):
-        joined, word = k, "then"
+    joined, word = _joint(p, comma, op, items[-1])
+    summed = word == "and" and p.words[comma] == "+"
     yield from _except(p, i, items, comma)
     if not joined and (k := p.any_of(comma, ("followed by", "then"))):
         joined, word = k, "then"

@@ -106,11 +106,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
-        if sense == "pick" and (end := p.any_of(k, _OFF)) and (end >= p.end or p.stands(end, _CLOSED)):
-            there = Pronoun(word="there", span=p.span(k, end))
-            off = Loc(rel="off", landmark=there, span=there.span)
-            span = p.span(i, end)
-            yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off,), span=span, word=word), end
+        yield from _taken_off(p, i, k, theme) if sense == "pick" else ()
         k = p.opt(k, *_BEHIND.get(sense, ()))
         if sense == "use":
             yield from _use(p, i, k, theme)
@@ -145,6 +141,16 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
 _OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there")
 """Where something is taken from that was said to be somewhere."""
 _CLOSED = frozenset({",", ";", "and", "then", "."})
+
+
+def _taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+    """ "Take it off": from where it was said to be."""
+    end = p.any_of(k, _OFF)
+    if end and (end >= p.end or p.stands(end, _CLOSED)):
+        there = Pronoun(word="there", span=p.span(k, end))
+        off = Loc(rel="off", landmark=there, span=there.span)
+        span, word = p.span(i, end), p.span(i, i + 1)
+        yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off,), span=span, word=word), end
 
 
 def _by_first(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:

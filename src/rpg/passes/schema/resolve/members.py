@@ -61,15 +61,8 @@ def members_of(
         scene.mentions.pop()
         _name_items(spec, whole)
         return whole.names
-    looks = all(isinstance(a.theme, Noun) and a.theme.traits.colors + a.theme.traits.labels for a in spec.absolutes)
-    absolute = _from_absolutes(shape, spec, need, scene)
     there = declared(shape.traits, scene)
-    fewer = bool(absolute) and set(absolute) < set(there)
-    if fewer and len(absolute) > 1:
-        raise refuse("ambiguous", "of these blocks alone, or of all the blocks there are?", shape.span,
-                     "say 'of all blocks', or name all its blocks")  # fmt: skip
-    alone = fewer and looks and len(absolute) == 1  # "3 blue, 1 red. Tower with red on top": of all of them
-    if absolute and not alone:
+    if absolute := _by_its_parts(shape, spec, need, there, scene):
         return absolute
     if len(there) > 1 and (count is None or len(there) == count):
         return there
@@ -81,6 +74,20 @@ def members_of(
         count = default
         scene.assume(f"the number of blocks is not said: {default}")
     return new_members(shape.traits, count, implied_kind(spec), scene)
+
+
+def _by_its_parts(
+    shape: Structure, spec: Spec, need: int | None, there: tuple[str, ...], scene: Scene
+) -> tuple[str, ...]:
+    """The blocks that are told by their places; none where one is told of the blocks that `there` are: it is of all of
+    these, "3 blue, 1 red. Tower with red on top"."""
+    looks = all(isinstance(a.theme, Noun) and a.theme.traits.colors + a.theme.traits.labels for a in spec.absolutes)
+    absolute = _from_absolutes(shape, spec, need, scene)
+    fewer = bool(absolute) and set(absolute) < set(there)
+    if fewer and len(absolute) > 1:
+        raise refuse("ambiguous", "of these blocks alone, or of all the blocks there are?", shape.span,
+                     "say 'of all blocks', or name all its blocks")  # fmt: skip
+    return () if fewer and looks else absolute
 
 
 def _agrees(shape: Structure, names: tuple[str, ...], scene: Scene) -> None:

@@ -57,6 +57,10 @@ _NOT_LITERAL = frozenset(
         "on",
         "across",
         "down",
+        "that",
+        "these",
+        "this",
+        "those",
     }
 )
 

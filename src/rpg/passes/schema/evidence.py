@@ -29,6 +29,7 @@ FEW = 2
 """Numbers up to this are said in passing ("the two towers", "no two of them") and are not asked for."""
 LENGTHS = ("at_least", "distance")
 """Fields of goals that are said as often as not; of other fields only values that are not the default are."""
+DIGITS = frozenset("0123456789")
 PATCHES = frozenset({"patch", "patches", "mat", "mats"})
 SIGNS = "+*/="
 """Signs of arithmetic; in a list of symbols they are nothing else, but for the minus, which may be a dash."""
@@ -92,6 +93,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
             return more
         said = _number(token) if index + 1 == len(words) or words[index + 1].word not in ALWAYS_FOUR else None
+        if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
+            return token
         if said is not None and said > FEW:
             numbers = set(_numbers(task)) if numbers is None else numbers
             measured = _measured(words, index + 1)
@@ -109,6 +112,12 @@ def _more_than(words: Sequence[Token], only: int, task: TaskSchema) -> Token | N
     plain = len(after) == 2 or after[2].kind == "punct"
     said = _number(after[0]) if plain else None
     return after[0] if said is not None and said != len(task.blocks) else None
+
+
+def _listed(words: Sequence[Token], index: int) -> bool:
+    """Whether a number is the first of a list of three or more: beside cubes with digits, it is one of these."""
+    rest = words[index + 1 : index + 5]
+    return [_number(t) is None for t in rest] == [True, False, True, False] and rest[0].word == "," == rest[2].word
 
 
 def _of_counted(words: Sequence[Token], index: int, task: TaskSchema) -> bool:

@@ -14,6 +14,7 @@ from rpg.passes.schema.resolve.conflicts import required, undoes
 from rpg.passes.schema.resolve.logic import conj, disj
 from rpg.passes.schema.resolve.loose import settle
 from rpg.passes.schema.resolve.stacking import Towers
+from rpg.passes.schema.resolve.started import and_in_the_end
 from rpg.passes.schema.resolve.world import Scene, refuse
 
 Goals = list[g.Goal]
@@ -23,7 +24,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     """The goals of a chain of clauses; those about the start go to the scene instead."""
     if timed(chain):
         return chain_goals(untimed(chain), scene, start)
-    chain = _earlier_first(in_that_order(_told_of_the_end(chain)))
+    chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))
     stages: list[Goals] = [[]]
     towers = Towers.of(scene)
     pairs = _given_first(chain)

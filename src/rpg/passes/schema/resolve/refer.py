@@ -323,6 +323,8 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     whole = refer(of_whom(noun), scene, scope)
     scene.mentions.pop()
     amount = noun.amount
+    if noun.det == "both" and len(whole.names) != 2:
+        raise refuse("count-mismatch", f"'both' is of two, but there are {len(whole.names)}", noun.span, "say 'all'")
     if noun.det in ("all", "each", "both"):
         return replace(whole, each=noun.det == "each", quant=None)
     if noun.det == "no":

@@ -39,7 +39,7 @@ from rpg.passes.schema.resolve.patches import (
     one_lot_each,
 )
 from rpg.passes.schema.resolve.refer import refer
-from rpg.passes.schema.resolve.stacking import Towers, vertical
+from rpg.passes.schema.resolve.stacking import Towers, check_bodies, vertical
 from rpg.passes.schema.resolve.things import compared, create, matching
 from rpg.passes.schema.resolve.world import Built, Ref, Scene, Scope, refuse, wholes
 
@@ -119,6 +119,7 @@ def _region(theme: Ref, region: str, span: Span) -> g.Goal:
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
+    check_bodies(theme, loc, scene)
     if (
         isinstance(loc.landmark, Pronoun)
         and loc.landmark.word in ("another", "any other", "any other one", "any of the others")

@@ -10,7 +10,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.order import Order
-from rpg.language.meaning import Loc, Pronoun
+from rpg.language.meaning import Loc, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.logic import conj
 from rpg.passes.schema.resolve.operands import crown, foot, spread
 from rpg.passes.schema.resolve.spec import Spec
@@ -34,6 +34,18 @@ class Towers:
             scene.on_top, scene.built = dict(self.on_top), self.built
         new = {name for name, below in scene.on_top.items() if self.on_top.get(name) != below}
         scene.begun_on = scene.begun_on | new if start else scene.begun_on - new
+
+
+def check_bodies(theme: Ref, loc: Loc, scene: Scene) -> None:
+    """ "The word HI on red cubes": are these below the letters, or do they show them?"""
+    mark = loc.landmark
+    if loc.rel != "on" or not isinstance(mark, Noun) or mark.head == "patch" or mark.amount is not None:
+        return
+    open_ = [scene.things[name] for name in theme.names]
+    shown = all(thing.label is not None and thing.color is None for thing in open_)
+    if open_ and shown and mark.det == "bare" and mark.plural and mark.traits == Traits(colors=mark.traits.colors):
+        raise refuse("ambiguous", "are these cubes below, or do they show the letters?", mark.span,
+                     "say 'on top of ...' with their number, or 'letters on ... bodies'")  # fmt: skip
 
 
 def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:

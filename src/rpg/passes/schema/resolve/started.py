@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Loc, Noun, TableTop
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, TableTop
 from rpg.passes.schema.resolve.spec import Spec
 from rpg.passes.schema.resolve.world import Scene, refuse
 
@@ -32,3 +34,19 @@ def laid_down(clause: Clause, spec: Spec) -> bool:
         return False
     spec.places = []
     return True
+
+
+def and_in_the_end(chain: Chain) -> Chain:
+    """ "They start touching, at the end 20 cm apart": what stands behind "at the end" is no longer of the start."""
+    links: list[str] = []
+    clauses: list[Meaning] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        parts = [clause]
+        if isinstance(clause, Clause) and clause.mode in ("start", "given"):
+            whens = [n for n, a in enumerate(clause.adjuncts) if isinstance(a, Manner) and a.kind == "finally"]
+            if whens and 0 < whens[0] < len(clause.adjuncts) - 1:
+                start = replace(clause, adjuncts=clause.adjuncts[: whens[0]])
+                parts = [start, replace(clause, mode="goal", adjuncts=clause.adjuncts[whens[0] + 1 :])]
+        links += [link, "and"][: len(parts)]
+        clauses += parts
+    return replace(chain, links=tuple(links), clauses=tuple(clauses)) if len(clauses) > len(chain.clauses) else chain

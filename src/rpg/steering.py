@@ -15,11 +15,11 @@ from rpg.passes.codegen import lower
 from rpg.passes.validate import read_log
 from rpg.pipeline import CompileOptions, Outcome, compile_schema, load_program, phrased, prepared
 from rpg.publishing import content_of, publish_version, summary
-from rpg.steer.classify import Verdict, classify
-from rpg.steer.compare import Witness
 from rpg.steer.history import History, Past
 from rpg.steer.interpret import Interpretation, interpret
-from rpg.steer.proof import Proof, prove
+from rpg.steer.proof.classify import Verdict, classify
+from rpg.steer.proof.compare import Witness
+from rpg.steer.proof.proof import Proof, prove
 from rpg.store import Family, SteeringMeta, Version, Written, set_head, verify_lineage
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from rpg.core.diagnostics import Refusal
 from rpg.language.grammar import core
-from rpg.language.grammar.clauses import clause
+from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.core import BEGINNINGS, Parser, choice
 from rpg.language.read import read_sentences
 from rpg.language.spelling import read_words

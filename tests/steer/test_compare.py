@@ -11,9 +11,9 @@ from rpg.ir.assets import Color, ColoredCube
 from rpg.ir.goal import Row
 from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
-from rpg.steer.bank import SIZE, Bank
-from rpg.steer.compare import Judge, compare
-from rpg.steer.identity import Identity
+from rpg.steer.proof.bank import SIZE, Bank
+from rpg.steer.proof.compare import Judge, compare
+from rpg.steer.proof.identity import Identity
 
 ORIGINS = ("first_block", "second_block", "third_block")
 Kind = Literal["any", "rainbow"]

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from rpg.cli.output import Output
-    from rpg.steer.compare import Witness
-    from rpg.steer.proof import Proof
+    from rpg.steer.proof.compare import Witness
+    from rpg.steer.proof.proof import Proof
     from rpg.steering import Steered
 
 RELATIONS = {

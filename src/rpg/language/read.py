@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
-from rpg.language.grammar.asides import SOFT
-from rpg.language.grammar.chains import chain
-from rpg.language.grammar.chatter import announces, idle
-from rpg.language.grammar.clauses import tail
+from rpg.language.grammar.clauses.chains import chain
+from rpg.language.grammar.clauses.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
-from rpg.language.grammar.lists import with_commas
-from rpg.language.grammar.smalltalk import without_talk
-from rpg.language.grammar.wishes import AFTER_THAT
+from rpg.language.grammar.talk.asides import SOFT
+from rpg.language.grammar.talk.chatter import announces, idle
+from rpg.language.grammar.talk.smalltalk import without_talk
+from rpg.language.grammar.talk.wishes import AFTER_THAT
+from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of
 from rpg.language.tokens import Token
 

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
-from pkgutil import iter_modules
+from pkgutil import walk_packages
 from types import CodeType, ModuleType
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import grammar, lexicon
-from rpg.language.grammar.frames import Phrases
+from rpg.language.grammar.talk.frames import Phrases
 from rpg.language.tokens import Token
 
 LONG_WORD = 7
@@ -84,7 +84,7 @@ def vocabulary() -> frozenset[str]:
     for value in _own(lexicon):
         if isinstance(value, dict | frozenset):
             words.update(str(word) for word in value)
-    for found in iter_modules(grammar.__path__, f"{grammar.__name__}."):
+    for found in walk_packages(grammar.__path__, f"{grammar.__name__}."):
         module = import_module(found.name)
         for value in _own(module):
             code = getattr(getattr(value, "__wrapped__", value), "__code__", None)

@@ -12,9 +12,7 @@ from rpg.ir.edits import AddCondition
 from rpg.ir.relations import Stayed
 from rpg.ir.shrink import TooSmall
 from rpg.ir.walk import names as mentions
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.add import add
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.kinds import mixed
@@ -32,13 +30,15 @@ from rpg.steer.operations.terse import bound, bring, more, pile_up, shift, tint
 from rpg.steer.operations.trading import trade, trade_colors
 from rpg.steer.operations.tune import loosen, outliers
 from rpg.steer.operations.vary import climb, closer, copies, divide, enough, some, turn
-from rpg.steer.parties import NewTower, SoManyTowers
-from rpg.steer.parts import DropPart, Part
 from rpg.steer.refer import resolve
-from rpg.steer.replacing import TradeColors
-from rpg.steer.starts import Begin
-from rpg.steer.symbols import Continue, Equate, Respell
-from rpg.steer.terse import Bound, Bring, More, PileUp, Shift, Tint
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
+from rpg.steer.requests.parties import NewTower, SoManyTowers
+from rpg.steer.requests.parts import DropPart, Part
+from rpg.steer.requests.replacing import TradeColors
+from rpg.steer.requests.starts import Begin
+from rpg.steer.requests.symbols import Continue, Equate, Respell
+from rpg.steer.requests.terse import Bound, Bring, More, PileUp, Shift, Tint
 
 OPERATIONS: dict[type[r.Request], Callable[[Draft, Any], None]] = {
     r.Add: add,

@@ -8,12 +8,12 @@ from collections.abc import Callable, Sequence
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.schema import TaskSchema
-from rpg.steer import requests as r
-from rpg.steer.afresh import by_itself, one_more, only_a_number
 from rpg.steer.history import History
-from rpg.steer.identity import look
-from rpg.steer.shape import STRUCTURES, conjuncts, gives_up_places, structures
-from rpg.steer.terse import Shift
+from rpg.steer.proof.identity import look
+from rpg.steer.proof.shape import STRUCTURES, conjuncts, gives_up_places, structures
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.afresh import by_itself, one_more, only_a_number
+from rpg.steer.requests.terse import Shift
 
 Reader = Callable[[str], tuple[TaskSchema | None, tuple[Diagnostic, ...]]]
 """The front end: an instruction that stands for itself -> its schema, or the reasons why not."""

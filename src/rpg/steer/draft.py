@@ -11,7 +11,7 @@ from rpg.ir.assets import Asset
 from rpg.ir.edits import AddAsset, Edit, EditError, step
 from rpg.ir.schema import TaskSchema
 from rpg.ir.shrink import TooSmall
-from rpg.steer.classify import Category
+from rpg.steer.proof.classify import Category
 from rpg.steer.view import View
 
 RANK: tuple[Category, ...] = ("TWEAK", "EXTEND", "MODIFY", "PIVOT", "FRESH")

@@ -11,11 +11,11 @@ from rpg.blocks.state import World
 from rpg.blocks.traits import kind_of, symbol_of
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
-from rpg.steer.backrefs import Reference
-from rpg.steer.language import m
 from rpg.steer.matching import matches
 from rpg.steer.operations.guard import SELECTS, unused
 from rpg.steer.refer import exists
+from rpg.steer.requests.backrefs import Reference
+from rpg.steer.requests.language import m
 from rpg.steer.view import View
 
 UNTOLD = frozenset({"some", "mixed"})

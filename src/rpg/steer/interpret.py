@@ -15,8 +15,16 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.edits import Edit, Overwrite, SetGoal, SetText, apply
 from rpg.ir.schema import TaskSchema
-from rpg.steer import requests as r
-from rpg.steer.afresh import (
+from rpg.steer.carry import WEAK, carry_out
+from rpg.steer.doubts import Reader, about_all_there, about_new_things, besides, not_half, not_of_what_is_built
+from rpg.steer.draft import Draft
+from rpg.steer.history import History, Past
+from rpg.steer.naming import tidied
+from rpg.steer.proof.classify import Category
+from rpg.steer.proof.identity import look
+from rpg.steer.proof.shape import STRUCTURES, conjuncts, same_structure, structures
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.afresh import (
     Fresh,
     by_itself,
     extended,
@@ -30,19 +38,11 @@ from rpg.steer.afresh import (
     speaks_of_kinds,
     speaks_of_parts,
 )
-from rpg.steer.backrefs import Reference
-from rpg.steer.carry import WEAK, carry_out
-from rpg.steer.classify import Category
-from rpg.steer.doubts import Reader, about_all_there, about_new_things, besides, not_half, not_of_what_is_built
-from rpg.steer.draft import Draft
-from rpg.steer.history import History, Past
-from rpg.steer.identity import look
-from rpg.steer.language import tokenize
-from rpg.steer.manners import plainly
-from rpg.steer.naming import tidied
-from rpg.steer.parse import Parsed, is_edit, parse
-from rpg.steer.shape import STRUCTURES, conjuncts, same_structure, structures
-from rpg.steer.told import check, divided
+from rpg.steer.requests.backrefs import Reference
+from rpg.steer.requests.language import tokenize
+from rpg.steer.requests.manners import plainly
+from rpg.steer.requests.parse import Parsed, is_edit, parse
+from rpg.steer.requests.told import check, divided
 
 KIND_OF = {"label": "letter", "number": "digit"}
 TRIES = 12

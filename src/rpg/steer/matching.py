@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.blocks.traits import VOWELS, kind_of, symbol_of
-from rpg.steer.language import m
+from rpg.steer.requests.language import m
 from rpg.steer.view import View
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.steer.language import Parser, Results, loc, longest, m, noun_phrase, phrases, rule, simple
-from rpg.steer.requests import Place, Spot
+from rpg.steer.requests.language import Parser, Results, loc, longest, m, noun_phrase, phrases, rule, simple
+from rpg.steer.requests.requests import Place, Spot
 
 _ENDS = {
     "on top": "top", "on the top": "top", "at the top": "top", "to the top": "top", "on the very top": "top",

@@ -9,9 +9,9 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.structures import GroupBy, Towers
 from rpg.ir.walk import names as mentions
 from rpg.steer.absent import ambiguous, choices, diagnostic, missing
-from rpg.steer.language import m
 from rpg.steer.matching import matches
 from rpg.steer.operations.guard import check_picked
+from rpg.steer.requests.language import m
 from rpg.steer.view import Line, View
 from rpg.steer.wholes import Found, several_of, structure, structures_of
 

@@ -11,8 +11,8 @@ from rpg.ir.node import members
 from rpg.ir.relations import Behind, InFrontOf, LeftOf, RightOf
 from rpg.ir.structures import Figure
 from rpg.steer.absent import diagnostic
-from rpg.steer.language import m
 from rpg.steer.matching import matches
+from rpg.steer.requests.language import m
 from rpg.steer.view import NOUNS, Line, Shape, View
 
 LINE_NOUNS = {"stack": "tower", "row": "row", "column": "column"}

@@ -38,29 +38,29 @@ from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, patience
-from rpg.passes.schema.resolve import finish
-from rpg.passes.schema.resolve.beginning import UNMEANT, begun, start_first
-from rpg.passes.schema.resolve.chains import chain_goals, join
-from rpg.passes.schema.resolve.contradictions import check
-from rpg.passes.schema.resolve.counted import counted_later
-from rpg.passes.schema.resolve.fitting import check_besides, check_words
-from rpg.passes.schema.resolve.heaps import from_heaps, heaps_last, told_later
-from rpg.passes.schema.resolve.hoist import hoisted
-from rpg.passes.schema.resolve.inventory import each_agrees
-from rpg.passes.schema.resolve.kept import brought_about
-from rpg.passes.schema.resolve.kinds_last import kinds_last, waits
-from rpg.passes.schema.resolve.moments import in_time
-from rpg.passes.schema.resolve.of_each import each_later
-from rpg.passes.schema.resolve.premises import keep_premises
-from rpg.passes.schema.resolve.rest import speaks_of_rest
-from rpg.passes.schema.resolve.rows_told import words_in_rows
-from rpg.passes.schema.resolve.same_blocks import check_counted, told_one_by_one
-from rpg.passes.schema.resolve.sized import sized
-from rpg.passes.schema.resolve.spare import definite, none_ignored, without_spare
-from rpg.passes.schema.resolve.things import fits, matching
-from rpg.passes.schema.resolve.tidy import once, tidy
-from rpg.passes.schema.resolve.told_places import places_told
-from rpg.passes.schema.resolve.world import Scene, refuse, said
+from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun, start_first
+from rpg.passes.schema.resolve.clauses.chains import chain_goals, join
+from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
+from rpg.passes.schema.resolve.clauses.hoist import hoisted
+from rpg.passes.schema.resolve.clauses.kept import brought_about
+from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
+from rpg.passes.schema.resolve.clauses.moments import in_time
+from rpg.passes.schema.resolve.goals.contradictions import check
+from rpg.passes.schema.resolve.goals.tidy import once, tidy
+from rpg.passes.schema.resolve.orders.told_places import places_told
+from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_last, told_later
+from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
+from rpg.passes.schema.resolve.things import finish
+from rpg.passes.schema.resolve.things.counted import counted_later
+from rpg.passes.schema.resolve.things.inventory import each_agrees
+from rpg.passes.schema.resolve.things.of_each import each_later
+from rpg.passes.schema.resolve.things.premises import keep_premises
+from rpg.passes.schema.resolve.things.rest import speaks_of_rest
+from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
+from rpg.passes.schema.resolve.things.sized import sized
+from rpg.passes.schema.resolve.things.spare import definite, none_ignored, without_spare
+from rpg.passes.schema.resolve.things.things import fits, matching
+from rpg.passes.schema.resolve.things.world import Scene, refuse, said
 
 MAX_COMBINATIONS = 48
 

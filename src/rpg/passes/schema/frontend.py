@@ -6,8 +6,8 @@ from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
-from rpg.language.grammar.asides import without_asides
-from rpg.language.grammar.chatter import untitled
+from rpg.language.grammar.talk.asides import without_asides
+from rpg.language.grammar.talk.chatter import untitled
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 from rpg.passes.schema.ambiguity import TwoReadings

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
-from rpg.passes.schema.resolve.world import refuse
+from rpg.passes.schema.resolve.things.world import refuse
 
 LONGEST = 1000
 _CODE = re.compile(

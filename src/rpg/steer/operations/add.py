@@ -11,15 +11,15 @@ from rpg.ir.edits import AddCondition, SetField
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch, Stayed
 from rpg.ir.structures import Row
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.matching import matches
 from rpg.steer.operations.each import one_for_each
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.place import join, put, stand_on, there
 from rpg.steer.operations.relate import relation
 from rpg.steer.refer import exists, resolve
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
 from rpg.steer.view import BEGINS, View
 from rpg.steer.wholes import Found
 

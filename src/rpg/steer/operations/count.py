@@ -15,14 +15,14 @@ from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetField
 from rpg.ir.order import Pattern
 from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase, Towers
 from rpg.ir.walk import children
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.grow import grow, of_each_look
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import describe, named, unused_colors, unused_labels
 from rpg.steer.operations.parties import raised
 from rpg.steer.refer import ALL_OF, resolve
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
 from rpg.steer.view import Line, Shape
 from rpg.steer.wholes import Found
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.place import put
 from rpg.steer.refer import ALL_OF, resolve
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
 from rpg.steer.wholes import Found
 
 _SIDES = {"top": "on", "bottom": "under", "left": "left", "right": "right", "front": "front", "back": "behind"}

@@ -10,10 +10,10 @@ from rpg.ir.edits import AddAsset, RemoveAsset, SetGoal
 from rpg.ir.order import Order
 from rpg.ir.structures import Cells, Equation, GroupBy, Row, Spells, Stack
 from rpg.ir.walk import transform
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import named
+from rpg.steer.requests import requests as r
 
 
 def of_each_look(draft: Draft, request: r.Recount) -> None:

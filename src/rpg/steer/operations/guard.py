@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import fields
 
 from rpg.core.diagnostics import Diagnostic, Refusal, Span
-from rpg.steer.language import m
+from rpg.steer.requests.language import m
 
 DESCRIBES = frozenset({"colors", "labels", "kind", "edge", "size", "scheme", "extra", "shade", "target"})
 """Traits that make a new block."""

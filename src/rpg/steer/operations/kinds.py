@@ -15,11 +15,11 @@ from rpg.ir.order import Order, Pattern
 from rpg.ir.schema import MAX_DIGITS, MAX_LETTERS
 from rpg.ir.structures import GroupBy, Towers
 from rpg.ir.walk import atoms, transform
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.make import PALETTE
 from rpg.steer.refer import resolve
+from rpg.steer.requests import requests as r
 
 SYMBOLS = {"letter": string.ascii_uppercase, "digit": "123456789", "symbol": string.ascii_uppercase}
 MOST = {"letter": MAX_LETTERS, "digit": MAX_DIGITS, "symbol": MAX_LETTERS}

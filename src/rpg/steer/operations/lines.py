@@ -17,7 +17,7 @@ from rpg.ir.relations import Behind, Between, InFrontOf, LeftOf, On, RightOf
 from rpg.ir.structures import Equation, Row, Spells, Stack
 from rpg.ir.walk import transform
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
+from rpg.steer.requests.language import m
 from rpg.steer.view import BEGINS, ENDS, STEPS, Line
 
 

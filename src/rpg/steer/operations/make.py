@@ -9,8 +9,8 @@ from rpg.blocks.nouns import SIGNS
 from rpg.blocks.traits import GRADIENT, symbol_of
 from rpg.ir.assets import EDGE, Asset, Block, ColoredCube, GoalPatch, SemanticCube
 from rpg.steer.draft import Draft
-from rpg.steer.language import lexicon, m
 from rpg.steer.operations.guard import check_new
+from rpg.steer.requests.language import lexicon, m
 
 PALETTE = (*GRADIENT, "brown", "black", "gray", "white")
 DIGITS = "1234567890"

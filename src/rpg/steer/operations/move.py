@@ -12,16 +12,16 @@ from rpg.ir.node import Lowest, members
 from rpg.ir.relations import Beside, Directional, InRegion, OnPatch
 from rpg.ir.shrink import close, without
 from rpg.ir.structures import GroupBy
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.make import new_assets
 from rpg.steer.operations.order import put_in_order
 from rpg.steer.operations.place import put, stand_on, there
 from rpg.steer.operations.relate import relation
-from rpg.steer.phrases import fresh
+from rpg.steer.proof.shape import conjuncts, structures
 from rpg.steer.refer import exists, resolve
-from rpg.steer.shape import conjuncts, structures
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
+from rpg.steer.requests.phrases import fresh
 from rpg.steer.view import Line
 from rpg.steer.wholes import Found
 

@@ -14,16 +14,16 @@ from rpg.ir.order import Order, Pattern
 from rpg.ir.relations import Between, Facing, Moved, Stayed, Turned
 from rpg.ir.structures import Cells, GroupBy, Row, Spells, Stack, Staircase
 from rpg.ir.walk import names as names_in
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.kinds import convert
 from rpg.steer.operations.lines import arranged
 from rpg.steer.operations.mirror import mirrored
 from rpg.steer.operations.sort import BY, color_pattern, ranks_by_class, sorted_members
 from rpg.steer.operations.steps import of_steps, turn_steps
+from rpg.steer.proof.shape import conjuncts
 from rpg.steer.refer import lines_of, resolve
-from rpg.steer.shape import conjuncts
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
 from rpg.steer.view import BEGINS, ENDS, Line, Shape
 from rpg.steer.wholes import Found
 

@@ -9,11 +9,11 @@ from rpg.blocks.traits import Traits
 from rpg.ir import goal as g
 from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, RemoveAsset
 from rpg.ir.structures import Stack, Towers
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.make import describe, named, new_assets, unused_colors
-from rpg.steer.parties import NewTower, SoManyTowers
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
+from rpg.steer.requests.parties import NewTower, SoManyTowers
 from rpg.steer.view import Shape
 
 

@@ -14,12 +14,12 @@ from rpg.ir.edits import RemoveAsset, SetField
 from rpg.ir.order import Order, Pattern
 from rpg.ir.structures import Cells, Figure, Grid, Pyramid, Staircase
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.guard import check_new
 from rpg.steer.operations.lines import pin
 from rpg.steer.operations.make import describe
-from rpg.steer.parts import PLACE, DropPart, Part
+from rpg.steer.requests.language import m
+from rpg.steer.requests.parts import PLACE, DropPart, Part
 from rpg.steer.view import BEGINS, ENDS, Shape
 
 _FIRST = {"row": ("back", "front"), "column": ("left", "right"), "layer": ("bottom", "top")}

@@ -14,12 +14,12 @@ from rpg.ir.goal import Count, Not
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.relations import InRegion, On, OnPatch, OnTable
 from rpg.ir.structures import Equation, Figure, GroupBy, Pyramid, Row, Spells, Stack
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.hub import into_the_middle
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.relate import relation
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
 from rpg.steer.view import Line, Shape
 from rpg.steer.wholes import Found
 

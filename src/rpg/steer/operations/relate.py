@@ -9,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as rel
 from rpg.ir.node import Operand, members
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
+from rpg.steer.requests.language import m
 
 DIRECTIONS: dict[str, type[rel.Directional]] = {
     "left": rel.LeftOf,

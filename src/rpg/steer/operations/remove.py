@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from rpg.ir.edits import RemoveAsset, SetField
 from rpg.ir.structures import Spells
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.lines import arranged
 from rpg.steer.refer import resolve
+from rpg.steer.requests import requests as r
 from rpg.steer.view import Line
 
 

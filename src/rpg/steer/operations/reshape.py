@@ -11,15 +11,15 @@ from rpg.ir.edits import ChangeCondition, SetGoal
 from rpg.ir.order import Order, Pattern
 from rpg.ir.relations import OnPatch
 from rpg.ir.structures import Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase, Towers
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.guard import check_shape
 from rpg.steer.operations.kinds import listed
 from rpg.steer.operations.words import ALONG, plain, respell, run_along
+from rpg.steer.proof.shape import conjuncts, lasts
 from rpg.steer.refer import resolve
-from rpg.steer.shape import conjuncts, lasts
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
 from rpg.steer.view import Line, View
 
 FIGURES = ("circle", "square", "rectangle", "triangle", "plus", "L", "T", "V", "U", "X")

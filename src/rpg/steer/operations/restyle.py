@@ -8,9 +8,7 @@ from collections.abc import Sequence
 from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir.assets import EDGE, Asset, Block, ColoredCube, GoalPatch, SemanticCube
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import lexicon, m
 from rpg.steer.matching import matches
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.grow import grow
@@ -19,6 +17,8 @@ from rpg.steer.operations.kinds import convert, listed, mix
 from rpg.steer.operations.lines import by_place, insert, pin
 from rpg.steer.operations.make import describe, free_name, new_assets, unused_colors
 from rpg.steer.refer import resolve
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import lexicon, m
 
 
 def restyle(draft: Draft, request: r.Restyle) -> None:

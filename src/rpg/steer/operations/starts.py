@@ -8,7 +8,7 @@ from rpg.ir.schema import InitialState
 from rpg.ir.structures import Stack
 from rpg.steer.draft import Draft
 from rpg.steer.refer import resolve
-from rpg.steer.starts import Begin
+from rpg.steer.requests.starts import Begin
 
 
 def begin(draft: Draft, request: Begin) -> None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir.edits import SetGoal
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
 
 
 def of_steps(draft: Draft, request: r.Reorder) -> bool:

@@ -10,12 +10,12 @@ from rpg.blocks.traits import Traits
 from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset
 from rpg.ir.structures import Equation, Spells
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.lines import insert
 from rpg.steer.operations.make import describe, free_name
 from rpg.steer.operations.words import respell
-from rpg.steer.symbols import Continue, Equate, Respell
+from rpg.steer.requests.language import m
+from rpg.steer.requests.symbols import Continue, Equate, Respell
 
 
 def equate(draft: Draft, request: Equate) -> None:

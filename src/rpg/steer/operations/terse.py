@@ -11,9 +11,7 @@ from rpg.ir.node import EACH, members
 from rpg.ir.relations import Adjacent, Beside, Directional, InRegion, Near, On, OnPatch, OnTable
 from rpg.ir.structures import Row, Stack
 from rpg.ir.walk import transform
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.matching import matches
 from rpg.steer.operations.add import add
 from rpg.steer.operations.relate import relation
@@ -21,7 +19,9 @@ from rpg.steer.operations.reshape import reshape
 from rpg.steer.operations.restyle import restyle
 from rpg.steer.operations.vary import some
 from rpg.steer.refer import exists, resolve
-from rpg.steer.terse import Bound, Bring, More, PileUp, Shift, Tint
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.language import m
+from rpg.steer.requests.terse import Bound, Bring, More, PileUp, Shift, Tint
 
 
 def tint(draft: Draft, request: Tint) -> None:

@@ -8,13 +8,13 @@ from rpg.blocks.traits import Traits
 from rpg.core.diagnostics import Span
 from rpg.ir.edits import SetField
 from rpg.ir.structures import Equation, GroupBy, Row, Spells, Stack
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.lines import pin
 from rpg.steer.operations.order import permute, put_in_order
 from rpg.steer.refer import resolve
-from rpg.steer.replacing import TradeColors
+from rpg.steer.requests import requests as r
+from rpg.steer.requests.replacing import TradeColors
 from rpg.steer.view import Line
 
 

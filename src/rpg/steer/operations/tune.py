@@ -10,9 +10,9 @@ from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, Path, SetField
 from rpg.ir.node import members
 from rpg.ir.schema import InitialState
 from rpg.ir.structures import Cells, GroupBy, Row
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.count import like
+from rpg.steer.requests import requests as r
 from rpg.steer.view import Shape
 
 EDGES = {"on": ("offset_edges",), "row": ("line_edges",), "between": ("within_edges",)}

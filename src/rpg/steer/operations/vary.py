@@ -10,12 +10,12 @@ from rpg.ir.node import EACH, members
 from rpg.ir.relations import Behind, Directional, InFrontOf, InRegion, LeftOf, OnPatch, OnTable, RightOf
 from rpg.ir.structures import Row, Stack, Staircase
 from rpg.ir.walk import rename, transform
-from rpg.steer import requests as r
 from rpg.steer.draft import Draft
 from rpg.steer.operations.count import recount
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.make import named
-from rpg.steer.shape import conjuncts
+from rpg.steer.proof.shape import conjuncts
+from rpg.steer.requests import requests as r
 
 WAYS: dict[str, type[Directional]] = {"left": LeftOf, "right": RightOf, "front": InFrontOf, "behind": Behind}
 _REGIONS = {"front": "near", "behind": "far"}

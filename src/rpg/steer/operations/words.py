@@ -11,12 +11,12 @@ from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetField, SetGo
 from rpg.ir.structures import Equation, Spells
 from rpg.ir.walk import transform
 from rpg.steer.draft import Draft
-from rpg.steer.language import m
 from rpg.steer.operations.count import like
 from rpg.steer.operations.exchange import exchange
 from rpg.steer.operations.kinds import listed
 from rpg.steer.operations.lines import of_all
 from rpg.steer.operations.make import new_assets
+from rpg.steer.requests.language import m
 from rpg.steer.view import Line
 
 ALONG = {"stack": "stack", "row": "row", "line": "row"}

@@ -23,7 +23,7 @@ from rpg.passes.schema.feasibility.requirements import (
     Sight,
     Symbols,
 )
-from rpg.passes.schema.resolve.conflicts import required
+from rpg.passes.schema.resolve.goals.conflicts import required
 
 
 @dataclass(frozen=True)

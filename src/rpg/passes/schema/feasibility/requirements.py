@@ -18,7 +18,7 @@ from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS, TaskSchema
 from rpg.passes.schema.feasibility.inventory import Inventory
-from rpg.passes.schema.resolve.conflicts import required
+from rpg.passes.schema.resolve.goals.conflicts import required
 
 WIDTH = WORKSPACE_Y[1] - WORKSPACE_Y[0]
 DEPTH = WORKSPACE_X[1] - WORKSPACE_X[0]

@@ -1,0 +1,1 @@
+"""Sentences: commands, states, descriptions, notes; and chains of them."""

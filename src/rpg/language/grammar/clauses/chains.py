@@ -1,0 +1,396 @@
+"""Chains of clauses: "and", "then", "or", "before", commas."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.clauses.clauses import clause
+from rpg.language.grammar.clauses.starts import begun_with, still_begun
+from rpg.language.grammar.clauses.states import carried_on
+from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.frames import THEN
+from rpg.language.grammar.things.alike import color_at_last
+from rpg.language.grammar.things.bodies import bodies
+from rpg.language.grammar.things.inventory import inventory
+from rpg.language.grammar.things.listing import looks_told
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.grammar.things.retold import restates
+from rpg.language.grammar.things.stock import stock
+from rpg.language.meaning import (
+    Absolute,
+    Chain,
+    Clause,
+    Coord,
+    In,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+    Using,
+)
+
+_LEADS = {
+    "after": "then",
+    "once": "then",
+    "as soon as": "then",
+    "when": "then",
+    "before": "before",
+    "while": "and",
+    "only when": "then",
+    "only once": "then",
+    "only after": "then",
+}
+"""What stands before a clause, and how the one behind it follows: then, before it, or at the same time."""
+
+
+@rule
+def chain(p: Parser, i: int) -> Results[Chain]:
+    """Clauses joined by "and", "then", "or", "before", commas."""
+    for lead, j in p.standing(i, _LEADS):
+        order = _LEADS[lead]
+        j = p.opt(j, "you", "that")
+        fronts = [*gerund_clause(p, j), *chain(p, j)]
+        for front, k in fronts:
+            for main, end in chain(p, p.one(k, ",") or k) if k < p.end else ():
+                both = (main, front) if order == "before" else (front, main)
+                clauses = (*both[0].clauses, *both[1].clauses)
+                links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
+                yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
+    for begun, j in begun_with(p, i):
+        for main, end in chain(p, j):
+            links = ("and", *main.links)
+            yield Chain(clauses=(begun, *main.clauses), links=links, span=p.span(i, end)), end
+    if j := p.one(i, "either"):
+        if joined := list(_alternatives(p, j, ())):
+            yield from joined
+            return
+        yield from ((found, k) for found, k in chain(p, j) if "or" in found.links)
+    for first, j in clause(p, i):
+        yield Chain(clauses=(first,), links=("and",), span=p.span(i, j)), j
+        for alike, k in color_at_last(p, j, first) if isinstance(first, Clause) else ():
+            yield Chain(clauses=(first, alike), links=("and", "and"), span=p.span(i, k)), k
+        yield from _more(p, i, (first,), ("and",), j)
+
+
+def _alternatives(p: Parser, i: int, had: tuple[Chain, ...]) -> Results[Chain]:
+    """ "either A and B, or C and D": the clauses of each side belong together."""
+    for part, j in chain(p, i):
+        if set(part.links) != {"and"} or any(p.words[at : at + 2] == [",", "and"] for at in range(i, j)):
+            continue
+        found = (*had, part)
+        if k := p.seq(j, ", or"):
+            yield from _alternatives(p, k, found)
+        if len(found) > 1:
+            links = ("and", *("or" for _ in had))
+            yield Chain(clauses=found, links=links, span=p.span(i, j)), j
+
+
+def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
+    if len(had) > 16:
+        return
+    yield from _told_of_it(p, i, had, links, at)
+    for link, j in _link(p, at):
+        previous = had[-1] if isinstance(had[-1], Clause) else None
+        if previous is not None and previous.negated and link in ("before", "after"):
+            continue
+        ended = p.words[j - 3] == "and" and previous is not None and previous.verb in _WHOLE_ALONE
+        if previous is not None and not previous.adjuncts and not ended and _in_list(p, j):
+            continue  # unless its last thing was named: "swap red and blue, green stays where it is"
+        items = [
+            *clause(p, j),
+            *(carried_on(p, j, previous) if previous is not None else ()),
+            *(gerund_single(p, j) if link in ("before", "after") else ()),
+            *(_there_too(p, j, previous) if previous is not None and link == "and" else ()),
+        ]
+        bare = previous is not None and not previous.adjuncts
+        bare = bare and (link == "then" or (link == "and" and p.words[j - 1] in (",", ";")))
+        denies = previous is not None and previous.negated and previous.mode == "command" and link == "or"
+        for item, k in items:
+            if previous is not None and _no_clause(p, j, k, previous, item):
+                continue
+            if denies and _plain_command(item):
+                continue
+            if previous is not None and (more := _told_again(previous, item)) is not None:
+                yield Chain(clauses=(*had[:-1], more), links=links, span=p.span(i, k)), k
+                continue
+            if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
+                item = replace(item, cost=item.cost + 2)
+            item = _less_likely(previous, item)
+            item = _same_letters(previous, item) if link == "or" and previous is not None else item
+            item = still_begun(p, j, k, previous, item) if link == "and" else item
+            whole = (*had, item)
+            yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+            yield from _more(p, i, whole, (*links, link), k)
+        if previous is not None:
+            denied = p.stands(p.opt(at, ","), ("but",))
+            if link in ("before", "after"):
+                for theme, k in noun_phrase(p, j):
+                    whole = (*had, replace(previous, theme=theme, span=p.span(j, k)))
+                    yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+            nor = isinstance(previous.theme, Coord) and previous.theme.op == "nor"
+            neither = link == "or" and (previous.negated or nor)
+            for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
+                item = _same_letters(previous, item) if link == "or" else _less_likely(previous, item)
+                same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
+                link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
+                if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
+                    continue
+                item = item if denied else _contrasted(previous, item, link)
+                whole = (*_shared(had, item), item)
+                yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+                yield from _more(p, i, whole, (*links, link), k)
+
+
+_WHOLE_ALONE = ("swap", "stack", "sort", "reverse", "unstack")
+"""Verbs that need no more than their blocks."""
+
+
+def _there_too(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "there are red and blue blocks, two of each, and a white mat": a further thing there is."""
+    if before.verb != "exist" or before.mode != "given" or before.negated or not before.adjuncts:
+        return
+    for theme, j in noun_phrase(p, i):
+        told = isinstance(theme, Noun) and theme.det in ("a", "bare", "some") and theme.part_of is None
+        if told and isinstance(theme, Noun) and (theme.head == "patch" or theme.traits.colors or theme.traits.labels):
+            yield replace(before, theme=theme, adjuncts=(), span=p.span(i, j), cost=1), j
+
+
+def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
+    """What may follow a clause without a word that joins clauses: looks, colours, what a colon brings."""
+    yield from _behind_colon(p, i, had, links, colon) if (colon := p.one(at, ":")) else ()
+    if (comma := p.one(at, ",")) and isinstance(had[-1], Clause) and (many := _counted(had[-1].theme)):
+        for looks, k in looks_told(p, comma):  # "the two cubes touch, blue and yellow"
+            if isinstance(looks.theme, Coord) and len(looks.theme.items) == many and not looks.adjuncts:
+                yield Chain(clauses=(*had, looks), links=(*links, "and"), span=p.span(i, k)), k
+    yield from _not_until(p, i, had, links, at) if isinstance(had[-1], Clause) and had[-1].negated else ()
+    for told, k in bodies(p, at, had[-1]):
+        whole, joined = (*had, *told), (*links, *("and" for _ in told))
+        yield Chain(clauses=whole, links=joined, span=p.span(i, k)), k
+        yield from _more(p, i, whole, joined, k)
+
+
+def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], colon: int) -> Results[Chain]:
+    """What is said in more detail: a clause, or what there is."""
+    for item, k in clause(p, colon):
+        if isinstance(had[-1], Clause) and isinstance(had[-1].theme, Structure) and _mere_colors(item):
+            continue
+        told = isinstance(had[-1], Clause) and (had[-1].adjuncts or had[-1].lemma in ("tally", "size", "stock"))
+        told = told or getattr(item, "mode", "") == "start"
+        if isinstance(item, Clause) and told and item.verb != "exist":
+            whole = (*had, replace(item, cost=item.cost + 3))
+            yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
+            if item.mode == "start":
+                yield from _more(p, i, whole, (*links, "and"), k)
+    if isinstance(had[-1], Clause) and had[-1].adjuncts and had[-1].verb != "exist":
+        for item, k in looks_told(p, colon):
+            yield Chain(clauses=(*had, item), links=(*links, "and"), span=p.span(i, k)), k
+    for item, k in (*inventory(p, colon), *stock(p, colon)):
+        whole = (*had, item)
+        yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
+        yield from _more(p, i, whole, (*links, "and"), k)
+
+
+def _plain_command(item: Meaning) -> bool:
+    return isinstance(item, Clause) and item.mode == "command" and not item.negated
+
+
+def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
+    """Whether what looks like a clause belongs to the one before it."""
+    if p.words[j - 1] == "," and (_apposed(previous, item) or _mere_time(item)):
+        return True
+    listed = p.words[j - 1] == "and" and p.tokens[j - 2].word in lexicon.COLOR and _in_list(p, j - 2)
+    shape = item.theme if isinstance(item, Clause) else None
+    if listed and isinstance(shape, Structure) and shape.det == "bare":  # "a staircase of red, blue and green steps"
+        return True
+    if _other_side(p, k, previous, item):
+        return True
+    return previous.lemma == "tally" and _of_the_list(p, j, k, item)
+
+
+def _other_side(p: Parser, k: int, previous: Clause, item: Meaning) -> bool:
+    """ "red is left of blue and green right": right of it, or on the right of the table?"""
+    sides = [a for a in previous.adjuncts if isinstance(a, Loc) and a.rel in _SIDES and a.landmark is not None]
+    bare = isinstance(item, Clause) and item.cost == 3 and len(item.adjuncts) == 1 and isinstance(item.adjuncts[0], In)
+    return bool(sides) and bare and p.words[k - 1] in _SIDES
+
+
+_SIDES = frozenset({"left", "right", "front", "behind", "back"})
+
+
+def _of_the_list(p: Parser, j: int, k: int, item: Meaning) -> bool:
+    """ "a red, a green and a blue cube, stacked in that order": what ends a list is no clause of its own."""
+    theme = item.theme if isinstance(item, Clause) and item.mode == "goal" else None
+    counted = isinstance(theme, Coord | Noun) and getattr(getattr(theme, "items", (theme,))[0], "amount", None)
+    return bool(counted) and p.words[j - 1] in (",", "and") and _FINITE.isdisjoint(p.words[j:k])
+
+
+_FINITES = "is are must should shall has have goes go lies lie stands stand sits sit"
+_FINITE = frozenset(_FINITES.split())
+
+
+def _in_list(p: Parser, j: int) -> bool:
+    """Whether the comma before `j` is one of a list of colours or labels: "the red, blue and green blocks"."""
+    if j < 2 or j >= p.end or p.words[j - 1] != ",":
+        return False
+    before, after = p.tokens[j - 2], p.tokens[j]
+    if before.word in lexicon.COLOR:
+        return after.word in lexicon.COLOR
+    return all(token.kind in _LABELS or len(token.word) == 1 for token in (before, after))
+
+
+_LABELS = frozenset({"literal", "number", "sign"})
+"""The kinds of words that labels of blocks are; single letters are words."""
+
+
+def _not_until(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
+    """ "do not put red on blue until green is on the mat": afterwards it is put there."""
+    *before, last = had
+    if not isinstance(last, Clause) or last.verb not in ("place", "stack") or last.mode != "command":
+        return
+    if not all(isinstance(a, Loc) and a.landmark is not None for a in last.adjuncts) or not last.adjuncts:
+        return
+    j = p.any_of(p.opt(at, ","), ("until", "before", "until after", "unless and until"))
+    for item, k in [*clause(p, j), *gerund_single(p, j)] if j else ():
+        if isinstance(item, Clause) and not item.negated:
+            whole = (*before, replace(last, negated=False), item)
+            yield Chain(clauses=whole, links=(*links, "after"), span=p.span(i, k)), k
+
+
+def _mere_colors(item: Meaning) -> bool:
+    """ "red, white, blue from front to back" behind a colon tells of the structure in front of it."""
+    theme = item.theme if isinstance(item, Clause) else None
+    listed = theme.items if isinstance(theme, Coord) else (theme,)
+    return isinstance(item, Clause) and item.verb == "be" and all(
+        isinstance(x, Noun) and x.head == "any" and x.det == "bare" and x.amount is None for x in listed
+    )  # fmt: skip
+
+
+_OTHERS = ("the others", "the rest", "others", "all others", "all the others", "all the rest", "the remaining ones")
+
+
+def _less_likely(before: Clause | None, item: Meaning) -> Meaning:
+    """A clause that is hardly meant: "it should be red, green and blue ..." lists colours, and what stands in a list
+    before "which do not matter" does not matter altogether; the others beside a part are a part as well."""
+    if before is None or not isinstance(item, Clause):
+        return item
+    colored = any(isinstance(a, Quality) and a.traits.colors for a in before.adjuncts)
+    others = isinstance(item.theme, Pronoun) and item.theme.word in _OTHERS and item.verb == "be"
+    told = (*before.adjuncts, *(before.theme.details if isinstance(before.theme, Structure) else ()))
+    if others and any(isinstance(x, Absolute) or (isinstance(x, Coord) and x.op == "absolutes") for x in told):
+        return replace(item, cost=item.cost + 1)
+    idle = bool(item.adjuncts) and all(isinstance(a, Manner) and a.kind == "extra" for a in item.adjuncts)
+    return replace(item, cost=item.cost + 2) if idle or (colored and _mere_colors(item)) else item
+
+
+def _counted(theme: Meaning | None) -> int:
+    """How many blocks of no look a phrase speaks of."""
+    plain = isinstance(theme, Noun) and theme.head == "block" and theme.traits == Traits() and theme.part_of is None
+    amount = theme.amount if plain and isinstance(theme, Noun) and not theme.conditions else None
+    return amount.low if amount is not None and amount.low == amount.high and amount.low > 1 else 0
+
+
+def _contrasted(before: Clause, item: Meaning, link: str) -> Meaning:
+    """ "red is not on blue and green on yellow" may deny both or one; "... and green not on yellow" denies both."""
+    if not isinstance(item, Clause) or not (before.negated and item.negated) or link != "and":
+        return item
+    places = [a for a in item.adjuncts if isinstance(a, Loc | In)]
+    if places and all(a.negated for a in places):
+        bare = tuple(replace(a, negated=False) if isinstance(a, Loc | In) else a for a in item.adjuncts)
+        return replace(item, adjuncts=bare)
+    return item if isinstance(item.theme, Pronoun) else replace(item, cost=item.cost + 1)
+
+
+def _shared(had: tuple[Meaning, ...], item: Meaning) -> tuple[Meaning, ...]:
+    """ "spell SOL or SUN in a tower": what is said behind the last of several words is said of all of them."""
+    last = had[-1]
+    words = isinstance(last, Clause) and isinstance(item, Clause) and last.verb == item.verb == "spell"
+    if not words or not isinstance(last, Clause) or not isinstance(item, Clause):
+        return had
+    if any(not isinstance(a, Using) for a in last.adjuncts):
+        return had
+    own = tuple(a for a in item.adjuncts if not isinstance(a, Using) or not isinstance(a.members, Pronoun))
+    return (*had[:-1], replace(last, adjuncts=tuple(dict.fromkeys((*last.adjuncts, *own)))))
+
+
+def _same_letters(before: Clause, item: Meaning) -> Meaning:
+    """ "spell TEA or EAT": either word is of the same cubes."""
+    one, two = before.theme, item.theme if isinstance(item, Clause) else None
+    if not (isinstance(one, Structure) and isinstance(two, Structure) and isinstance(item, Clause)):
+        return item
+    same = bool(one.letter) and one.kind == two.kind == "word" and sorted(one.letter or "") == sorted(two.letter or "")
+    own = [a for a in item.adjuncts if isinstance(a, Using)]
+    if not same or any(isinstance(a.members, Noun) and a.members.traits.labels for a in own):
+        return item
+    if any(not isinstance(a.members, Noun | Structure) for a in own):
+        return item
+    them = Using(members=Pronoun(word="them", span=two.span), span=two.span)
+    return replace(item, verb="spell", adjuncts=(*(a for a in item.adjuncts if a not in own), them))
+
+
+def _told_again(before: Clause, item: Meaning) -> Clause | None:
+    """ "1 + 8 = 9 made with cubes, equation in a row": a bare noun for what was built carries on about it."""
+    theme, built = (item.theme if isinstance(item, Clause) else None), before.theme
+    if not (isinstance(theme, Structure) and isinstance(built, Structure) and isinstance(item, Clause)):
+        return None
+    plain = Structure(kind=built.kind, det="bare", span=theme.span)
+    same = replace(theme, cost=0) == plain and before.verb == item.verb
+    return replace(before, adjuncts=(*before.adjuncts, *item.adjuncts)) if same else None
+
+
+def _apposed(before: Clause, item: Meaning) -> bool:
+    """ "a square of red blocks, three rows of three": a comma alone brings no structure without blocks of its own."""
+    told = isinstance(item, Clause) and not item.adjuncts and item.mode != "command"
+    theme = item.theme if told and isinstance(item, Clause) else None
+    return isinstance(before.theme, Structure) and isinstance(theme, Structure) and restates(before.theme, theme)
+
+
+def _mere_time(item: Meaning) -> bool:
+    """ "..., the blue ones first": by itself this says of nothing where it should be."""
+    bare = isinstance(item, Clause) and item.verb == "be" and item.adjuncts
+    return bool(bare) and all(isinstance(a, Manner) and a.kind == "time" for a in getattr(item, "adjuncts", ()))
+
+
+_EARLIER = (
+    "but first", "but before that", "and before that", "but only after", "only after", "only once", "but only once",
+    "but not before", "not before",
+)  # fmt: skip
+
+
+@rule
+def _link(p: Parser, i: int) -> Results[str]:
+    """How a clause goes on: the word for it in a chain's links."""
+    j = p.opt(i, ",", ";")
+    if k := p.any_of(j, _EARLIER):
+        yield "after", p.opt(k, ",")
+    elif (k := p.any_of(j, THEN)) and not (p.words[k - 1] == "next" and p.words[k] == "to"):
+        yield "then", p.opt(k, ",")
+    elif k := p.any_of(j, ("before you", "before the robot", "before")):
+        yield "before", k
+    elif k := p.any_of(j, ("after",)):
+        yield "after", k
+    elif k := p.any_of(j, ("or else", "or")):
+        yield "or", k
+    elif k := p.any_of(j, _ALSO):
+        both = p.opt(k, "also", "both")
+        yield "and", both
+        if p.words[k] == "that" and p.rarely(_TELLING):
+            yield "and", k + 1
+        if both > k and p.words[k] == "both":
+            yield "and", k
+        if p.words[k : k + 1] == [","]:
+            yield "and", k + 1
+    elif j > i:
+        yield "and", j
+
+
+_TELLING = frozenset({"see", "sees", "shows", "show", "want", "sure", "expect", "means", "such", "so", "when", "is"})
+"""What has several clauses with "that" behind it."""
+_ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also", "while", "but also", "but",
+    "as well as", "also", "whereas", "&",
+         "yet", "although", "though")  # fmt: skip

@@ -1,0 +1,367 @@
+"""Clauses: commands, states, descriptions, what there is; and chains of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.clauses.absent import nothing_at_all
+from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.clauses.covered import covered
+from rpg.language.grammar.clauses.denials import denied_of_all
+from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped
+from rpg.language.grammar.clauses.states import state
+from rpg.language.grammar.clauses.terse import about, said_of, terse
+from rpg.language.grammar.clauses.there import exists, listed_there, stands_there
+from rpg.language.grammar.clauses.verbs import PARTICLES, ever, verb_phrase
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.gaps import gap
+from rpg.language.grammar.places.held import LEADS, held
+from rpg.language.grammar.places.offsets import centering
+from rpg.language.grammar.places.piled import piled
+from rpg.language.grammar.structures.details import part_clause
+from rpg.language.grammar.structures.each_color import of_each_color
+from rpg.language.grammar.talk.chatter import CHATTER
+from rpg.language.grammar.talk.frames import COMMAND_FRAMES, DONT, FIRST, START_FRAMES, STATE_FRAMES, TAG
+from rpg.language.grammar.talk.framing import CLOSING, FRAMES
+from rpg.language.grammar.talk.slots import Classes, Rows
+from rpg.language.grammar.talk.wishes import COMMAND_WISHES, DENIALS, START_WISHES, STATE_WISHES, TAGS
+from rpg.language.grammar.things.alike import all_alike
+from rpg.language.grammar.things.inventory import inventory
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.spare import spare
+from rpg.language.grammar.things.standby import leads
+from rpg.language.grammar.things.stock import stock
+from rpg.language.meaning import (
+    At,
+    Chain,
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    That,
+    Toward,
+)
+
+
+@rule
+def clause(p: Parser, i: int) -> Results[Meaning]:
+    """One clause with whatever frame stands before it."""
+    for start, mode in _frames(p, i):
+        if mode == "denied":
+            yield from _unwanted(p, start)
+            continue
+        yield from ((piled(found), j) for found, j in _plain(p, start, mode))
+        yield from ((piled(found), j) for found, j in _fronted(p, start, mode))
+
+
+_EVERY = ("all", "each", "both", "no")
+
+
+@rule
+def _unwanted(p: Parser, i: int) -> Results[Meaning]:
+    """ "I do not want the red block on the mat", "it must not be that A touches B": one statement, denied."""
+    for found, j in [*state(p, i, "goal"), *_describe(p, i, "goal")]:
+        if not isinstance(found, Clause) or found.verb != "be" or not found.adjuncts or found.negated:
+            continue
+        theme = found.theme
+        listed_ = isinstance(theme, Noun) and len(theme.traits.colors) + len(theme.traits.labels) > 1
+        if not listed_ and isinstance(theme, Noun | Pronoun) and getattr(theme, "det", "") not in _EVERY:
+            yield replace(found, negated=True, lemma=""), j
+
+
+@rule
+def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    when = "start" if mode == "start" else "goal"
+    if mode in ("command", "any", "end"):
+        yield from _command(p, i)
+        yield from covered(p, i)
+    yield from gap(p, i)
+    yield from centering(p, i)
+    yield from state(p, i, when)
+    for there, j in exists(p, i):
+        there = finally_there(p, i, there, mode == "end")
+        begun = mode == "start" and isinstance(there, Clause) and there.mode == "given"
+        yield (replace(there, lemma="begun") if begun and isinstance(there, Clause) else there), j
+    yield from _describe(p, i, when)
+    yield from having(p, i, when)
+    if mode != "start":
+        yield from part_clause(p, i)
+        yield from structure_is(p, i)
+    yield from _for_each(p, i)
+    yield from _what(p, i, when)
+    yield from inventory(p, i)
+    yield from stock(p, i)
+    yield from spare(p, i)
+    yield from of_each_color(p, i)
+    yield from all_alike(p, i)
+    yield from terse(p, i, when)
+    for (theme, start), _ in about(p, i):
+        for found, j in _command(p, start):
+            if (said := said_of(theme, found)) is not None:
+                yield said, j
+
+
+_GOES = (
+    "goes", "should go", "must go", "has to go", "is", "should be", "must be", "lies", "should lie", "sits", "stands",
+    "comes", "should come", "belongs", "should sit", "should stand", "must lie", "must stand", "i want",
+)  # fmt: skip
+
+
+@rule
+def _what(p: Parser, i: int, mode: str) -> Results[Clause]:
+    """ "what goes on top of the yellow block is the pink one": the pink one goes there."""
+    j = p.any_of(i, ("what", "the block that", "the one that", "the cube that"))
+    j = p.any_of(j, _GOES) if j else 0
+    for place, k in adjunct(p, j) if j else ():
+        end = p.any_of(k, ("is", "should be", "must be", "has to be"))
+        for theme, last in simple(p, end) if end and isinstance(place, Loc | In) else ():
+            if isinstance(theme, Noun) and theme.head != "patch":
+                yield Clause(verb="be", theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, last), cost=1), last
+
+
+@rule
+def _for_each(p: Parser, i: int) -> Results[Meaning]:
+    """ "for each patch, put a red block on it": said of each of them."""
+    j = p.one(i, "for")
+    for each, k in simple(p, j) if j and p.words[j] in ("each", "every") else ():
+        if not isinstance(each, Noun) or each.head != "patch":
+            continue
+        for found, end in _command(p, p.opt(k, ",", ":")):
+            if not isinstance(found, Clause) or len(found.adjuncts) != 1 or found.verb != "place":
+                continue
+            spot = found.adjuncts[0]
+            mark = spot.landmark if isinstance(spot, Loc) else None
+            if isinstance(spot, Loc) and isinstance(mark, Pronoun) and mark.word == "it":
+                yield replace(found, adjuncts=(replace(spot, landmark=each),), span=p.span(i, end)), end
+
+
+@rule
+def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "from left to right put ...", "on the left of the blue block there is ...", "with six blocks build ..."."""
+    for first, j in adjunct(p, i):
+        if not leads(p, j, first) or p.words[i] in _NO_PLACE:
+            continue
+        for second, k in adjunct(p, j) if isinstance(first, Loc) and p.stands(j, LEADS) else ():
+            if (lying := held(p, j, first, second)) is not None:
+                there = stands_there(p, i, p.opt(k, ","), first, mode)
+                told = [*there, *((_at(found, first), end) for found, end in _plain(p, p.opt(k, ","), mode))]
+                yield from ((_at(found, lying), end) for found, end in told)
+        j = p.opt(j, "order") if isinstance(first, Toward) else j
+        j = p.opt(j, ",", ":")
+        if isinstance(first, Loc | In | At) and p.words[i] != "separately":
+            yield from stands_there(p, i, j, first, mode)
+        placed = isinstance(first, Loc | In | At | Toward)
+        further = _fronted(p, j, mode) if placed and p.words[j - 1] == "," else ()
+        wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed else ()
+        for start in wished if isinstance(first, Loc | In | At) else ():
+            yield from stands_there(p, i, start, first, mode)
+        found_all = [x for start in wished for x in _plain(p, start, mode)]
+        for found, end in [*_plain(p, j, mode), *further, *found_all]:
+            if isinstance(first, Into) and isinstance(found, Clause) and found.verb == "part":
+                yield replace(found, verb="build", theme=first.structure, span=p.span(i, end)), end
+            elif isinstance(first, Into) and isinstance(found, Clause) and _of_a_place(first, found):
+                inside = Chain(clauses=(found,), links=("and",), span=found.span)
+                so = That(kind="so", clauses=inside, span=found.span)
+                line = first.structure
+                when = "start" if mode == "start" else "goal"
+                yield Clause(verb="build", theme=line, adjuncts=(so,), mode=when, span=p.span(i, end), cost=1), end
+            elif isinstance(found, Clause) and found.verb != "exist":
+                yield replace(found, adjuncts=(*found.adjuncts, first), span=p.span(i, end), cost=found.cost + 1), end
+        if isinstance(first, Toward):
+            yield from (found for start in (j, *wished) for found in listed_there(p, i, start, first))
+
+
+_SEEN = frozenset({"state", "end", "command"})
+"""Frames that may stand behind a place or a direction: "on the left, I'd like to see ..."."""
+
+
+def _at(found: Meaning, place: Meaning) -> Meaning:
+    """A clause with a place that was said before it."""
+    return replace(found, adjuncts=(*found.adjuncts, place)) if isinstance(found, Clause) else found
+
+
+def _of_a_place(first: Into, found: Clause) -> bool:
+    """ "in a row of red, blue and green, the red one is (not) at the left end"."""
+    shape = first.structure
+    placed = found.verb == "be" and found.adjuncts and all(isinstance(a, At) for a in found.adjuncts)
+    return isinstance(shape, Structure) and shape.members is not None and bool(placed)
+
+
+_NO_PLACE = frozenset({"there", "besides", "apart", "aside"})
+"""What a place in front of its clause does not begin with: "apart from the red block there are two blue ones"."""
+
+
+_IT_IS = Rows(
+    Classes({}),
+    "it|this|that|here is|are|was",
+    "it must|should|shall|has|have|needs|will|would to? be|stand|lie|exist|stay|become",
+)
+"""What a text may begin with before anything is there that "it" could be."""
+
+
+def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
+    """Positions after the polite and framing words at i, with what they leave open."""
+    found = [(i, "any")]
+    if i == 0 and p.stands(i, _IT_IS.begun) and p.char(0, 0) == 0:
+        found += [(j, "end") for j in _IT_IS.matches(p, 0)]
+    seen = {j for j, _ in found}
+    for start, mode in found:
+        for table, kind in (
+            (FRAMES, "end"),
+            (COMMAND_FRAMES, "command"),
+            (STATE_FRAMES, "state"),
+            (START_FRAMES, "start"),
+            (FIRST, mode),
+            (COMMAND_WISHES, "command"),
+            (STATE_WISHES, "state"),
+            (START_WISHES, "start"),
+            (DENIALS, "denied"),
+            (CHATTER, mode),
+        ):
+            for j in table.matches(p, start):
+                if p.words[j] == "to" and p.words[j - 1] in ("next", "addition"):
+                    continue
+                if table is CHATTER and not (j := p.one(j, _SET_OFF)):
+                    continue
+                if start > 0 and p.tokens[start].kind == "number" and p.words[start - 1] != ";":
+                    continue
+                dashed = j < p.end and p.words[j] == "," and p.tokens[j].raw != ","
+                j = p.opt(j, ",") if table in (FIRST, START_FRAMES) or dashed else j
+                if j not in seen and len(found) < 40:
+                    seen.add(j)
+                    kept = mode in ("start", "denied") or (mode == "end" and kind == "state")
+                    found.append((j, mode if kept else kind))
+    return found
+
+
+_AGENTS = (
+    "you", "we", "the robot", "the child", "the student", "the user", "somebody", "someone", "the arm", "the agent",
+    "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
+    "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i",
+)  # fmt: skip
+"""Who does something in the indicative: "the robot puts ..." asks for it."""
+_DOERS = ("somebody", "someone", "the robot", "the robot arm", "the arm", "the machine", "they", "people", "a child",
+          "the child", "the children", "the kids", "the gripper", "some child")  # fmt: skip
+"""Who has done something: what is told of it is so then."""
+
+
+@rule
+def _command(p: Parser, i: int) -> Results[Meaning]:
+    """ "stack the red block on ...", "do not move ...", "never touch ..."."""
+    j, negated = i, False
+    if k := p.any_of(i, DONT):
+        j, negated = k, True
+        j = p.opt(j, "ever")
+    never = p.words[i : i + 1] == ["never"] or p.follows(j, ("ever",))
+    for lead in ("let", "allow", "have", "make"):
+        if negated and (k := p.one(j, lead)):
+            for found, end in state(p, k, "goal"):
+                if isinstance(found, Clause):
+                    yield ever(replace(found, negated=True, span=p.span(i, end)), never), end
+    if k := p.any_of(i, _AGENTS):
+        for found, end in verb_phrase(p, k, ("base", "s")):
+            if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
+                yield replace(found, cost=found.cost + 1), end
+    if (k := p.any_of(i, _DOERS)) and (k := p.one(k, frozenset({"has", "have"}))):
+        for found, end in verb_phrase(p, k, ("past",)):
+            if found.adjuncts or found.verb != "place":
+                yield replace(found, cost=found.cost + 1), end
+    if p.follows(i, ("by", "about", "mind", "of", "having")):
+        yield from verb_phrase(p, i, ("ing",))
+    if k := p.one(i, "only"):
+        for found, end in verb_phrase(p, k, ("base",)):
+            if found.lemma == "move" and found.theme is not None:
+                alone = Manner(kind="only", span=p.span(i, k))
+                yield replace(found, adjuncts=(*found.adjuncts, alone), span=p.span(i, end)), end
+    for found, k in verb_phrase(p, j, ("ing",) if p.words[i : i + 1] == ["avoid"] else ("base",)):
+        if negated or found.negated or j > i:
+            found = nothing_at_all(replace(found, negated=negated, span=p.span(i, k)))
+        yield ever(denied_of_all(p, i, found), never), k
+
+
+_VAGUE = frozenset({"it", "them", "they", "that", "this", "one", "each", "all", "both"})
+_WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
+"""After these "it" and "them" are what is described: "I want them in a row"."""
+
+
+_SET_OFF = frozenset({",", ":"})
+
+
+@rule
+def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "a tower of three green blocks", "three red blocks stacked on ...": a picture of the end."""
+    for theme, j in noun_phrase(p, i):
+        wished = i > 0 and p.words[i - 1] in _WISHING and isinstance(theme, Pronoun) and theme.word in ("it", "them")
+        if isinstance(theme, Pronoun) and theme.word in _VAGUE and not wished:
+            continue
+        shaped = isinstance(theme, Structure) or (
+            isinstance(theme, Coord) and any(isinstance(t, Structure) for t in theme.items)
+        )
+        for found, k in [
+            *adjuncts(p, p.opt(j, "each", "all", "both") if isinstance(theme, Noun | Coord) else j),
+            *((f, e) for f, e in (adjuncts(p, j + 1) if p.stands(j, _SET_OFF) else ()) if f),
+        ]:
+            if found or shaped:
+                found = topped(theme, found)
+                cost = 2 if found and isinstance(found[0], At) else 1
+                yield (
+                    Clause(
+                        verb="build" if shaped else "be",
+                        theme=theme,
+                        adjuncts=found,
+                        mode=mode,
+                        span=p.span(i, k),
+                        cost=cost,
+                    ),
+                    k,
+                )
+        colon = p.opt(p.opt(j, ",", ":"), "all")
+        for apposed, k in noun_phrase(p, colon) if colon > j else ():
+            if isinstance(apposed, Structure) and apposed.members is None and not shaped:
+                for found, end in adjuncts(p, k):
+                    into = Into(structure=apposed, span=apposed.span)
+                    yield (
+                        Clause(
+                            verb="arrange", theme=theme, adjuncts=(into, *found), mode=mode, span=p.span(i, end), cost=1
+                        ),
+                        end,
+                    )
+        for found_, k in _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode):
+            yield found_, k
+
+
+def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
+    """ "three red blocks stacked on ...", "four cubes, lined up and touching"."""
+    j = p.opt(p.opt(j, ","), "all", "both", "each")
+    for sense, lemma, form in p.lex(j, lexicon.VERB) or ():
+        if form not in ("past", "ing"):
+            continue
+        apart = (p.opt(j + 1, ","),) if sense == "stack" else ()
+        for at_ in dict.fromkeys((p.opt(j + 1, *PARTICLES), j + 1, *apart)):
+            lined = lemma == "line" and p.words[at_ - 1] == "up"
+            for found, k in [*adjuncts(p, at_), *(adjuncts(p, p.opt(at_, "and")) if lined else ())]:
+                if found or sense == "stack" or lined:
+                    yield (
+                        Clause(
+                            verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k),
+                            word=p.span(j, j + 1), cost=1,
+                        ),
+                        k,
+                    )  # fmt: skip
+
+
+def tail(p: Parser, i: int) -> int:
+    """The position after closing words that carry nothing ("please", "thanks")."""
+    while True:
+        j = p.opt(i, ",")
+        k = max((m for tags in (TAG, TAGS, CLOSING) for m in tags.matches(p, j)), default=0)
+        if not k:
+            return i
+        i = k

@@ -1,0 +1,61 @@
+"""How much "not" denies: each of several things, or all of them together."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.language.grammar.clauses.verbs import ever
+from rpg.language.grammar.core import Parser
+from rpg.language.meaning import Amount, Clause, In, Loc, Manner, Noun
+
+_NOT = frozenset({"not", "never"})
+_ALL = (["both"], ["all"])
+REACH = 3
+"""So many words on "not" is looked for: "are not", "must not", "do not"."""
+
+
+def denied_of_all(p: Parser, j: int, found: Clause) -> Clause:
+    """ "are not both ...", "must not all be ...", "do not put both ...": it may be so of some of them."""
+    denial = next((k for k in range(j, min(j + REACH, p.end)) if p.words[k] in _NOT), None)
+    if denial is None or not found.negated:
+        return found
+    skipped = p.words[denial + 1 : denial + 2] in (["be"], *([word] for word in _verbs(found)))
+    at = denial + 1 + skipped
+    if p.words[at : at + 1] not in _ALL and not _of_both(p, at, found):
+        return found
+    return replace(found, adjuncts=(*found.adjuncts, Manner(kind="not all", span=found.span)))
+
+
+def _of_both(p: Parser, at: int, found: Clause) -> bool:
+    """ "is not left of both red and blue", "is not on both patches"."""
+    end = next((k for k in range(at, p.end) if p.tokens[k].span[0] >= found.span[1]), p.end)
+    return "both" in p.words[at:end] and any(isinstance(a, Loc) and a.landmark is not None for a in found.adjuncts)
+
+
+def _verbs(clause: Clause) -> tuple[str, ...]:
+    return tuple(clause.lemma.split()[:1])
+
+
+def stays(found: Clause, allowed: bool) -> Clause:
+    """ "stays on the patch": there from the start on; "stays empty", "must not stay there" are about the end.
+
+    `allowed`: "at most one may stay there" is so too, and "at most one stays there", where more of them start.
+    """
+    many = getattr(found.theme, "amount", None)
+    if allowed or (many is not None and many.strict and many.high is not None):
+        return found
+    placed = any(isinstance(a, Loc | In) for a in found.adjuncts)
+    if placed and (found.negated or getattr(found.theme, "det", "") == "no"):
+        gone = Manner(kind="gone", span=found.span)
+        return replace(found, adjuncts=(*found.adjuncts, gone)) if found.negated else found
+    return ever(found, placed)
+
+
+def leave(found: Clause, only: bool, span: Span) -> Clause:
+    """ "A may be there" asks for nothing; "only two of the four may be there": no more than two."""
+    theme = found.theme
+    amount = theme.amount if isinstance(theme, Noun) else None
+    if only and isinstance(theme, Noun) and amount is not None and amount.strict and amount.low == amount.high:
+        return replace(found, theme=replace(theme, amount=Amount(0, amount.high, True)))
+    return replace(found, adjuncts=(*found.adjuncts, Manner(kind="allowed", span=span)))

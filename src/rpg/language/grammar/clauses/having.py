@@ -1,0 +1,250 @@
+"""Clauses whose subject has something: "the red block should have the blue one on it"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.language import lexicon
+from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.absolutes import part_list
+from rpg.language.grammar.places.onto import one_on_another
+from rpg.language.grammar.places.sides import toward
+from rpg.language.grammar.structures.along import listed_along
+from rpg.language.grammar.structures.sizes import size_phrase
+from rpg.language.grammar.structures.structures import structure
+from rpg.language.grammar.things.lists import listed
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.pronouns import pronoun
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    PartOf,
+    Places,
+    Pronoun,
+    Size,
+    Structure,
+    TableTop,
+    That,
+    Toward,
+    Traits,
+)
+
+_HAS = (
+    "should have", "must have", "has to have", "needs to have", "shall have", "will have", "has", "have",
+    "ends up with", "gets",
+    "get", "should get", "needs", "should end up with", "must end up with", "should be left with",
+)  # fmt: skip
+_SHARE = ("share", "shares", "should share", "must share", "have to share", "are to share", "shall share")
+_CARRIES = (
+    "holds up", "hold up", "should hold up", "must hold up", "has to carry", "has to hold", "has to support",
+    "is to carry", "is to support", "needs to carry", "shall carry", "is carrying", "is supporting", "is holding",
+    "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
+    "must support", "bears", "should bear", "must contain", "should contain", "contains",
+)  # fmt: skip
+_IS = ("is", "should be", "must be", "shall be", "has to be", "is to be", "goes", "should go", "reads", "should read",
+       "will be", "needs to be", "consists of", "is made of", "is built of", "must go")  # fmt: skip
+
+
+@rule
+def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "the red block should have the blue one on it", "the patch must contain two blocks", "A has B to its left"."""
+    for owner, j in noun_phrase(p, i):
+        if isinstance(owner, Pronoun | TableTop):
+            continue
+        yield from _made_up(p, i, j, owner, mode)
+        for mark, end in simple(p, k) if (k := p.any_of(j, _SHARE)) else ():
+            if isinstance(mark, Noun) and mark.head == "patch" and not mark.plural:
+                on = Loc(rel="on", landmark=mark, span=p.span(j, end))
+                yield _stated(p, i, end, owner, (on,), mode), end
+        if k := p.any_of(j, _HAS):
+            for theme, start in noun_phrase(p, k):
+                if (told := _of_its_color(owner, theme, p.span(i, start))) is not None:
+                    yield _stated(p, i, start, *told, mode), start
+                    continue
+                if (lying := _on_patch(owner, theme, p.span(i, start))) is not None:
+                    yield _stated(p, i, start, *lying, mode), start
+                for found, end in adjuncts(p, start):
+                    if isinstance(owner, Structure) and owner.members is not None and _parts(found):
+                        detail = Absolute(theme=theme, adjuncts=found, span=p.span(k, end))
+                        built = Clause(verb="build", theme=owner, adjuncts=(detail,), mode=mode, span=p.span(i, end))
+                        yield built, end
+                        continue
+                    places = _owned(found, owner)
+                    if places is not None:
+                        stated = _stated(p, i, end, theme, places, mode)
+                        yield stated, end
+                        yield from _another(p, i, end, owner, stated, mode)
+        if k := p.any_of(j, _CARRIES):
+            for theme, start in noun_phrase(p, k) if not _symbols(p, k) else ():
+                for found, end in adjuncts(p, start):
+                    if not found or _owned(found, owner) is not None:
+                        place = Loc(rel="on", landmark=owner, span=p.span(i, j))
+                        yield _stated(p, i, end, theme, (place,), mode), end
+
+
+def _symbols(p: Parser, i: int) -> bool:
+    """ "five cubes carry the letters A to E": what they show, not what lies on them."""
+    word = p.words[p.opt(i, "the")]
+    return any(word in table for table in (lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)) and word.endswith("s")
+
+
+def _made_up(p: Parser, i: int, j: int, owner: Meaning, mode: str) -> Results[Clause]:
+    """ "the tower has three blocks", "the stack has yellow at the bottom and red on top": of a structure."""
+    bare = isinstance(owner, Structure) and owner.det in ("the", "its") and not (owner.plural or owner.members)
+    k = p.any_of(j, _HAS) if bare else 0
+    if not k or not isinstance(owner, Structure) or owner.sizes or owner.dims:
+        return
+    for found, end in part_list(p, k):
+        yield Clause(verb="part", theme=owner, adjuncts=(found,), mode="goal", span=p.span(i, end), cost=1), end
+    for size, end in size_phrase(p, k - 1) if p.words[k - 1] in ("has", "have") else ():
+        made = replace(owner, sizes=(size,), span=p.span(i, end))
+        yield Clause(verb="build", theme=made, mode=mode, span=p.span(i, end), cost=1), end
+    for members, end in noun_phrase(p, k):
+        if isinstance(members, Noun) and members.amount is not None and members.det == "bare":
+            if members.traits == Traits() and members.amount.low == members.amount.high:
+                size = Size(what="size", amount=members.amount, span=members.span)
+                made = replace(owner, sizes=(size,), span=p.span(i, end))
+            else:
+                made = replace(owner, members=members, span=p.span(i, end))
+            for more, last in adjuncts(p, end):
+                if all(isinstance(x, Absolute | Coord) for x in more):
+                    said = Clause(verb="build", theme=made, adjuncts=more, mode=mode, span=p.span(i, last), cost=1)
+                    yield said, last
+
+
+@rule
+def structure_is(p: Parser, i: int) -> Results[Clause]:
+    """ "the row is red, green, blue from left to right", "it should be green on white"."""
+    for owner, j in [*pronoun(p, i), *structure(p, i)]:
+        if isinstance(owner, Pronoun) and owner.word not in ("it", "this"):
+            continue
+        bare = isinstance(owner, Structure) and owner.det in ("the", "its") and not (owner.plural or owner.members)
+        k = p.any_of(j, _IS) if bare or isinstance(owner, Pronoun) else 0
+        if not k or (isinstance(owner, Structure) and owner.sizes):
+            continue
+        theme = owner if isinstance(owner, Structure) else None
+        for order, end in [*one_on_another(p, k), *listed_along(p, k), *_listed_then(p, k)]:
+            yield Clause(verb="part", theme=theme, adjuncts=(order,), mode="goal", span=p.span(i, end)), end
+
+
+def _listed_then(p: Parser, k: int) -> Results[OrderBy]:
+    """ "red, green and blue from top to bottom"."""
+    for items, j in listed(p, k):
+        for way, end in toward(p, p.opt(j, ",")):
+            if isinstance(way, Toward) and way.first is not None:
+                yield OrderBy(by="named", items=items, first=way.first, span=p.span(k, end)), end
+
+
+def _another(p: Parser, i: int, at: int, owner: Meaning, first: Clause, mode: str) -> Results[Meaning]:
+    """ "... and the white block on its right": a second thing that the owner has."""
+    joint = p.one(p.opt(at, ","), "and")
+    for theme, j in noun_phrase(p, joint) if joint else ():
+        for found, end in adjuncts(p, j):
+            if (places := _owned(found, owner)) is not None:
+                stated = replace(_stated(p, joint, end, theme, places, mode), cost=0)
+                second = Chain(clauses=(stated,), links=("and",), span=theme.span)
+                told = That(kind="so", clauses=second, span=second.span)
+                yield replace(first, adjuncts=(*first.adjuncts, told), span=p.span(i, end)), end
+
+
+def _of_its_color(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:
+    """ "each patch gets the block of its own colour": every block lies on the patch of its colour."""
+    each = isinstance(owner, Noun) and owner.head == "patch" and (owner.det in ("each", "all") or owner.plural)
+    if not each or not isinstance(theme, Noun) or not isinstance(owner, Noun) or not theme.traits.matching:
+        return None
+    if theme.head == "patch" or theme.det not in ("the", "its", "all", "bare") or theme.amount is not None:
+        return None
+    blocks = replace(theme, det="all", plural=True, traits=replace(theme.traits, matching=False))
+    patch = replace(owner, det="its", plural=False, amount=None, traits=replace(owner.traits, matching=True))
+    return blocks, (Loc(rel="on", landmark=patch, span=span),)
+
+
+def _on_patch(owner: Meaning, theme: Meaning, span: Span) -> tuple[Meaning, tuple[Meaning, ...]] | None:
+    """ "each patch has one block", "each letter gets its own patch": what lies on what."""
+    if not (isinstance(owner, Noun) and isinstance(theme, Noun)) or (owner.head == "patch") == (theme.head == "patch"):
+        return None
+    if theme.head == "patch" and theme.traits.scheme != "different":
+        return None
+    block, patch = (theme, owner) if owner.head == "patch" else (owner, theme)
+    return block, (Loc(rel="on", landmark=patch, span=span),)
+
+
+def _parts(found: tuple[Meaning, ...]) -> bool:
+    return bool(found) and all(isinstance(part, At | Places) for part in found)
+
+
+def _owned(found: tuple[Meaning, ...], owner: Meaning) -> tuple[Meaning, ...] | None:
+    """The places with the owner where they say "it" or leave it unsaid; None where they speak of something else."""
+    if not found:
+        return None
+    places: list[Meaning] = []
+    for part in found:
+        if isinstance(part, Loc) and _is_owner(part.landmark):
+            places.append(replace(part, landmark=owner))
+        elif isinstance(part, At) and part.side in ("top", "left", "right") and part.index is None:
+            places.append(Loc(rel={"top": "on"}.get(part.side, part.side), landmark=owner, span=part.span))
+        else:
+            return None
+    return tuple(places)
+
+
+def _is_owner(landmark: Meaning | None) -> bool:
+    if isinstance(landmark, PartOf) and landmark.part == "top":
+        return _is_owner(landmark.whole)
+    return landmark is None or (isinstance(landmark, Pronoun) and landmark.word in ("it", "them", "itself"))
+
+
+def _stated(p: Parser, i: int, end: int, theme: Meaning, places: tuple[Meaning, ...], mode: str) -> Clause:
+    verb = "build" if isinstance(theme, Structure) else "be"
+    return Clause(verb=verb, theme=theme, adjuncts=places, mode=mode, span=p.span(i, end), cost=1)
+
+
+_END = frozenset({"end", "final", "finally", "result", "finished", "done"})
+_LASTLY = frozenset({"finally", "eventually", "ultimately", "lastly"})
+REACH = 2
+"""So many words may lead to what there is finally: "Finally, there is ..."."""
+
+
+def finally_there(p: Parser, i: int, there: Meaning, end: bool = False) -> Meaning:
+    """ "At the end there is a red block with a blue one on it": both are so in the end. `end`: a frame tells of it."""
+    end = end or (p.stands(0, _LASTLY) and i <= REACH) or p.seq(0, "at last") > 0
+    if not isinstance(there, Clause) or (not end and _END.isdisjoint(p.words[:i])):
+        return there
+    if with_more(there.theme, there.adjuncts):
+        return replace(there, verb="be", mode="goal")
+    told = end and there.mode == "given" and (there.adjuncts or isinstance(there.theme, Structure))
+    return replace(there, mode="goal") if told else there
+
+
+def topped(theme: Meaning | None, found: tuple[Meaning, ...]) -> tuple[Meaning, ...]:
+    """ "a red block with a blue one on top": on it, for a single block has no parts."""
+    single = isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and theme.det in ("a", "the")
+    return tuple(_on_it(a) for a in found) if single and len(found) == 1 else found
+
+
+def _on_it(part: Meaning) -> Meaning:
+    if not isinstance(part, Absolute) or len(part.adjuncts) != 1:
+        return part
+    place = part.adjuncts[0]
+    if not isinstance(place, At) or (place.side, place.index, place.whole) != ("top", None, None):
+        return part
+    on = Loc(rel="on", landmark=Pronoun(word="it", span=place.span), span=place.span)
+    return replace(part, adjuncts=(on,))
+
+
+def with_more(theme: Meaning | None, found: tuple[Meaning, ...]) -> bool:
+    """ "a red block with a blue one on it", "three red blocks in a row"."""
+    if isinstance(theme, Noun) and any(isinstance(a, Into) for a in found):
+        return True
+    beside = any(isinstance(a, Absolute) or (isinstance(a, Coord) and a.op == "absolutes") for a in found)
+    return beside and isinstance(theme, Noun)

@@ -1,0 +1,115 @@
+"""Verbs that make one structure of another: reverse, turn into, make it a row, take apart."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.things.labels import literal
+from rpg.language.grammar.things.lists import listed
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.meaning import Clause, Into, Meaning, Noun, OrderBy, Pronoun, Structure, Using
+
+_NEW_ORDER = ("the order to", "its order to", "their order to", "the order into", "the order of the blocks to")
+_ORDER_OF = ("the order of the blocks in", "the order of the cubes in", "the order of", "order of")
+_ITS_ORDER = ("its order", "the order", "their order")
+
+
+def reverse(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "reverse the tower", "reverse the order of the row", "reverse its order"."""
+    if k := p.any_of(j, _ITS_ORDER):
+        it = Pronoun(word="it", span=p.span(j, k))
+        for found, end in adjuncts(p, k):
+            yield _clause(p, i, end, "reverse", it, found), end
+    start = p.any_of(j, _ORDER_OF) or j
+    for theme, k in noun_phrase(p, start):
+        for found, end in adjuncts(p, k):
+            yield _clause(p, i, end, "reverse", theme, found), end
+
+
+def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+    """ "turn it into a row", "make it a tower", "take the tower apart"."""
+    if sense == "turn" and lemma in ("turn", "transform", "convert", "change"):
+        yield from _reordered(p, i, j)
+        yield from _turned_into(p, i, j)
+    if sense == "turn" and lemma in ("turn", "flip"):
+        yield from _flipped(p, i, j)
+    if lemma in _RESPELLED:
+        yield from _respelled(p, i, j)
+    if lemma == "make":
+        for theme, k in noun_phrase(p, j):
+            told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
+            yield from _listed(p, i, k, theme) if told else ()
+            for shape, end in simple(p, p.opt(k, "into")) if told else ():
+                if isinstance(shape, Structure):
+                    into = Into(structure=shape, span=shape.span)
+                    for found, last in adjuncts(p, end):
+                        yield _clause(p, i, last, "arrange", theme, (into, *found)), last
+    if lemma in ("take", "pull", "break"):
+        parted = p.one(i + 1, frozenset({"apart", "down"}))
+        for theme, k in noun_phrase(p, parted or i + 1):
+            if p.words[k if not parted else i + 1] == "down" and not isinstance(theme, Structure):
+                continue
+            if end := k if parted else p.one(k, frozenset({"apart", "down"})):
+                for found, last in adjuncts(p, end):
+                    yield _clause(p, i, last, "unstack", theme, found), last
+
+
+_RESPELLED = frozenset({"turn", "transform", "convert", "change", "rearrange", "arrange", "reorder", "make"})
+_INTO_WORD = ("to", "into", "to spell", "into the word", "to the word", "to read", "to say", "to form", "so they spell",
+              "so that they spell", "so that it reads", "so it reads", "to make", "to get", "as")  # fmt: skip
+
+
+def _respelled(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "change it to ACT", "rearrange them into TEN": the letters that are there are to spell this."""
+    for theme, k in noun_phrase(p, j):
+        into = p.any_of(k, _INTO_WORD)
+        text = literal(p, into) if into else None
+        letters = isinstance(theme, Noun) and (theme.traits.kind == "letter" or bool(theme.traits.labels))
+        word = isinstance(theme, Structure) and theme.kind == "word"
+        if text is None or len(text) < 2 or not (isinstance(theme, Pronoun) or letters or word):
+            continue
+        shape = Structure(kind="word", det="the", letter=text, span=p.span(into, into + 1))
+        them = Using(members=theme, span=theme.span)
+        for found, end in adjuncts(p, into + 1):
+            yield replace(_clause(p, i, end, "spell", shape, (them, *found)), lemma="spell"), end
+
+
+def _listed(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
+    """ "make it C, B, A": the row or tower that is there, in this order."""
+    for items, k in listed(p, j):
+        order = OrderBy(by="given", items=items, span=p.span(j, k))
+        for found, end in adjuncts(p, k):
+            yield _clause(p, i, end, "arrange", theme, (order, *found)), end
+
+
+def _flipped(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "turn the tower the other way round", "flip the stack over"."""
+    for theme, k in noun_phrase(p, j):
+        end = p.one(k, "over") if isinstance(theme, Structure) and theme.kind == "stack" else 0
+        end = end or (p.any_of(k, _ROUND) if isinstance(theme, Structure | Pronoun) else 0)
+        for found, last in adjuncts(p, end) if end else ():
+            yield _clause(p, i, last, "reverse", theme, found), last
+
+
+_ROUND = ("the other way around", "the other way round", "other way around", "other way round")
+
+
+def _reordered(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "change the order to B, A, C"."""
+    if k := p.any_of(j, _NEW_ORDER):
+        yield from _listed(p, i, k, Pronoun(word="it", span=p.span(j, k)))
+
+
+def _turned_into(p: Parser, i: int, j: int) -> Results[Clause]:
+    for theme, k in noun_phrase(p, j):
+        if into := p.one(k, "into") if isinstance(theme, Pronoun | Structure) else 0:
+            yield from _listed(p, i, into, theme)
+        for found, end in adjuncts(p, k):
+            if any(isinstance(a, Into) for a in found):
+                yield replace(_clause(p, i, end, "arrange", theme, found), lemma="turn into"), end
+
+
+def _clause(p: Parser, i: int, j: int, verb: str, theme: Meaning, found: tuple[Meaning, ...]) -> Clause:
+    return Clause(verb=verb, lemma=verb, theme=theme, adjuncts=found, span=p.span(i, j), word=p.span(i, i + 1))

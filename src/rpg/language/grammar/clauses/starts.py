@@ -1,0 +1,84 @@
+""" "It starts as red on blue", "the tower starts with A on B on C": a structure of the start by what it is made of."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.places.piled import piled
+from rpg.language.grammar.things.labels import literal
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure, Traits
+
+STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
+          "start out", "initially is", "initially sits", "starts the episode")  # fmt: skip
+
+
+def starts_as(p: Parser, i: int, at: int, theme: Meaning) -> Results[Meaning]:
+    """What follows "starts" at `at` where it is the structure itself that is told."""
+    j = p.any_of(at, ("as", "out as", "with", "off as")) or at
+    it = isinstance(theme, Pronoun) and theme.word == "it"
+    the = isinstance(theme, Structure) and theme.det == "the" and theme.members is None
+    yield from _as_a_word(p, i, j, theme)
+    for first, k in simple(p, j) if j and (it or the) else ():
+        for found, end in adjuncts(p, k):
+            if isinstance(first, Structure) and first.members is not None:
+                span = p.span(i, end)
+                yield Clause(verb="exist", lemma="begun", theme=first, adjuncts=found, mode="given", span=span), end
+            upright = all(isinstance(a, Loc) and a.rel in ("on", "above") for a in found)
+            if isinstance(first, Noun) and found and upright:
+                yield piled(Clause(verb="be", theme=first, adjuncts=found, mode="start", span=p.span(i, end))), end
+
+
+_IN_A_ROW = ("in a row as", "in a line as", "lined up as", "side by side as", "in the order", "in a row :")
+_SHOWN = frozenset({"row", "line", "stack", "word", "column"})
+
+
+def _as_a_word(p: Parser, i: int, j: int, theme: Meaning) -> Results[Meaning]:
+    """ "The row (of letters) starts as TAC", "the letters start as TAC": what can be read there."""
+    j = p.any_of(j, _IN_A_ROW) or j
+    text = literal(p, p.any_of(j, ("the word", "word", "spelling", "reading")) or j)
+    line = isinstance(theme, Structure) and theme.kind in _SHOWN and theme.det == "the" and not theme.plural
+    members = theme.members if line and isinstance(theme, Structure) else theme
+    plain = Traits(kind="letter")
+    letters = isinstance(members, Noun) and members.traits in (plain, Traits()) and members.head == "block"
+    named = isinstance(members, Noun) and text is not None and sorted(members.traits.labels) == sorted(text)
+    if text is None or len(text) < 2 or not (letters or named or (line and members is None)):
+        return
+    end = (p.any_of(j, ("the word", "word", "spelling", "reading")) or j) + 1
+    word = Structure(kind="word", det="the", letter=text, span=p.span(j, end))
+    down = isinstance(theme, Structure) and theme.kind == "stack"
+    for more, last in adjuncts(p, end) if not down else ():
+        yield Clause(verb="spell", theme=word, adjuncts=more, mode="start", span=p.span(i, last)), last
+
+
+_ENDING = frozenset(
+    {"end", "finally", "final", "goal", "finish", "afterwards", "later", "then", "result", "should", "must"}
+)
+
+
+def still_begun(p: Parser, j: int, k: int, before: Clause | None, item: Meaning) -> Meaning:
+    """ "Initially red is on blue and green is on yellow": a further fact is of the start too, unless it says when."""
+    if before is None or before.mode != "start" or not isinstance(item, Clause):
+        return item
+    fact = (item.lemma, item.mode) == ("fact", "goal") and _ENDING.isdisjoint(p.words[j:k])
+    return replace(item, mode="start") if fact and not item.negated else item
+
+
+_ALREADY = ("initially", "currently", "starting out", "starting", "beginning")
+
+
+def begun_with(p: Parser, i: int) -> Results[Clause]:
+    """ "With the red block on the green one at the start, ...": how it begins. "Already" may mean the end too."""
+    j = p.one(i, "with")
+    for theme, k in noun_phrase(p, j) if j else ():
+        told = p.any_of(k, _ALREADY)
+        for found, end in adjuncts(p, told or k):
+            when = [a for a in found if isinstance(a, Manner) and a.kind == "start"]
+            places = tuple(a for a in found if a not in when)
+            comma = p.opt(end, ",", ":")
+            if p.words[k] == "already":
+                continue
+            if comma > end and places and all(isinstance(a, Loc) for a in places) and (told or when):
+                yield Clause(verb="be", theme=theme, adjuncts=places, mode="start", span=p.span(i, end)), comma

@@ -1,0 +1,394 @@
+"""States: "the red block is on ...", "both blocks are blue", "the blocks form a circle"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.becoming import becoming, staying
+from rpg.language.grammar.clauses.denials import denied_of_all, leave, stays
+from rpg.language.grammar.clauses.manners import direction, manner
+from rpg.language.grammar.clauses.starts import STARTS, starts_as
+from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.framing import past
+from rpg.language.grammar.talk.slots import Classes, Rows
+from rpg.language.grammar.things.adjectives import adjectives, of_quality
+from rpg.language.grammar.things.labels import digits_of, label_list, literal
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.grammar.things.retold import none_of, one_heap
+from rpg.language.meaning import (
+    At,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Quality,
+    Structure,
+    Traits,
+    Using,
+)
+
+_MODALS = frozenset({
+    "should", "must", "shall", "will", "would", "can", "could", "may", "might", "need", "needs", "has", "have", "ought",
+    "want", "wants", "does", "do",
+})  # fmt: skip
+
+
+_NOT = frozenset({"not", "never"})
+_SWAPPED = tuple(
+    f"{been}{swapped} {places}" for been in ("", "been ") for swapped in ("swapped", "traded", "changed", "exchanged",
+    "switched") for places in ("places", "positions")
+)  # fmt: skip
+_SWAP = (
+    *_SWAPPED, "swap places", "swap positions", "trade places", "change places", "exchange places", "switch places",
+    "be swapped", "exchange positions", "swap", "switch positions",
+)  # fmt: skip
+_MOVE = frozenset({"move", "shift", "budge"})
+_HAVE = frozenset({"have", "has"})
+_BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come"})
+"""Verbs of where things are to be, not of where they are."""
+
+
+_BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
+
+
+_PLACES = Classes(
+    {
+        "place": (
+            "final|own|new|right|proper|correct|permanent|last|usual|end? "
+            "place|position|spot|location|home|seat|destination|resting_place",
+        ),
+        "its": ("its|their|a|the|his|her",),
+    }
+)
+_HAS_PLACE = Rows(
+    _PLACES,
+    "have|has|get|gets|find|finds|take|takes|has_found|have_found|has_got|takes_up|keeps <its> <place>",
+    "'s <place> is|should_be|must_be|will_be|shall_be|has_to_be",
+)
+"""Where something is, by the place that it has."""
+_PLACE_OF = Rows(_PLACES, "the <place> of|for")
+
+
+@rule
+def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "the red block is on ...", "both blocks are blue", "the blocks form a circle", "A starts on B"."""
+    inverted = p.one(i, _BE) if i else 0
+    barred = p.any_of(i, _BARRED)
+    asked = p.one(barred or i, _ASKING) or (p.one(i, _DOES) if p.follows(i, ("that", "then")) else 0)
+    if barred and not asked:
+        return
+    placed = max(_PLACE_OF.matches(p, i), default=0)
+    for theme, j in noun_phrase(p, inverted or asked or placed or i):
+        j = past(p, p.opt(j, "all", "each", "both", "then"))
+        j = p.opt(j, ",") if _told_apart(p, i, j, theme) else j
+        k, words = _auxiliaries(p, j)
+        if not _floats(theme, {*p.words[j - 1 : k]}) or one_heap(theme, p.words[j]) or _begun_anew(p, i, j, theme):
+            continue
+        negated = bool(words & _NOT) or bool(barred)
+        if inverted:
+            yield from _predicate(p, i, j, theme, mode, False)
+            continue
+        readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
+        readings += staying(p, i, k, theme, mode) if negated else becoming(p, i, k, theme, mode)
+        for _, s in p.standing(k, STARTS):
+            readings += _predicate(p, i, p.opt(s, "being"), theme, "start", negated)
+            readings += starts_as(p, i, s, theme)
+        for found, end in readings:
+            found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
+            lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
+            lasting = lasting or ("ever" in words and none_of(theme))
+            if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & (_MODALS | _BOUND):
+                found = replace(found, lemma="fact")
+            idle = isinstance(found, Clause) and _needless(
+                words | {"not"} if getattr(theme, "det", "") == "no" else words
+            )
+            if idle and isinstance(found, Clause):
+                found = replace(found, negated=False)
+            if isinstance(found, Clause) and (idle or (words & {"may", "might"} and not asked)):
+                found = leave(found, p.words[i] in ("only", "just") and not idle, p.span(j, k))
+            yield (ever(found, lasting) if isinstance(found, Clause) else found), end
+
+
+def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
+    """ "six blocks, three red and three white, stand ...": a comma closes what was set beside the noun."""
+    return (
+        isinstance(theme, Coord | Structure)
+        and p.words[j : j + 1] == [","]
+        and "," in p.words[i:j]
+        and p.words[j + 1] in _GO_ON
+    )
+
+
+def _begun_anew(p: Parser, i: int, j: int, theme: Meaning) -> bool:
+    """ "(then) white, and pink is on top": behind ", and" a verb for one thing speaks of the last one alone."""
+    if not p.stands(j, _OF_ONE) or [",", "and"] not in (p.words[n : n + 2] for n in range(i + 1, j - 1)):
+        return False
+    several = len(theme.items) if isinstance(theme, Coord) else 0
+    several = several or (len(theme.traits.colors) if isinstance(theme, Noun) else 0)
+    return several == 2
+
+
+_OF_ONE = frozenset({"is", "lies", "stands", "sits", "rests", "comes", "goes"})
+_GO_ON = _MODALS | _BE | lexicon.POSTURE
+"""Words that only a predicate begins with."""
+
+
+def _needless(words: set[str]) -> bool:
+    """ "need not", "does not have to": neither asked for nor forbidden."""
+    denied = bool(words & _NOT)
+    return denied and (bool(words & {"need", "needs"}) or ({"have", "to"} <= words and bool(words & {"do", "does"})))
+
+
+_ASKING = frozenset({"can", "could", "should", "may", "would", "shall", "must"})
+
+
+_DOES = frozenset({"does", "do"})
+"""These come first behind "only then": "only after that does the blue one go onto it"."""
+_BARRED = ("at no time", "at no point", "at no moment", "under no circumstances", "in no case", "never")
+"""What comes before a question's order of words: "at no time may the red block be on ..."."""
+
+
+_FILLERS = frozenset({
+    "to", "also", "only", "all", "always", "both", "each", "ever", "end", "ends", "gets", "get", "up", "then",
+    "still", "just", "simply",
+})  # fmt: skip
+
+
+_ADVERBS = frozenset({
+    "all", "both", "each", "also", "still", "now", "currently", "already", "initially", "being", "originally",
+    "be", "always", "then", "only", "going",
+})  # fmt: skip
+
+
+_UNREAL = frozenset({"if", "wish"})
+"""After these "was" is no past: "it would be nice if the red block was ..."."""
+
+
+def _floats(theme: Meaning, words: set[str]) -> bool:
+    """Whether "both", "all" and "each" fit what they are said of: "the red block must both ..." they do not."""
+    if not isinstance(theme, Noun) or not words & {"both", "all", "each"}:
+        return True
+    most = theme.amount.high if theme.amount is not None else None
+    return (theme.plural and most != 1) and not ("both" in words and most not in (None, 2))
+
+
+def _passive(p: Parser, j: int) -> bool:
+    """ "should become placed": what is only the passive."""
+    return p.words[j] in ("become", "becomes") and p.words[j + 1].endswith("ed") and p.words[j + 1] in lexicon.VERB
+
+
+_LASTLY = frozenset({"finally", "eventually", "ultimately"})
+_ORDERED = frozenset({"first", "then", "before", "after", "next", "second", "firstly"})
+"""Beside these "finally" tells a step, and not how it is in the end."""
+
+
+def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
+    words: set[str] = set()
+    last = _LASTLY if p.all.isdisjoint(_ORDERED) else frozenset[str]()
+    while j < p.end and (p.words[j] in _MODALS | _FILLERS | _NOT | last or _passive(p, j)):
+        if p.words[j] in words & _NOT:
+            break
+        if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
+            break
+        if p.words[j] == "to" and p.words[j + 1] in ("the", "its", "their"):
+            break
+        if p.words[j] in ("end", "ends") and p.words[j + 1] != "up":
+            break
+        words.add(p.words[j])
+        j = p.reach(j + 1)
+    return j, words
+
+
+def _predicate_after_be(
+    p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool
+) -> list[tuple[Meaning, int]]:
+    had = k - 1 if p.follows(k, _HAVE) else k
+    if end := max(_HAS_PLACE.matches(p, had), default=0):
+        return list(_predicate(p, i, end, theme, mode, negated))
+    if j := p.one(k, _BE):
+        if p.words[k] in ("was", "were") and _UNREAL.isdisjoint(p.words[:i]):
+            mode = "start"
+        lasting = False
+        if p.seq(j, "no longer"):
+            return _predicate_after_be(p, i, j, theme, mode, True)
+        while n := p.one(j, _ADVERBS if negated else _NOT | _ADVERBS) or p.seq(j, "to be"):
+            negated = negated or p.words[j] in _NOT
+            lasting = lasting or p.words[j] in ("always", "never")
+            if p.words[j] in ("currently", "already", "initially", "originally"):
+                mode = "start"
+            j = n
+        j += p.words[j] == "left" and p.words[j + 1] in ("on", "in", "there")
+        readings = list(_predicate(p, i, j, theme, mode, negated))
+        return [(ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
+    if k < p.end and p.words[k] in lexicon.POSTURE:
+        if p.words[k] in ("stay", "stays", "remain", "remains") and (
+            still := p.any_of(k + 1, ("put", "untouched", "in place", "unmoved"))
+            or (k + 1) * (p.words[k + 1] in ("", ","))
+        ):
+            manner_ = Manner(kind="stay", span=p.span(k, still))
+            return [(Clause(verb="be", theme=theme, adjuncts=(manner_,), mode=mode, span=p.span(i, still)), still)]
+        allowed = p.words[k - 1] in ("may", "might")
+        lasting = p.words[k] in ("stays", "stay", "remains", "remain", "staying", "remaining")
+        readings = list(_predicate(p, i, p.reach(k + 1), theme, mode, negated))
+        return [(stays(c, allowed) if lasting and isinstance(c, Clause) else c, e) for c, e in readings]
+    if gone := p.seq(k, "no longer"):
+        past = Manner(kind="gone", span=p.span(k, gone))
+        longer = [*_subject_verb(p, i, gone, theme, mode, True), *_predicate(p, i, gone, theme, mode, True)]
+        return [(replace(c, adjuncts=(*c.adjuncts, past)) if isinstance(c, Clause) else c, e) for c, e in longer]
+    if (
+        p.words[k - 1 : k] == ["up"]
+        or any(m.kind != "extra" for m, _ in manner(p, k) if isinstance(m, Manner))
+        or p.words[k - 1 : k] in (["always"], ["never"])
+    ):
+        return list(_predicate(p, i, k, theme, mode, negated))
+    return []
+
+
+def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+    j = past(p, j)
+    senses = p.lex(j, lexicon.VERB)
+    for sense, lemma, form in senses or ():
+        if lemma == "leave" and p.words[j - 1 : j] != ["be"]:
+            continue
+        if form == "past" or (form == "base" and lemma in ("put", "set", "spread", "split")):
+            end_particle = p.opt(j + 1, *PARTICLES) if p.words[j] not in ("put", "placed") else j + 1
+            for at_ in dict.fromkeys((j + 1, end_particle)):
+                for found, k in adjuncts(p, at_):
+                    if (
+                        found
+                        or sense in ("swap", "stack", "keep")
+                        or (sense in ("build", "arrange") and isinstance(theme, Structure))
+                        or (lemma == "line" and p.words[at_ - 1] == "up")
+                        or (negated and lemma in ("move", "touch", "disturb", "shift"))
+                    ):
+                        yield (
+                            Clause(
+                                verb=sense,
+                                lemma=lemma,
+                                theme=theme,
+                                adjuncts=found,
+                                negated=negated,
+                                mode=mode,
+                                span=p.span(i, k),
+                                word=p.span(j, j + 1),
+                            ),
+                            k,
+                        )
+    start = j
+    if j < p.end and p.words[j] in lexicon.POSTURE:
+        start = p.reach(j + 1)
+    for found, k in adjuncts(p, start):
+        if any(not isinstance(a, Manner) or a.kind != "respectively" for a in found):
+            said = Clause(verb="be", theme=theme, adjuncts=found, negated=negated, mode=mode, span=p.span(i, k))
+            yield replace(said, word=p.span(j, j + 1)), k
+    head = theme.head if isinstance(theme, Noun) else "block"
+    the = p.opt(j, "the")
+    for marks, k in adjectives(p, the):
+        if set(marks) == {"rank"} and marks["rank"] in ("top", "bottom", "left", "right", "front", "back", "middle"):
+            k = p.opt(k, "one", "block", "cube")
+            side = At(side=marks["rank"], span=p.span(j, k))
+            yield Clause(verb="be", theme=theme, adjuncts=(side,), negated=negated, mode=mode, span=p.span(i, k)), k
+        elif marks and "rank" not in marks and the == j:
+            k = p.opt(k, *lexicon.BLOCK) if marks.keys() <= {"edge", "size"} else k
+            quality = Quality(traits=Traits(**marks), span=p.span(j, k))
+            yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+    for marks, k in of_quality(p, j, head):
+        quality = Quality(traits=Traits(**marks), span=p.span(j, k))
+        yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+
+
+def _touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Clause]:
+    """ "the red block touches the blue one (at the start)", "the blocks touch"."""
+    if j := p.one(k, frozenset({"touch", "touches"})):
+        for other, end in noun_phrase(p, j):
+            touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
+            said = Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end))
+            for when, last in adjuncts(p, end):
+                if all(isinstance(a, Manner) for a in when):
+                    yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
+        touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
+        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
+
+
+def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
+    """ "the blocks form a ring", "the cubes spell CAT", "the red block touches the blue one", "it faces left"."""
+    using = Using(members=theme, span=theme.span)
+    for sense, lemma, form in p.lex(k, lexicon.VERB) or ():
+        if form in ("base", "s") and lemma in ("form", "make", "spell", "build", "create", "compose"):
+            if sense == "spell":
+                readings = list(spell(p, i, k + 1, lemma))
+            else:
+                readings = [
+                    r for r in with_theme(p, i, k + 1, sense, lemma) if isinstance(r[0].theme, Structure | Coord)
+                ]
+            for found, end in readings:
+                yield replace(found, adjuncts=(using, *found.adjuncts), negated=negated, mode=mode), end
+    if (j := p.any_of(k, _SWAP)) and not negated:
+        yield Clause(verb="swap", lemma="swap", theme=theme, mode=mode, span=p.span(i, j)), j
+    if j := p.one(k, frozenset({"alternate", "alternates"})):
+        for turns_, end in adjuncts(p, j):
+            turns = Clause(
+                verb="arrange", lemma="alternate", theme=theme, adjuncts=turns_, mode=mode, span=p.span(i, end)
+            )
+            yield replace(turns, negated=negated), end
+    if negated and (j := p.one(k, _MOVE)):
+        unmoved = Clause(verb="place", lemma="move", theme=theme, negated=True, mode=mode, span=p.span(i, j))
+        yield replace(unmoved, word=p.span(k, j)), j
+    yield from _touches(p, i, k, theme, mode, negated)
+    if j := p.one(k, frozenset({"face", "faces", "point", "points"})):
+        for side, end in direction(p, j):
+            faced = Manner(kind="facing", value=side, span=p.span(k, end))
+            yield (
+                Clause(verb="be", theme=theme, adjuncts=(faced,), negated=negated, mode=mode, span=p.span(i, end)),
+                end,
+            )
+    if j := p.one(k, frozenset({"read", "reads", "show", "shows", "say", "says", "spell", "spells"})):
+        for told, end in _reads(p, i, j, theme, mode):
+            yield (replace(told, negated=negated) if isinstance(told, Clause) else told), end
+    if j := p.one(k, _HAVE) or (k if p.words[k - 1] in _HAVE else 0):
+        for traits, end in ((m, e) for m, e in of_quality(p, j - 1, "block")):
+            quality = Quality(traits=Traits(**traits), span=p.span(k, end))
+            said = Clause(verb="be", theme=theme, adjuncts=(quality,), mode=mode, span=p.span(i, end))
+            yield replace(said, negated=negated), end
+
+
+def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
+    using = Using(members=theme, span=theme.span)
+    text = literal(p, j) or digits_of(p, j)
+    if text is not None and len(text) > 1:
+        word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
+        apart = [x for x in adjuncts(p, j + 2) if x[0]] if p.one(j + 1, ",") else []
+        for found, end in [*adjuncts(p, j + 1), *apart]:
+            yield Clause(verb="spell", theme=word, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+    for (labels, more), k in label_list(p, j, True):
+        named = Noun(
+            head="block", plural=len(labels) > 1, traits=Traits(labels=labels, open_ended=more), span=p.span(j, k)
+        )
+        for found, end in adjuncts(p, k):
+            yield Clause(verb="read", theme=named, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+    for other, k in noun_phrase(p, j):
+        if isinstance(other, Structure) and other.kind in ("word", "equation"):
+            for found, end in adjuncts(p, k):
+                yield Clause(verb="spell", theme=other, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+
+
+@rule
+def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
+    """ "the red block must not be on the mat but must be next to it": a further predicate of the same subject."""
+    if before.theme is None or before.verb != "be" or not before.adjuncts:
+        return
+    k, words = _auxiliaries(p, i)
+    if k == i and p.words[i : i + 1] not in (["is"], ["are"]):
+        return
+    both = "both" in words or p.words[i - 1] == "both"
+    same = Pronoun(word="both the same" if both else "same", span=before.theme.span)
+    mode = "goal" if words & _MODALS else before.mode
+    for found, j in _predicate_after_be(p, i, k, same, mode, bool(words & _NOT)):
+        if isinstance(found, Clause):
+            yield replace(found, cost=found.cost + 1), j

@@ -1,0 +1,129 @@
+"""What there is, and what stands at a place: "there are three red blocks", "on the left of the blue block stands a red
+one"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.clauses.absent import never_there
+from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.having import topped, with_more
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.framing import WHEN_DONE, past
+from rpg.language.grammar.talk.slots import Classes, Rows
+from rpg.language.grammar.things.lists import listed
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.meaning import Clause, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward
+
+_STANDS = (
+    "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
+    "stands", "lies", "go", "you put", "place", "put", "comes then", "come", "i want", "we want", "i need", "we need",
+    "i would like", "we would like", "there shall be", "there has to be", "there needs to be", "i want to see",
+)  # fmt: skip
+_LAST = (
+    "should be", "must be", "should go", "must go", "goes", "go", "belong", "belongs", "has to be", "have to be",
+    "should lie", "should stand", "must lie", "must stand", "should sit", "is to be", "are to be", "has to go",
+)  # fmt: skip
+"""Verbs that may close what a place began: "on the mat the red block should be"."""
+_VERBS = Classes(
+    {
+        "must": ("should|must|shall|will|has_to|have_to|needs_to|need_to|ought_to|is_to|are_to",),
+        "be": (
+            "be|stand|lie|sit|rest|appear|come|remain|exist|lay",
+            "be placed|put|standing|lying|sitting|seen|found|located|shown|built",
+        ),
+        "is": (
+            "stands|stand|lies|lie|sits|sit|rests|rest|appears|appear|exists|exist|remains|remain|follows|follow|lay",
+            "is|are standing|lying|sitting|resting|placed|put|shown|found|located|seen|built",
+            "has|have been placed|put|built|stacked|laid",
+        ),
+    }
+)
+_STANDING = Rows(_VERBS, "there? also|then|only? <must> also? <be>", "there? also|then? <is>")
+_THERE_MUST = Rows(_VERBS, "there also|then? <must> also? <be>")
+_THERE_STANDS = Rows(_VERBS, "there also|then? <is>")
+_FACTS = frozenset({"is", "are", "sits", "stands", "lies", "rests", "lie", "stand", "sit", "rest"})
+_SEEN = Rows(
+    Classes({"line": ("the|this row|line|tower|stack|column|blocks|cubes|letters|digits|numbers|colors|order",)}),
+    "there should|must|shall|has_to? be|is|are",
+    "put|it_is|they_are",
+    "<line>|it|they should|must|shall|has_to? be|is|are|go|goes|read|reads|show|shows|have|has|run|runs",
+    "you|we|i|one can? see|sees|read|reads|find|finds",
+)
+"""What stands between a direction and the list that goes along it."""
+
+
+def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Results[Meaning]:
+    """ "on the left of the blue block there is a red one"."""
+    k = max(p.any_of(j, _STANDS), *_STANDING.matches(p, j), 0)
+    lemma = "fact" if k and p.words[k - 1] in _FACTS else ""
+    for theme, end in noun_phrase(p, k or j):
+        bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
+        if bare and isinstance(theme, Noun) and not (theme.traits.colors or theme.traits.labels):
+            continue
+        behind = p.any_of(end, _LAST) if not k else 0
+        for more, last in [((), behind)] if behind >= p.end > 0 else adjuncts(p, end):
+            verb = "build" if isinstance(theme, Structure) else "be"
+            when = "start" if mode == "start" else "goal"
+            span = p.span(i, last)
+            cost = 1 if k else 2
+            there = Clause(verb=verb, lemma=lemma, theme=theme, adjuncts=(first, *more), mode=when, span=span)
+            yield replace(there, cost=cost), last
+
+
+def listed_there(p: Parser, i: int, j: int, first: Toward) -> Results[Meaning]:
+    """ "from left to right there should be red, green, blue"."""
+    there = p.opt(max(_SEEN.matches(p, j), default=j), ":", ",")
+    for items, end in listed(p, there):
+        given = OrderBy(by="given", items=items, span=p.span(there, end))
+        for more, last in adjuncts(p, end):
+            span = p.span(i, last)
+            yield Clause(verb="arrange", adjuncts=(first, given, *more), mode="goal", span=span, cost=1), last
+
+
+@rule
+def exists(p: Parser, i: int) -> Results[Meaning]:
+    """ "there are three red blocks", "there should be a tower ...", "there must never be anything on ..."."""
+    yield from never_there(p, i)
+    j = p.any_of(
+        i,
+        (
+            "there should be",
+            "there must be",
+            "there has to be",
+            "there will be",
+            "there shall be",
+            "there needs to be",
+            "there should only be",
+        ),
+    )
+    j = j or max(_THERE_MUST.matches(p, i), default=0)
+    mode = "goal"
+    if not j:
+        j = p.any_of(i, ("there are already", "there is already", "there are", "there is", "you have", "we have",
+            "i have", "you are given", "we are given", "you get",
+                         "given are", "here are", "the scene has", "the scene contains", "the table has",
+                         "the workspace contains", "the table holds", "there also are",
+                         "you start with", "there were", "there was", "the table contains", "on the table there are",
+                         "on the table are", "on the table there is"))  # fmt: skip
+        j = j or max(_THERE_STANDS.matches(p, i), default=0)
+        mode = "given"
+    if not j:
+        return
+    j = p.opt(j, "also", "now", "currently", "initially")
+    mode, j = ("goal", end) if (end := past(p, j)) > j else (mode, j)
+    for theme, k in noun_phrase(p, j):
+        apart = adjuncts(p, k + 1) if p.words[k : k + 1] == [","] and isinstance(theme, Structure) else []
+        nothing = isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det == "no")
+        k = p.opt(p.any_of(k, _TOO) or k, *_LYING) if isinstance(theme, Noun) else k
+        for found, end in [*adjuncts(p, k), *(x for x in apart if x[0])]:
+            if any(WHEN_DONE.matches(p, end)):
+                continue
+            ended = any(isinstance(a, Manner) and a.kind == "finally" for a in found)
+            said, found = "goal" if nothing or ended else mode, topped(theme, found)
+            verb = "be" if said == "goal" and with_more(theme, found) else "exist"
+            yield Clause(verb=verb, theme=theme, adjuncts=found, mode=said, span=p.span(i, end)), end
+
+
+_TOO = ("too", "as well", "also")
+_LYING = ("lying", "standing", "sitting", "resting", "placed", "located", "positioned", "situated")

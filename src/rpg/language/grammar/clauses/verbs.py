@@ -1,0 +1,373 @@
+"""Verbs with their themes and adjuncts, in commands and after "without"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.manners import direction
+from rpg.language.grammar.clauses.remade import remade, reverse
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.structures.orders import order
+from rpg.language.grammar.things.adjectives import adjectives
+from rpg.language.grammar.things.labels import digits_of, literal
+from rpg.language.grammar.things.likes import like_with_like
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.meaning import (
+    Amount,
+    At,
+    Chain,
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Quality,
+    Structure,
+    That,
+    Traits,
+    Using,
+)
+
+_PARTICLES = {
+    "place": ("up", "out", "down", "together", "over", "back"), "pick": ("up", "out", "off", "away"),
+    "build": ("up", "out", "together"), "stack": ("up", "together"), "unstack": ("down", "apart"),
+    "arrange": ("up", "out", "together", "apart"), "sort": ("up", "out", "together"), "swap": ("over", "around"),
+    "turn": ("over", "around", "up", "down"), "keep": ("up", "down", "together", "over", "around", "apart", "back"),
+}  # fmt: skip
+"""What may follow a verb without changing what it says."""
+PARTICLES = ("up", "out", "down", "together", "over", "around", "apart", "back", "off", "away", "aside")
+
+
+def ever(found: Clause, never: bool) -> Clause:
+    """ "never": at no time, not only at the end."""
+    if not never:
+        return found
+    return replace(found, adjuncts=(*found.adjuncts, Manner(kind="always", span=found.span)))
+
+
+@rule
+def gerund_single(p: Parser, i: int) -> Results[Clause]:
+    """ "putting the red block on ..." after "before"."""
+    yield from verb_phrase(p, i, ("ing",))
+
+
+_UP_OR_OUT = ("up", "out", "down", "back")
+_BEHIND = {
+    **dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT), "pick": (*_UP_OR_OUT, "off"),
+}  # fmt: skip
+"""What may follow a verb behind its theme."""
+
+
+@rule
+def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Results[Clause]:
+    """A verb in one of `forms`, its particle, theme and adjuncts."""
+    senses = p.lex(i, lexicon.VERB)
+    if senses is None or p.tokens[i].kind != "word":
+        return
+    for sense, lemma, form in senses:
+        if form in forms:
+            after = _PARTICLES.get(sense, PARTICLES)
+            for particle in dict.fromkeys((p.opt(i + 1, *after), i + 1)):
+                yield from with_theme(p, i, particle, sense, lemma)
+
+
+def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+    word = p.span(i, i + 1)
+    if sense == "spell":
+        yield from spell(p, i, j, lemma)
+        return
+    if sense == "turn":
+        yield from _turn(p, i, j, lemma)
+    if sense == "swap":
+        j = p.any_of(j, ("the positions of", "the places of", "the locations of", "positions of", "places of")) or j
+    if sense == "reverse":
+        yield from reverse(p, i, j)
+        return
+    yield from remade(p, i, j, sense, lemma)
+    if sense == "sort" or lemma == "put":
+        yield from like_with_like(p, i, j, lemma, word)
+    only = p.one(j, "only") if lemma == "move" else 0
+    alone: tuple[Manner, ...] = (Manner(kind="only", span=p.span(j, only)),) if only else ()
+    if sense in ("place", "stack") and p.words[j] == "first" and p.words[j + 1] in ("the", "a", "an", "both", "all"):
+        alone = (Manner(kind="time", value=1.0, span=p.span(j, j + 1)),)
+        j = p.reach(j + 1)
+    for theme, k in noun_phrase(p, only or j):
+        if isinstance(theme, Structure) and lemma in ("take", "pull") and p.words[k] in ("down", "apart"):
+            continue
+        k = p.opt(k, "places", "positions", "around", "over") if sense == "swap" else k
+        if sense == "swap" and (end := p.one(k, "back")):
+            back = Manner(kind="stay", span=p.span(k, end))
+            span = p.span(i, end)
+            yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
+        yield from _taken_off(p, i, k, theme) if sense == "pick" else ()
+        k = p.opt(k, *_BEHIND.get(sense, ()))
+        if sense == "use":
+            yield from _use(p, i, k, theme)
+        if lemma == "separate":
+            yield from _separated(p, i, k, theme)
+        if sense in ("keep", "build") and lemma in ("keep", "leave", "make"):
+            for marks, end in adjectives(p, k):
+                if marks:
+                    quality = Quality(traits=Traits(**marks), span=p.span(k, end))
+                    yield Clause(verb="be", theme=theme, adjuncts=(quality,), span=p.span(i, end), word=word), end
+        after = [(f, e) for f, e in adjuncts(p, k + 1) if f] if p.words[k : k + 1] == [","] else []
+        after += adjuncts(p, k - 1) if lemma in ("lift", "pick") and p.words[k - 1] == "off" else []
+        for found, end in [*adjuncts(p, k), *after]:
+            if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":
+                continue
+            if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
+                continue
+            said = (*found, *alone)
+            cost = int(sense == "keep" and not said)
+            yield (
+                Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word, cost=cost),
+                end,
+            )
+    if sense == "sort" and p.words[j] in ("by", "according"):
+        yield from _by_first(p, i, j, lemma)
+    if sense in ("stack", "build", "arrange", "sort", "place"):
+        for found, end in adjuncts(p, j):
+            if found:
+                yield Clause(verb=sense, lemma=lemma, adjuncts=found, span=p.span(i, end), word=word, cost=1), end
+
+
+_OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there")
+"""Where something is taken from that was said to be somewhere."""
+_CLOSED = frozenset({",", ";", "and", "then", "."})
+
+
+def _taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+    """ "Take it off": from where it was said to be."""
+    end = p.any_of(k, _OFF)
+    if end and (end >= p.end or p.stands(end, _CLOSED)):
+        there = Pronoun(word="there", span=p.span(k, end))
+        off = Loc(rel="off", landmark=there, span=there.span)
+        span, word = p.span(i, end), p.span(i, i + 1)
+        yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off,), span=span, word=word), end
+
+
+def _by_first(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "group by colour the two black and three orange cubes"."""
+    for by, k in order(p, j):
+        for theme, end in noun_phrase(p, p.opt(k, ",", ":")) if isinstance(by, OrderBy) else ():
+            for found, last in adjuncts(p, end):
+                span, word = p.span(i, last), p.span(i, i + 1)
+                yield Clause(verb="sort", lemma=lemma, theme=theme, adjuncts=(by, *found), span=span, word=word), last
+
+
+def _separated(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+    """ "separate the vowels of the consonants"."""
+    of = p.one(k, "of")
+    for other, end in noun_phrase(p, of) if of else ():
+        using = Using(members=other, span=p.span(k, end))
+        said = Clause(verb="sort", lemma="separate", theme=theme, adjuncts=(using,), span=p.span(i, end))
+        yield replace(said, word=p.span(i, i + 1)), end
+
+
+def _use(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+    """ "use eight blocks to form a circle"."""
+    j = p.any_of(k, ("to", "and", "in order to", "for"))
+    if not j:
+        return
+    for shape, end in noun_phrase(p, j) if p.words[j - 1] == "for" else ():
+        if isinstance(shape, Structure) and shape.members is None:
+            for found, last in adjuncts(p, end):
+                into = Into(structure=shape, span=shape.span)
+                yield Clause(verb="arrange", theme=theme, adjuncts=(into, *found), span=p.span(i, last), cost=1), last
+    for inner, end in verb_phrase(p, j, ("base", "ing")):
+        using = Using(members=theme, span=theme.span)
+        yield replace(inner, adjuncts=(using, *inner.adjuncts), span=p.span(i, end)), end
+
+
+def spell(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "spell CAT with letter blocks", "spell the word 'ROBOT'", "spell a word"."""
+    j = p.opt(j, "out")
+    text = literal(p, j) or digits_of(p, j)
+    themes: list[tuple[Meaning, int]] = []
+    if text is not None:
+        themes.append((Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1)), j + 1))
+    themes += [(t, k) for t, k in noun_phrase(p, j) if isinstance(t, Structure) and t.kind in ("word", "equation")]
+    if lemma == "write":
+        yield from _written(p, i, j)
+    for theme, k in themes:
+        for found, end in adjuncts(p, k):
+            clause_ = Clause(
+                verb="spell", lemma=lemma, theme=theme, adjuncts=found, span=p.span(i, end), word=p.span(i, i + 1)
+            )
+            yield clause_, end
+
+
+def _written(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "write the digits 1 to 9 into a 3x3 grid": symbols that are put there."""
+    for theme, k in noun_phrase(p, j):
+        if not isinstance(theme, Noun) or len(theme.traits.labels) < 2:
+            continue
+        for found, end in adjuncts(p, k):
+            if any(isinstance(x, Into) for x in found):
+                word = p.span(i, i + 1)
+                yield Clause(verb="arrange", theme=theme, adjuncts=found, span=p.span(i, end), word=word), end
+
+
+def _turn(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
+    """ "turn the A block to face left"."""
+    for theme, k in noun_phrase(p, j):
+        for side, end in direction(p, k):
+            faced = Manner(kind="facing", value=side, span=p.span(k, end))
+            for found, last in adjuncts(p, end):
+                yield (
+                    Clause(
+                        verb="turn",
+                        lemma=lemma,
+                        theme=theme,
+                        adjuncts=(faced, *found),
+                        span=p.span(i, last),
+                        word=p.span(i, i + 1),
+                    ),
+                    last,
+                )
+
+
+@rule
+def gerund_clause(p: Parser, i: int) -> Results[Chain]:
+    """ "moving the red block", "touching anything else" after "without" and "while"."""
+    for found, j in verb_phrase(p, i, ("ing", "base")):
+        yield Chain(clauses=(found,), links=("and",), span=p.span(i, j)), j
+        for joint in ("or", "and"):
+            if k := p.one(j, joint):
+                for more, end in verb_phrase(p, k, ("ing", "base")):
+                    yield Chain(clauses=(found, more), links=("and", "and"), span=p.span(i, end)), end
+
+
+def _bare_count(theme: Meaning) -> bool:
+    """ "stack red and blue, six blocks ..." says how many there are of those, it speaks of no others."""
+    many = isinstance(theme, Noun) and theme.amount is not None and theme.amount.low > 1
+    return many and isinstance(theme, Noun) and theme.det == "bare" and theme.traits == Traits()
+
+
+def _pairs(found: tuple[Meaning, ...]) -> bool:
+    """ "respectively" alone: it belongs to a list of places."""
+    return all(isinstance(a, Manner) and a.kind == "respectively" for a in found)
+
+
+_SO = ("should not be", "must not be", "is not", "are not", "should be", "must be", "is too", "are too", "is", "are")
+
+
+def _too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[Meaning]:
+    """ "... or the green block is", "before the red one is": the same is said of something else."""
+    if (k := p.any_of(j, _SO)) and before.verb in ("be", "place") and before.adjuncts:
+        negated = "not" in p.words[j:k]
+        kept = tuple(a for a in before.adjuncts if not isinstance(a, Manner | That))
+        said = replace(before, theme=theme, adjuncts=kept, negated=negated, span=p.span(i, k), cost=1)
+        for end in dict.fromkeys((p.any_of(k, (", but not both", "but not both", ", not both")) or k, k)):
+            both = Manner(kind="xor", span=p.span(k, end))
+            yield (replace(said, adjuncts=(*kept, both)) if end > k else said), end
+
+
+_SO_ARE = ("should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
+           "must not", "should not be", "must not be", "is not", "are not", "can be", "may be", "has to", "have to",
+           "will be", "will", "shall", "does not", "do not", "may not", "can not", "shall not", "will not",
+           "can not be", "may not be")  # fmt: skip
+"""What stands for the whole predicate of the clause before: "... and the blue one should be"."""
+
+
+_SO_IS = ("so is", "so are", "so should", "so must", "so does", "so do", "so will", "so shall", "likewise")
+
+
+_ELSEWHERE = ("elsewhere", "somewhere else")
+_MUST_BE = ("should be", "must be", "has to be", "have to be", "goes", "go", "stays", "stay", "belongs", "belong", "is",
+            "are", "remains", "remain", "should stay", "must stay", "should go", "must go", "lie")  # fmt: skip
+
+
+def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
+    """ "..., not the blue block", "... and no blue one", "..., the others elsewhere": the place before, denied."""
+    place = before.adjuncts[0] if len(before.adjuncts) == 1 and before.verb in ("be", "place") else None
+    if not isinstance(place, Loc | In) or place.negated or before.negated:
+        return
+    mark = place.landmark if isinstance(place, Loc) else None
+    colored = isinstance(mark, Noun) and mark.head == "patch" and bool(mark.traits.colors)
+    denied = p.one(i, "not")
+    for theme, j in noun_phrase(p, denied or i):
+        told = isinstance(theme, Noun | Coord) or (isinstance(theme, Pronoun) and theme.word in _REST)
+        ends = p.any_of(p.any_of(j, _MUST_BE) or j, _ELSEWHERE) if not denied else 0
+        block = isinstance(theme, Noun) and (theme.head == "block" or (theme.det == "bare" and not colored))
+        ended = j >= p.end or p.words[j] in (",", ";")
+        flat = isinstance(place, In) or (isinstance(mark, Noun) and mark.head == "patch")
+        if not denied and ended and flat and isinstance(theme, Noun) and theme.det == "no" and theme.head != "patch":
+            yield replace(before, theme=theme, span=p.span(i, j), cost=0), j
+        if denied and block and ended:
+            ends = j
+        if told and ends:
+            yield replace(before, theme=theme, negated=True, span=p.span(i, ends), cost=0), ends
+
+
+def _told_elsewhere(found: tuple[Meaning, ...], before: Clause) -> bool:
+    """ "red on the mat, blue elsewhere": not where the red one is, rather than away from where it was."""
+    place = before.adjuncts[0] if before.adjuncts else None
+    there = isinstance(place, Loc | In) and not (isinstance(place, Loc) and place.rel == "moved")
+    return there and isinstance(found[0], Loc) and "else" in found[0].mods
+
+
+_REST = ("the others", "the rest", "others", "the other", "the other one")
+
+
+def _next_one(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "red is on the left, then green (next to it)": green comes next."""
+    place = before.adjuncts[0] if before.verb == "be" and len(before.adjuncts) == 1 else None
+    if not isinstance(place, At) or place.side == "middle" or before.negated or not p.follows(i, ("then",)):
+        return
+    for theme, j in noun_phrase(p, i):
+        if isinstance(theme, Noun) and theme.head != "patch" and theme.amount in (None, Amount(1, 1)):
+            follows = At(side="next", span=theme.span)
+            yield replace(before, theme=theme, adjuncts=(follows,), span=p.span(i, j), cost=1), j
+
+
+@rule
+def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
+    """ "... and the green one on the yellow one": the verb of the clause before is meant again."""
+    so = p.any_of(i, _SO_IS) if before.adjuncts and before.verb in ("be", "place") and not before.negated else 0
+    for theme, j in noun_phrase(p, so) if so else ():
+        if isinstance(theme, Noun | Coord):
+            yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
+    yield from _elsewhere(p, i, before)
+    yield from _next_one(p, i, before)
+    if before.verb == "spell" and isinstance(before.theme, Structure) and (text := literal(p, i)) is not None:
+        word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
+        own = tuple(a for a in before.adjuncts if isinstance(a, Using))
+        for found, k in adjuncts(p, i + 1) if len(text) > 1 else ():
+            yield replace(before, theme=word, adjuncts=(*own, *found), span=p.span(i, k)), k
+    said = bool(before.adjuncts) and not (before.verb == "exist" and before.theme is None)
+    for theme, j in noun_phrase(p, i) if said else ():
+        yield from _too(p, i, j, theme, before)
+        for found, k in adjuncts(p, j):
+            if found and not isinstance(found[0], That) and not _pairs(found) and not _told_elsewhere(found, before):
+                gathers = before.verb == "sort" and all(isinstance(a, Loc | In) for a in found)
+                again = gathers or isinstance(theme, Structure)
+                cost = 2 if before.verb in ("build", "spell", "sort") and not again else 0
+                timed = isinstance(found[0], Manner) and found[0].kind in ("time", "by", "by?")
+                beside = before.verb in ("stack", "arrange") and (timed or isinstance(found[0], At))
+                beside = beside or (timed and before.verb == "place")
+                cost += 2 if _bare_count(theme) or beside else 0
+                cost += 1 if isinstance(before.adjuncts[-1], That) else 0
+                yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
+    for theme, j in noun_phrase(p, i) if before.verb == "be" and before.adjuncts else ():
+        k = p.any_of(p.opt(j, "all"), _SO_ARE)
+        if k and isinstance(theme, Structure) and p.words[k - 1] == "not":
+            continue
+        if k and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
+            leave = p.words[k - 1] in ("may", "can") or p.words[k - 2] in ("may", "can")
+            kept = tuple(a for a in before.adjuncts if leave or not (isinstance(a, Manner) and a.kind == "allowed"))
+            yield replace(before, theme=theme, negated=p.words[k - 1] == "not" or p.words[k - 2] == "not",
+                          adjuncts=kept, span=p.span(i, k), cost=1), k  # fmt: skip
+    if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
+        for found, k in adjuncts(p, i):
+            if found and (isinstance(found[0], Loc | In) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
+                it = Pronoun(word="same", span=before.theme.span)
+                verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
+                yield replace(before, verb=verb, theme=it, adjuncts=found, span=p.span(i, k), cost=1), k

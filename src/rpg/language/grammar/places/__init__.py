@@ -1,0 +1,1 @@
+"""Where things are: relations, sides, regions, distances, one on the other."""

@@ -1,0 +1,351 @@
+"""Absolute phrases: "with the red block on top and the blue one below it"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.clauses.manners import manner
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.relations import loc
+from rpg.language.grammar.places.sides import SIDES, at
+from rpg.language.grammar.structures.parts import part, part_statement, unit_of
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.standby import AS_EXTRAS
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Places,
+    Pronoun,
+    Structure,
+    TableTop,
+    Traits,
+)
+
+_LEADS = (
+    "with", "having", "where", "keeping", "whose", "and with", "but with", "crowned by", "crowned with", "topped by",
+    "topped with", "that has", "which has", "and has", "that have", "which have",
+)  # fmt: skip
+_PART_LEADS = (
+    "in which", "of which", "so that", "such that", "except that", "except", "except for", "apart from",
+    "save for", "but", "but where", "but whose", "only",
+    "and where", "and whose", "with just", "with only", "and", "that has", "which has", "that have", "and has",
+)  # fmt: skip
+"""What only a statement about a part of the structure follows, beside the others."""
+_EXTREMES = {"smallest": "smallest", "largest": "largest", "biggest": "largest"}
+_STARTING = ("starting with", "beginning with", "starting from", "start with", "begin with")
+
+
+def starting(p: Parser, i: int) -> Results[Absolute]:
+    """ "starting with the red one (at the bottom)": what comes first in a line."""
+    j = p.any_of(p.opt(i, ","), _STARTING)
+    for theme, k in simple(p, j) if j else ():
+        if not isinstance(theme, Noun) or theme.head == "patch":
+            continue
+        first = Places(side="first", unit="block", index=1, span=theme.span)
+        yield Absolute(theme=theme, adjuncts=(first,), span=p.span(i, k)), k
+        for side, end in at(p, k):
+            yield Absolute(theme=theme, adjuncts=(side,), span=p.span(i, end)), end
+
+
+@rule
+def absolute(p: Parser, i: int) -> Results[Meaning]:
+    """ "with the red block on top and the blue one below it"; "the green one on top" after a comma."""
+    comma = p.opt(i, ",", ":")
+    yield from starting(p, i)
+    yield from _of_parts(p, i, comma)
+    j = p.any_of(comma, _LEADS) or (comma if comma > i else 0)
+    if not j or (p.words[j - 1] == "keeping" and p.follows(i, ("always", "constantly", "permanently"))):
+        return
+    if p.words[j - 1] in ("by", "with") and p.words[j - 2] in ("crowned", "topped"):
+        for theme, k in simple(p, j):
+            yield Absolute(theme=theme, adjuncts=(At(side="top", span=p.span(i, j)),), span=p.span(i, k)), k
+        return
+    for first, end in _one_absolute(p, j):
+        first_place = first.adjuncts[0]
+        table = isinstance(first_place, Loc) and isinstance(first_place.landmark, TableTop)
+        cost = 2 if table or (j == comma and isinstance(first_place, Loc)) else 1 if isinstance(first_place, At) else 0
+        first = replace(first, cost=cost)
+        yield first, end
+        yield from _absolute_more(p, i, end, (first,))
+
+
+def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:
+    """ "in which the first row is red and the others blue": statements about parts alone."""
+    j = p.any_of(comma, _PART_LEADS)
+    but = p.stands(comma, _EXCEPTING)
+    for first, end in [*(part_statement(p, j) if j else ()), *(_excepted(p, comma) if but else ())]:
+        first = _not_further(first) if but else first
+        yield first, end
+        yield from _absolute_more(p, i, end, (first,))
+
+
+_EXCEPTING = frozenset({"but", "except", "apart", "save", "other", "everywhere", "everything"})
+_EXCEPT = tuple(
+    f"{lead}{but}{at}"
+    for lead in ("", "everywhere ", "everything ")
+    for but in ("except", "except for", "apart from", "but", "but for", "save for", "other than", "except only")
+    for at in ("", " in", " at")
+)
+_WHICH = tuple(
+    f"{comma}{which} {be}"
+    for comma in (", ", "")
+    for which in ("which", "that", "where there", "it", "they", "that one")
+    for be in ("is", "are", "should be", "must be", "has to be", "shall be")
+)
+
+
+def _excepted(p: Parser, i: int) -> Results[Absolute]:
+    """ "(all white) except for the centre, which is red", "everywhere but in the middle, where there is a red one"."""
+    j = p.any_of(i, _EXCEPT)
+    for place, k in [*part(p, j), *at(p, j)] if j else ():
+        look = p.any_of(k, _WHICH)
+        for theme, end in simple(p, look) if look else ():
+            plain = (
+                isinstance(theme, Noun) and theme.head != "patch" and theme.traits == Traits(colors=theme.traits.colors)
+            )
+            if plain and isinstance(place, At | Places) and len(getattr(theme, "traits", Traits()).colors) == 1:
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
+def _not_further(part_: Absolute) -> Absolute:
+    """ "five white blocks, but the ends are red": the ends are among the five, so that these cannot be so."""
+    theme, place = part_.theme, part_.adjuncts[0]
+    among = isinstance(theme, Noun) and isinstance(place, Places) and theme.det == "bare" and theme.amount is None
+    return replace(part_, theme=replace(theme, det="some")) if among and isinstance(theme, Noun) else part_
+
+
+_ENDS = frozenset({"left", "right", "front", "back", "top", "bottom"})
+
+
+@rule
+def sided(p: Parser, i: int) -> Results[Meaning]:
+    """Absolutes about the sides of a structure alone."""
+    for found, j in absolute(p, i):
+        parts = found.items if isinstance(found, Coord) else (found,)
+        if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At | Places) for x in parts):
+            if isinstance(found, Coord):
+                found = replace(found, items=(replace(parts[0], cost=0), *parts[1:]))
+            yield replace(found, cost=0), j
+
+
+_SIDED = {**SIDES, "lower": "bottom", "upper": "top", "middle": "middle"}
+_THE_ONE = ("any", "the", None, Traits())
+"""A noun phrase that says nothing of a block."""
+
+
+def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
+    """ "a red block at the bottom" or "bottom red"."""
+    yield from part_statement(p, j, unit)
+    for theme, k in noun_phrase(p, j):
+        if isinstance(theme, Noun) and (theme.head, theme.det, theme.amount, theme.traits) == _THE_ONE:
+            continue
+        if p.stands(k, ("left", "right")) and (not p.stands(k + 1, ("of",)) or p.stands(k + 2, _MARKS)):
+            yield from ((Absolute(theme=theme, adjuncts=x, span=p.span(j, end)), end) for x, end in _places(p, k))
+        for shape, end in _formed(p, k, theme):
+            spots = [(x, e) for x, e in _places(p, end) if isinstance(x[0], Loc)]
+            yield from ((Absolute(theme=shape, adjuncts=x, span=p.span(j, e)), e) for x, e in spots)
+        k = p.opt(k, "is", "are", "being", "goes", "should", "lying", "standing", "left")
+        k = p.opt(k, "be")
+        k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
+        for found, end in _places(p, k):
+            yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
+    if rank := p.peek(j, _EXTREMES):
+        best = Noun(head="any", det="the", traits=Traits(rank=rank), span=p.span(j, j + 1))
+        yield from ((Absolute(theme=best, adjuncts=x, span=p.span(j, e)), e) for x, e in _places(p, p.reach(j + 1)))
+    the = p.opt(j, "the", "whose")
+    the = p.opt(the, "the")
+    if side := p.peek(the, _SIDED):
+        k = p.opt(p.reach(the + 1), "one", "block", "cube", "layer")
+        k = p.opt(k, "is", "being", ":", "should")
+        k = p.opt(k, "be")
+        for theme, end in simple(p, k):
+            if isinstance(theme, Noun):
+                place = At(side=side, own=the > j, span=p.span(j, k))
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(j, end), cost=1), end
+
+
+_SHAPES = {"in a row": "row", "in a line": "line", "stacked": "stack", "in a stack": "stack", "in a tower": "stack",
+           "stacked up": "stack", "lined up": "line", "piled up": "stack", "in one row": "row"}  # fmt: skip
+
+
+def _formed(p: Parser, k: int, theme: Meaning) -> Results[Structure]:
+    """ "(a mat with) three white blocks in a row (on it)": a row of them."""
+    counted = isinstance(theme, Noun) and theme.head != "patch" and theme.amount is not None and theme.amount.low > 1
+    for phrase, end in p.standing(k, _SHAPES) if counted else ():
+        yield Structure(kind=_SHAPES[phrase], members=theme, span=(theme.span[0], p.span(k, end)[1])), end
+
+
+def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Results[Meaning]:
+    """ "... and blue on top", "... then green": further ones, in one record."""
+    j = p.opt(at_, ",")
+    then = p.any_of(j, ("and then", "then", "followed by"))
+    j = then or p.any_of(j, ("and", "but", "while", ";")) or j
+    if j == at_ or len(had) > 12:
+        return
+    j = p.any_of(j, ("with", "where", "whose", "having")) or j
+    unit = unit_of(had[-1]) if isinstance(had[-1], Absolute) else ""
+    more = list(_one_absolute(p, j, unit))
+    if then:
+        more = [(one, end) for one, end in more if not _relative_to_it(one)]
+        more += [
+            (Absolute(theme=t, adjuncts=(At(side="next", span=t.span),), span=t.span), _past_it(p, k, had))
+            for t, k in simple(p, j)
+            if isinstance(t, Noun) or (isinstance(t, Pronoun) and t.word == "one")
+        ]
+    for one, end in more:
+        if then and len(getattr(one.theme, "items", ())) > 1:
+            one = replace(one, cost=one.cost + 1)
+        turns = _in_turn(one)
+        apart = turns or (_one_by_one(p, one) if then or _comes_next(had[-1]) else ())
+        told = [apart] if turns or (apart and _has_comma(p, one.theme)) else [(one,), apart] if apart else [(one,)]
+        for parts in told:
+            whole = (*had, *parts)
+            yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
+            yield from _absolute_more(p, i, end, whole)
+
+
+_ONWARD = {
+    "top": ("below it", "under it", "beneath it", "underneath it", "below that", "under that", "beneath that"),
+    "bottom": ("above it", "on it", "on top of it", "above that", "on that", "over it"),
+}  # fmt: skip
+"""What is said of the one that comes next, from the top or from the bottom on."""
+
+
+def _past_it(p: Parser, i: int, had: tuple[Meaning, ...]) -> int:
+    """ "red on top, then yellow below it": the words after what comes next, where they say no more than that."""
+    first = had[0].adjuncts[0] if isinstance(had[0], Absolute) else None
+    side = first.side if isinstance(first, At) else ""
+    return p.any_of(i, _ONWARD.get(side, ())) or i
+
+
+def _relative_to_it(part: Absolute) -> bool:
+    """Whether a part is told by what "it" is, which may be the part before or the whole."""
+    places = (place.landmark for place in part.adjuncts if isinstance(place, Loc))
+    return any(isinstance(mark, Pronoun) and mark.word in ("it", "that") for mark in places)
+
+
+def _comes_next(part: Meaning) -> bool:
+    return isinstance(part, Absolute) and isinstance(part.adjuncts[0], At) and part.adjuncts[0].side == "next"
+
+
+def _one_by_one(p: Parser, part: Absolute) -> tuple[Absolute, ...]:
+    """ "then blue, green on top": blue comes next, and green alone is on top. Nothing for a single block."""
+    theme, place = part.theme, part.adjuncts[0]
+    if not isinstance(theme, Noun) or theme.amount is not None or not isinstance(place, At) or place.side not in _ENDS:
+        return ()
+    looks = [replace(theme.traits, colors=(color,)) for color in theme.traits.colors]
+    if len(theme.traits.labels) > 1:
+        looks = [replace(theme.traits, labels=(label,)) for label in theme.traits.labels]
+    if len(looks) < 2:
+        return ()
+    named = [t.span for t in p.tokens if theme.span[0] <= t.span[0] < theme.span[1] and t.word not in (",", "and")]
+    if len(named) != len(looks):
+        return ()
+    single = [
+        replace(theme, traits=look, plural=False, head="any", span=span)
+        for look, span in zip(looks, named, strict=True)
+    ]
+    before = (Absolute(theme=one, adjuncts=(At(side="next", span=one.span),), span=one.span) for one in single[:-1])
+    return (*before, replace(part, theme=single[-1]))
+
+
+def _in_turn(part: Absolute) -> tuple[Absolute, ...]:
+    """ "two purple ones, then an orange one last": the last thing is there, and what is named before it comes next."""
+    theme, place = part.theme, part.adjuncts[0]
+    if not isinstance(theme, Coord) or theme.op != "then" or not isinstance(place, At) or place.side == "middle":
+        return ()
+    before = (Absolute(theme=x, adjuncts=(At(side="next", span=x.span),), span=x.span) for x in theme.items[:-1])
+    return (*before, replace(part, theme=theme.items[-1]))
+
+
+def _has_comma(p: Parser, theme: Meaning | None) -> bool:
+    span = theme.span if theme is not None else (0, 0)
+    return any(token.word == "," for token in p.tokens if span[0] <= token.span[0] < span[1])
+
+
+_ON_THEM = (
+    *(
+        f"{lies}{them}"
+        for lies in ("", "resting ", "lying ", "sitting ", "standing ")
+        for them in ("on both", "on both of them", "on them", "of them", "of both", "of those")
+    ),
+    "bridging them", "bridging both", "spanning both", "bridging the two", "on the two", "across both", "across them",
+)  # fmt: skip
+"""What is said of the one on top of several, and adds nothing to that."""
+_RESTING = tuple(x for x in _ON_THEM if not x.endswith(("of them", "of both", "of those", "on them")))
+"""By itself it tells that a block is on top."""
+
+
+@rule
+def one_more(p: Parser, i: int) -> Results[Absolute]:
+    """ "(with a base of two blocks and) one block on top": a part after the size."""
+    yield from ((x, k) for x, k in _one_absolute(p, i) if isinstance(x.adjuncts[0], At | Places))
+
+
+@rule
+def part_list(p: Parser, i: int) -> Results[Meaning]:
+    """ "yellow at the bottom and red on top": statements about sides and other parts alone."""
+    for first, j in one_more(p, i):
+        yield first, j
+        for whole, k in _absolute_more(p, i, j, (first,)):
+            items = whole.items if isinstance(whole, Coord) else ()
+            if all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At | Places) for x in items):
+                yield whole, k
+
+
+def more_parts(p: Parser, i: int, at_: int, first: Absolute) -> Results[Meaning]:
+    """Further statements about parts after the first one."""
+    yield from _absolute_more(p, i, at_, (first,))
+
+
+def _no_place(mark: Meaning | None) -> bool:
+    """ "vowels in one group", "the rest in another": told of members, not of where something lies."""
+    return isinstance(mark, Structure) or (isinstance(mark, Pronoun) and mark.word not in ("it", "them"))
+
+
+_LINES = frozenset({"row", "line"})
+_MARKS = frozenset({"it", "them", "that", "this", "the", "those", "both"})
+
+
+@choice
+def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    for found, k in loc(p, i):
+        if isinstance(found, Loc) and found.rel == "in" and _no_place(found.landmark):
+            continue
+        yield (found,), k
+        if isinstance(found, Loc) and not isinstance(found.landmark, TableTop):
+            yield from (
+                ((found, side), end)
+                for side, end in at(p, k)
+                if isinstance(side, At) and side.side in ("left", "right", "front", "back")
+            )
+    for found, k in at(p, i):
+        yield (found,), k
+        if isinstance(found, At) and found.side == "top" and (end := p.any_of(p.opt(k, ","), _ON_THEM)):
+            yield (found,), end
+    if k := p.any_of(i, _RESTING):
+        yield (At(side="top", span=p.span(i, k)),), k
+    for found, k in manner(p, i):
+        if isinstance(found, Manner) and found.kind in ("turn", "facing", "by", "by?"):
+            yield (found,), k
+    for phrase, side in (
+        ("below", "bottom"),
+        ("underneath", "bottom"),
+        ("beneath", "bottom"),
+        ("above", "top"),
+        ("under", "bottom"),
+        *((("behind", "back"),) if p.stands(i, ("behind",)) and p.words[i + 1] in ("", ",", ";", "and", ".") else ()),
+    ):
+        if k := p.one(i, phrase):
+            yield (At(side=side, span=p.span(i, k)),), k
+    if p.stands(i, ("left", "right")) and p.words[i + 1] in ("", ",", ";", "and", ".") and p.anywhere(_LINES):
+        yield (At(side=p.words[i], span=p.span(i, i + 1)),), p.reach(i + 1)
+    if p.words[i : i + 1] in (["first"], ["last"]):
+        yield (At(side="first", index=1 if p.words[i] == "first" else -1, span=p.span(i, i + 1)),), p.reach(i + 1)
+    for k in {p.any_of(i, ("lying around", "lying on the table")), *AS_EXTRAS.matches(p, i)} - {0}:
+        yield (Manner(kind="extra", span=p.span(i, k)),), k

@@ -1,0 +1,176 @@
+"""Blocks around another one: "surround the red block with four blue ones", "a blue one on each of its four sides"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.things.nouns import simple
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meaning, Noun, Places, Structure
+
+_IS = ("is", "are", "should be", "must be", "has to be", "shall be", "is to be", "being", "be", "needs to be")
+_FLANKED = ("flanked on both sides by", "flanked by", "flanked left and right by", "flanked on either side by",
+            "flanked on each side by", "flanked on the left and right by", "flanked with")  # fmt: skip
+_FLANK = ("flank", "should flank", "must flank", "are flanking", "are to flank", "have to flank", "enclose", "frame")
+_BOTH_SIDES = ("on both sides", "on either side", "on each side", "left and right", "on the left and on the right")
+_SURROUNDED = ("surrounded by", "encircled by", "surrounded on all sides by", "surrounded on all four sides by",
+               "enclosed by", "ringed by")  # fmt: skip
+_SIDES = ("each of its four sides", "all four sides", "all four of its sides", "all its sides", "every side",
+          "all sides",
+          "each of the four sides")  # fmt: skip
+_ALL_SIDES = tuple(f"{on} {sides}{of}" for on in ("on", "at") for sides in _SIDES for of in ("", " of it"))
+_EACH_SIDE = tuple(f"on {sides}" for sides in ("each side", "each of its sides", "each side of it"))
+"""Which with one block could be two sides or four."""
+_AROUND = ("around it", "all around it", "round it", "surrounding it", "placed around it", "arranged around it",
+           "standing around it", "around that one")  # fmt: skip
+_IN_SHAPE = {
+    f"{lead}{word}": kind
+    for lead in ("in a ", ", in a ", "as a ", "forming a ")
+    for word, kind in (("circle", "circle"), ("ring", "circle"), ("square", "square"))
+}  # fmt: skip
+_ONE_EACH = tuple(
+    f"{lead}{one}"
+    for lead in (",", ":", ", with", "")
+    for one in (
+        " one on each side", " one on every side", " one on each of its four sides", " one on each of its sides",
+        " one in front , one behind , one on each side", " one in front , one behind and one on each side",
+        " one in front , one behind , one left , one right",
+        " one in front , one behind , one on the left , one on the right",
+        " one to the left , one to the right , one in front , one behind",
+    )
+)  # fmt: skip
+_MIDDLE = ("in the middle", "in the center", "at the center")
+
+
+@rule
+def surrounded(p: Parser, i: int) -> Results[Meaning]:
+    """One block with so many others around it: a plus of five, or the outline that is named with it in the middle."""
+    if j := p.any_of(i, ("surround", "encircle")):
+        for hub, k in _hubs(p, j):
+            for ring, end in _rings(p, p.any_of(k, ("with", "by"))):
+                yield from _shaped(p, i, end, hub, ring)
+    if j := p.one(i, "flank"):
+        for hub, k in _hubs(p, j):
+            for sides, end in _two(p, p.any_of(k, ("with", "by"))):
+                yield _between(p, i, p.any_of(end, _BOTH_SIDES) or end, hub, sides), end
+    if p.anywhere(_MARKS):
+        yield from _told(p, i)
+
+
+_MARKS = frozenset({"around", "round", "surrounded", "encircled", "enclosed", "ringed", "flanked", "sides", "side",
+                    "surrounding", "flank", "flanking", "enclose"})  # fmt: skip
+
+
+_COMMANDS = ("put", "place", "have", "set", "lay", "i want", "we want", "there is", "there are", "arrange", "build",
+             "make")  # fmt: skip
+
+
+@choice
+def _told(p: Parser, i: int) -> Results[Meaning]:
+    begin = p.any_of(i, _COMMANDS) or i
+    for hub, j in _hubs(p, begin):
+        be = p.any_of(j, _IS) or j
+        for sides, k in _two(p, p.any_of(be, _FLANKED)):
+            yield _between(p, i, k, hub, sides), k
+        for ring, k in _rings(p, p.any_of(be, _SURROUNDED)):
+            yield from _shaped(p, i, k, hub, ring)
+        owns = p.any_of(j, ("has", "should have", "must have", "with", "having", "gets"))
+        there = p.any_of(be, _MIDDLE)
+        start = owns or (p.any_of(there, (", and", "and", ",", "with")) if there else 0)
+        for ring, k in _rings(p, start):
+            four = p.any_of(k, _ALL_SIDES) or (p.any_of(k, _EACH_SIDE) if ring.amount == _FOUR else 0)
+            if four and ring.amount in (None, _ONE, _FOUR) and not p.anywhere(_BY_THE_FACE):
+                yield from _plus(p, i, four, hub, ring)
+            if end := p.any_of(k, _AROUND):
+                yield from _shaped(p, i, end, hub, ring)
+    for sides, j in _two_at(p, begin):
+        flanks = p.any_of(j, _FLANK)
+        for hub, k in _hubs(p, flanks) if flanks else ():
+            yield _between(p, i, k, hub, sides), k
+    ringed = p.any_of(begin, ("a ring of", "a circle of"))
+    for ring, j in _rings_at(p, ringed or begin):
+        mark = p.any_of(j, ("around", "all around", "round", "surrounding"))
+        for hub, k in _hubs(p, mark) if mark else ():
+            if ringed:
+                yield _outlined(p, i, k, hub, ring, "circle"), k
+            else:
+                yield from _shaped(p, i, k, hub, ring)
+
+
+_BY_THE_FACE = frozenset({"touching", "touch", "touches"})
+"""Sides that are touched: a plus of touching blocks might touch by its edges alone."""
+_ONE, _FOUR = Amount(1, 1), Amount(4, 4)
+
+
+def _hubs(p: Parser, i: int) -> Results[Noun]:
+    for hub, j in simple(p, i) if i < p.end else ():
+        if isinstance(hub, Noun) and not hub.plural and hub.amount in (None, _ONE) and _one_look(hub):
+            yield hub, j
+
+
+def _rings(p: Parser, i: int) -> Results[Noun]:
+    yield from _rings_at(p, i) if i else ()
+
+
+def _rings_at(p: Parser, i: int) -> Results[Noun]:
+    for ring, j in simple(p, i):
+        if isinstance(ring, Noun) and ring.det in ("a", "bare", "the") and _one_look(ring):
+            yield ring, j
+
+
+def _two(p: Parser, i: int) -> Results[Meaning]:
+    yield from _two_at(p, i) if i else ()
+
+
+def _two_at(p: Parser, i: int) -> Results[Meaning]:
+    """Two blocks: "a black block (on both sides)", "two black ones", "red and blue"."""
+    from rpg.language.grammar.things.nouns import noun_phrase
+
+    for sides, j in noun_phrase(p, i):
+        if isinstance(sides, Coord) and sides.op == "and" and len(sides.items) == 2:
+            if all(isinstance(x, Noun) and not x.plural and x.amount in (None, _ONE) for x in sides.items):
+                yield sides, j
+        elif isinstance(sides, Noun) and sides.amount == Amount(2, 2) and _one_look(sides):
+            yield sides, j
+        elif isinstance(sides, Noun) and sides.amount == _ONE and sides.det == "a" and _one_look(sides):
+            pair = replace(sides, det="bare", amount=Amount(2, 2), plural=True)
+            end = p.any_of(j, _BOTH_SIDES)
+            if end or p.words[i - 2] in ("sides", "side"):
+                yield pair, end or j
+
+
+def _one_look(noun: Noun) -> bool:
+    marks = noun.traits
+    told = len(marks.colors) + len(marks.labels) == 1 and not (marks.rank or marks.extra)
+    return told and noun.head != "patch" and noun.part_of is None and not noun.conditions
+
+
+def _between(p: Parser, i: int, j: int, hub: Noun, sides: Meaning) -> Clause:
+    place = Loc(rel="between", landmark=sides, span=sides.span)
+    return Clause(verb="be", theme=hub, adjuncts=(place,), mode="goal", span=p.span(i, j))
+
+
+def _shaped(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]:
+    """Four blocks around one are a plus; of others the shape must be said."""
+    for phrase, k in p.standing(j, _IN_SHAPE):
+        if ring.amount is not None and (_IN_SHAPE[phrase] == "circle" or ring.amount == Amount(8, 8)):
+            yield _outlined(p, i, k, hub, ring, _IN_SHAPE[phrase]), k
+    each = p.any_of(j, _ONE_EACH)
+    if ring.amount == _FOUR:
+        yield from _plus(p, i, each or j, hub, ring)
+
+
+def _plus(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]:
+    arms = replace(ring, det="bare", amount=_FOUR, plural=True)
+    centre = Absolute(theme=hub, adjuncts=(At(side="middle", span=hub.span),), span=hub.span)
+    rest = Absolute(theme=arms, adjuncts=(Places(side="rest", unit="block", span=ring.span),), span=ring.span)
+    shape = Structure(
+        kind="plus", details=(Coord(op="absolutes", items=(centre, rest), span=hub.span),), span=p.span(i, j)
+    )
+    yield Clause(verb="build", theme=shape, mode="goal", span=p.span(i, j)), j
+
+
+def _outlined(p: Parser, i: int, j: int, hub: Noun, ring: Noun, kind: str) -> Clause:
+    centre = Absolute(theme=hub, adjuncts=(At(side="middle", span=hub.span),), span=hub.span)
+    outline = Structure(kind=kind, members=replace(ring, det="bare"), span=p.span(i, j))
+    return Clause(verb="build", theme=outline, adjuncts=(centre,), mode="goal", span=p.span(i, j))

@@ -1,0 +1,322 @@
+"""Distances: "5 cm from", "at least 10 cm to the left of", "with 5 cm between them"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.prepositions import relation
+from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.things.amounts import length
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.meaning import Loc, Meaning, Pronoun
+
+_NEXT = tuple(
+    f"{which}{next_}{what}"
+    for which in ("", "two ", "the ", "any two ", "every two ", "each two ", "each pair of ", "every pair of ")
+    for next_, whats in (("", ("neighbors",)), ("neighboring ", ("blocks", "cubes", "ones", "letters")),
+                         ("adjacent ", ("blocks", "cubes", "ones", "letters")), ("consecutive ", ("blocks", "cubes")))
+    for what in whats
+)  # fmt: skip
+"""What stands side by side in a line."""
+_ENDS_OF = ("", " of the blocks", " of the cubes", " of them", *(f" of {next_}" for next_ in _NEXT))
+_AMONG = (
+    *(f"between {next_}" for next_ in _NEXT),
+    "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
+    "between each", "between each block", "between blocks", "between each pair", "between each of them",
+    "between every two blocks", "between each of the blocks",
+)  # fmt: skip
+
+
+_AROUND = {"about": 0.25, "around": 0.25, "roughly": 0.25, "approximately": 0.25, "nearly": 0.25, "exactly": 0.0}
+_LIMITS = {
+    "at least": "low", "more than": "low", "no less than": "low", "a minimum of": "low", "at most": "high",
+    "less than": "high", "no more than": "high", "within": "high", "up to": "high", "not more than": "high",
+    "not less than": "low", "not farther than": "high", "not further than": "high", "not closer than": "low",
+    "a maximum of": "high", "closer than": "high", "over": "low", "under": "high",
+    "maximum": "high", "minimum": "low", "nearer than": "high", "farther than": "low", "further than": "low",
+    "no closer than": "low", "no nearer than": "low", "no farther than": "high", "no further than": "high",
+    "smaller than": "high", "shorter than": "high", "greater than": "low", "larger than": "low", "bigger than": "low",
+    "not over": "high", "not exceeding": "high", "fewer than": "high",
+}  # fmt: skip
+"""What a length that follows bounds."""
+
+
+def _at_most(p: Parser, i: int) -> Results[float]:
+    """ "at least 5 cm but at most 10 cm": the other end of the range."""
+    j = p.any_of(p.opt(i, ","), ("but", "and"))
+    for phrase, k in p.standing(j, _LIMITS) if j else ():
+        if _LIMITS[phrase] == "high":
+            yield from length(p, k)
+
+
+@rule
+def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
+    """A length as a range: "5 cm" is ±1 cm, "about 5 cm" ±25 %, "at least 5 cm", "no more than 5 cm"."""
+    for phrase, j in p.standing(i, _LIMITS):
+        for metres, k in length(p, j):
+            yield ((metres, None) if _LIMITS[phrase] == "low" else (None, metres)), k
+            for most, end in _at_most(p, k) if _LIMITS[phrase] == "low" else ():
+                yield (metres, most), end
+    for word, j in p.standing(i, _AROUND):
+        for metres, k in length(p, j):
+            slack = metres * _AROUND[word] if _AROUND[word] else 0.01
+            yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), k
+    if j := p.one(i, "between"):
+        low = p.figure(j)
+        after = p.one(j + 1, "and") if low is not None else 0
+        for metres, k in length(p, after) if after else ():
+            factor = metres / (p.figure(after) or 1.0)
+            yield (round(float(low or 0) * factor, 6), metres), k
+        for least, after in length(p, j):
+            for metres, k in length(p, after + 1) if p.one(after, "and") else ():
+                yield (least, metres), k
+    for metres, k in length(p, i):
+        if end := p.any_of(k, ("or more", "or farther", "or further", "and more")):
+            yield (metres, None), end
+        if end := p.any_of(k, ("or less", "or closer", "or nearer")):
+            yield (None, metres), end
+        for slack, end in _tolerance(p, k):
+            yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), end
+        yield (round(max(0.0, metres - 0.01), 6), round(metres + 0.01, 6)), k
+
+
+_GIVE = (
+    "plus or minus", "plus minus", "+ / -", "+ -", "give or take", "with a tolerance of", "tolerance", "tolerance of",
+    "to within", "with tolerance", "tolerance :", "with an accuracy of", "with a precision of", "to an accuracy of",
+    "with an error of at most", "accurate to", "accurate to within", "with a tolerance of at most",
+    "with a margin of", "within a tolerance of", "to a tolerance of", "+ or -",
+)  # fmt: skip
+
+
+@choice
+def _tolerance(p: Parser, i: int) -> Results[float]:
+    """ "plus or minus 5 mm" behind a length."""
+    if j := p.any_of(p.opt(i, ","), _GIVE):
+        yield from length(p, j)
+
+
+_ENDS = {"center to center": "centres", "from center to center": "centres", "between centers": "centres",
+         "measured center to center": "centres", "measured between centers": "centres", "face to face": "faces",
+         "from face to face": "faces", "between faces": "faces", "between the centers": "centres",
+         "measured from center to center": "centres", "measured face to face": "faces"}  # fmt: skip
+"""Between what a distance is measured."""
+
+
+def _measured_so(p: Parser, far: Loc, i: int, j: int) -> Results[Loc]:
+    """The distance, with what is said behind it of how it is measured: ", centre to centre, tolerance 5 mm"."""
+    yield far, j
+    ways = [(replace(far, measure=_ENDS[phrase]), k) for phrase, k in p.standing(p.opt(j, ",", "("), _ENDS)]
+    for said, k in [*ways, (far, j)]:
+        k = p.opt(k, ")") if k > j else k
+        if k > j:
+            yield replace(said, span=p.span(i, k)), k
+        middle = ((said.low or 0.0) + (said.high or 0.0)) / 2
+        for slack, end in _tolerance(p, k) if said.low is not None and said.high is not None else ():
+            low, high = round(max(0.0, middle - slack), 6), round(middle + slack, 6)
+            yield replace(said, low=low, high=high, span=p.span(i, end)), end
+
+
+@choice
+def measured(p: Parser, i: int) -> Results[Meaning]:
+    """ "5 cm from the red block", "at least 10 cm to the left of it", "within 3 cm of ..."."""
+    start = p.any_of(i, ("at a distance of", "with a distance of", "a distance of")) or (
+        i + 1 if p.words[i] == "at" and p.words[i + 1] not in ("least", "most") else i
+    )
+    for (low, high), j in bounds(p, start):
+        to = (
+            p.one(j, "to")
+            if p.words[start] in ("closer", "nearer") or p.words[start + 1] in ("closer", "nearer")
+            else 0
+        )
+        if k := to or p.any_of(j, ("away from", "from", "of", "apart from", "far from", "distance from")):
+            for landmark, end in noun_phrase(p, k):
+                far = Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
+                yield from _measured_so(p, far, i, end)
+        for (name, mods), k in relation(p, j):
+            if name not in ("left", "right", "front", "behind"):
+                continue
+            for landmark, end in noun_phrase(p, k):
+                far = Loc(rel=name, landmark=landmark, mods=mods, low=low, high=high, span=p.span(i, end))
+                yield from _measured_so(p, far, i, end)
+    if j := p.any_of(i, ("with a gap of", "leaving a gap of", "a gap of")):
+        for (low, high), k in bounds(p, j):
+            if k := p.any_of(k, ("from", "to")):
+                for landmark, end in noun_phrase(p, k):
+                    yield (
+                        Loc(
+                            rel="distance", landmark=landmark, low=low, high=high, measure="faces", span=p.span(i, end)
+                        ),
+                        end,
+                    )
+
+
+_NO_CLOSER = ("no closer to", "not closer to", "no nearer to", "not nearer to", "never closer to")
+_NO_FARTHER = ("no farther from", "no further from", "not farther from", "not further from", "no farther away from",
+               "no further away from", "not farther away from", "not further away from")  # fmt: skip
+_CLOSER_THAN, _FARTHER_THAN = (
+    tuple(dict.fromkeys(" ".join(x.split()[:2]) + " than" for x in phrases)) for phrases in (_NO_CLOSER, _NO_FARTHER)
+)
+
+
+@choice
+def limited(p: Parser, i: int) -> Results[Meaning]:
+    """ "no closer to it than 10 cm", "no farther than 8 cm from the blue one": a bound on a distance."""
+    for phrases, leads, least in ((_NO_CLOSER, _CLOSER_THAN, True), (_NO_FARTHER, _FARTHER_THAN, False)):
+        if j := p.any_of(i, phrases):
+            for landmark, k in noun_phrase(p, j):
+                for metres, end in length(p, p.one(k, "than")) if p.one(k, "than") else ():
+                    yield _bound(p, i, end, landmark, metres, least), end
+        if j := p.any_of(i, leads):
+            for metres, k in length(p, j):
+                to = p.any_of(k, ("to", "from", "away from"))
+                for landmark, end in noun_phrase(p, to) if to else ():
+                    yield _bound(p, i, end, landmark, metres, least), end
+
+
+def _bound(p: Parser, i: int, end: int, landmark: Meaning, metres: float, least: bool) -> Loc:
+    low, high = (metres, None) if least else (None, metres)
+    return Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
+
+
+_OF_CENTERS = (
+    "from center to center", "center to center",
+    *(f"{between} {their}centers{of}" for between in ("between", "from") for their in ("", "the ", "their ", "block ")
+      for of in _ENDS_OF),
+)  # fmt: skip
+_BETWEEN_CENTERS = (
+    *_OF_CENTERS,
+    "apart from each other", "from each other", "away from each other", "apart", "from one another", "of each other",
+    "of one another", "away", "to each other", "to one another", "center to center", "from center to center",
+    "between centers", "apart from one another",
+)  # fmt: skip
+_BETWEEN_FACES = (
+    *(f"between {next_}" for next_ in _NEXT),
+    *(f"between {their}{ends}{of}" for their in ("", "the ", "their ") for ends in ("faces", "sides")
+      for of in _ENDS_OF),
+    "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
+    "between each", "between each block", "of space between them",
+    "of empty space between them", "of space between the blocks", "between the groups", "between the two groups",
+    "between groups", "between the piles", "between both groups", "between the two piles",
+)  # fmt: skip
+_ROOM = ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance")
+_NOTED = (
+    "spacing", "gap", "gaps", "distance", "with spacing", "with gaps", "center distance", "with a center distance",
+    "center to center distance",
+)  # fmt: skip
+_GAPS_OF = (
+    "with a gap of", "with gaps of", "leaving a gap of", "with a spacing of", "leaving gaps of", "at intervals of",
+    "with a distance of", "with spacing of",
+)  # fmt: skip
+
+
+_THEIRS_ARE = {"faces": "faces", "sides": "faces", "centers": "centres", "middles": "centres"}
+_THEIRS = {f"{whose}{ends}": measure for whose in ("", "the ", "their ") for ends, measure in _THEIRS_ARE.items()}
+
+
+@choice
+def their_ends(p: Parser, i: int) -> Results[str]:
+    """ "their centers", "the faces of the blocks": between what a distance is measured, as the subject of a clause."""
+    for phrase, j in p.standing(i, _THEIRS):
+        yield _THEIRS[phrase], p.any_of(j, ("of the blocks", "of the two", "of the two blocks", "of the cubes")) or j
+
+
+_NEARER = ("closer than", "nearer than", "no closer than", "no nearer than", "not closer than", "farther than",
+           "further than", "no farther than", "no further than", "not farther than", "not further than")  # fmt: skip
+"""What blocks are to each other where nothing else is named."""
+
+
+@choice
+def measured_bare(p: Parser, i: int) -> Results[Meaning]:
+    """ "5 cm apart", "with 5 cm between them", "with a gap of 2 cm"."""
+    start = p.any_of(i, ("at a distance of", "spaced", "separated by", "with", "placed")) or i
+    start = p.one(i, "to") if p.words[i : i + 2] == ["to", "within"] else start
+    for measure, k in their_ends(p, p.opt(i, "with", ",")):
+        for (low, high), j in bounds(p, p.opt(k, "being")):
+            if end := p.any_of(j, ("apart", "from each other", "apart from each other")):
+                yield _each_other(p, i, end, low, high, measure), end
+    for (low, high), j in bounds(p, start):
+        end, measure = p.any_of(j, _BETWEEN_CENTERS), "centres"
+        if not end:
+            end, measure = p.any_of(j, _BETWEEN_FACES), "faces"
+        if not end and p.words[start - 1 : start] == ["by"]:
+            end, measure = j, "faces"
+        if not end and start > i and p.words[start - 1] == "spaced":
+            end, measure = j, "centres"
+        if not end and (j >= p.end or p.words[j] in (",", "and")) and (p.words[i] == "at" or p.any_of(i, _NEARER)):
+            end, measure = (j if start > i or p.words[i] != "at" else 0), "centres"
+        if end:
+            yield _each_other(p, i, end, low, high, measure), end
+    noted = p.any_of(i, _NOTED)
+    for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
+        end = p.opt(j, "gap", "gaps")
+        measure = "faces" if end > j or p.words[noted - 1] in ("gap", "gaps") else "centres"
+        end = p.any_of(end, _AMONG) or end
+        yield replace(_each_other(p, i, end, low, high, measure), cost=1), end
+    yield from _moved(p, i)
+    yield from _spaced(p, i)
+
+
+_FROM_HERE = Patterns(
+    "away? from where it is|stands|lies|sits|was|starts|started|begins|began now|currently|standing|lying?",
+    "away? from where it currently|now|originally|initially is|stands|lies|sits|was",
+    "away? from its|their|the current|present|original|initial|start|starting|old|first? place|position|location|spot",
+)
+"""From where a block is found."""
+
+
+_ELSEWHERE = Patterns(
+    "to|at|in|on? somewhere|someplace|anywhere else on? the? table?",
+    "to? elsewhere on? the? table?",
+    "to|at|in|on another|a_different|some_other|a_new|any_other place|spot|position|location on? the? table?",
+)
+"""Not where a block is found."""
+
+
+@choice
+def _spaced(p: Parser, i: int) -> Results[Meaning]:
+    """ "leaving a 2 cm gap between them", "with gaps of 2 cm"."""
+    if j := p.any_of(i, ("with a", "leaving a", "with", "leaving", "at a", "keeping a")) or (
+        i if p.follows(i, (",",)) else 0
+    ):
+        for (low, high), k in bounds(p, j):
+            if gap := p.any_of(k, _ROOM):
+                end = p.any_of(gap, _AMONG) or gap
+                measure = "centres" if p.words[gap - 1] in ("spacing", "distance") else "faces"
+                yield _each_other(p, i, end, low, high, measure), end
+            if end := p.any_of(k, _OF_CENTERS):
+                yield _each_other(p, i, end, low, high, "centres"), end
+    if j := p.any_of(i, _GAPS_OF):
+        measure = "faces" if "gap" in p.words[i:j] or "gaps" in p.words[i:j] else "centres"
+        for (low, high), k in bounds(p, j):
+            end = p.any_of(k, _BETWEEN_FACES) or k
+            yield _each_other(p, i, end, low, high, measure), end
+
+
+def _each_other(p: Parser, i: int, end: int, low: float | None, high: float | None, measure: str) -> Loc:
+    """A distance of the blocks spoken of to each other."""
+    span = p.span(i, end)
+    each = Pronoun(word="each other", span=span)
+    return Loc(rel="distance", landmark=each, low=low, high=high, measure=measure, span=span)
+
+
+@choice
+def _moved(p: Parser, i: int) -> Results[Meaning]:
+    """ "by at least 10 cm": how far something moves."""
+    if away := max(_FROM_HERE.matches(p, i), default=0):
+        yield Loc(rel="moved", low=0.05, mods=("here",), span=p.span(i, away)), away
+        for (low, high), j in bounds(p, p.opt(away, ",")):
+            again = max(_FROM_HERE.matches(p, j), default=j)
+            if high is None:
+                yield Loc(rel="moved", low=low, high=high, span=p.span(i, again)), again
+    if other := max(_ELSEWHERE.matches(p, i), default=0):
+        yield Loc(rel="moved", low=0.05, mods=("else",), span=p.span(i, other)), other
+        for (low, high), j in bounds(p, p.opt(other, ",")):
+            if high is None and (here := max(_FROM_HERE.matches(p, j), default=0)):
+                yield Loc(rel="moved", low=low, mods=("else",), span=p.span(i, here)), here
+    far = p.one(i, "by") or i
+    for (low, high), j in bounds(p, far):
+        if (here := max(_FROM_HERE.matches(p, j), default=0)) and high is None:
+            yield Loc(rel="moved", low=low, high=high, span=p.span(i, here)), here
+        if high is None or far > i:
+            yield Loc(rel="moved", low=low, high=high, span=p.span(i, j), cost=1), j

@@ -1,0 +1,68 @@
+"""Places where something is not: "outside of the mat", "out of the right half", "neither left of it nor behind it"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.prepositions import side_relation
+from rpg.language.grammar.places.regions import named_regions
+from rpg.language.grammar.things.nouns import simple
+from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun, parts_of
+
+_OUT = (
+    "outside of", "outside", "out of", "beyond the edge of", "clear of", "anywhere outside", "anywhere outside of",
+    "anywhere but on", "anywhere except on", "somewhere outside", "somewhere outside of", "not inside", "away off",
+)  # fmt: skip
+
+
+_TOUCHING_NONE = (
+    "touching neither", "touching neither of them", "touching neither of the two", "touching none of them",
+    "but touching neither",
+)  # fmt: skip
+
+
+@rule
+def outside(p: Parser, i: int) -> Results[Meaning]:
+    """ "outside of the mat", "out of the right half"; "(between A and B,) touching neither"."""
+    if j := p.any_of(i, _TOUCHING_NONE):
+        them = Pronoun(word="them", span=p.span(i, j))
+        yield Loc(rel="touching", landmark=them, negated=True, span=p.span(i, j)), j
+    j = p.any_of(i, _OUT)
+    if not j:
+        return
+    for mark, k in simple(p, j):
+        patch = isinstance(mark, Noun) and mark.head == "patch"
+        if patch or (isinstance(mark, Pronoun) and mark.word in ("it", "them", "there")):
+            mods = () if patch else ("outside",)
+            yield Loc(rel="off", landmark=mark, mods=mods, span=p.span(i, k)), k
+    for region, k in named_regions(p, p.opt(j, "the")):
+        yield In(region=region, negated=True, span=p.span(i, k)), k
+
+
+_ACROSS = ("left", "right", "front", "behind")
+
+
+@choice
+def neither(p: Parser, i: int) -> Results[Meaning]:
+    """ "neither on the red block nor behind it", "neither to the left nor to the right of the blue block"."""
+    from rpg.language.grammar.places.relations import loc
+
+    start = p.one(i, "neither")
+    if not start:
+        return
+    sided = [(Loc(rel=s.rstrip("?"), span=p.span(i, j)), p.opt(j, "of")) for (s, _), j in side_relation(p, start)]
+    for one, j in [*loc(p, start), *sided]:
+        nor = p.one(p.opt(j, ","), "nor")
+        for two, k in loc(p, nor) if nor else ():
+            first = one
+            if isinstance(one, Loc) and one.landmark is None and isinstance(two, Loc) and two.rel in _ACROSS:
+                first = replace(one, landmark=two.landmark)
+            if (
+                isinstance(first, Loc | In)
+                and isinstance(two, Loc | In)
+                and getattr(first, "landmark", two) is not None
+            ):
+                both = (replace(first, negated=True), replace(two, negated=True))
+                if not any(isinstance(x, Pronoun) and x.word == "each other" for x in parts_of(both)):
+                    yield Coord(op="and", items=both, span=p.span(i, k)), k

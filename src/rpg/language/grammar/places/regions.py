@@ -1,0 +1,179 @@
+"""Regions of the table: halves, corners, edges, the middle."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.corners import told_corners
+from rpg.language.meaning import In
+
+_NEAR = frozenset({"near", "front", "nearer", "bottom", "lower", "closest", "nearest"})
+_FAR = frozenset({"far", "back", "rear", "farther", "top", "upper", "farthest", "furthest"})
+_HALVES = {"left": "left", "right": "right", **dict.fromkeys(_NEAR, "near"), **dict.fromkeys(_FAR, "far")}
+
+
+def _half(word: str) -> str | None:
+    return _HALVES.get(word)
+
+
+def _of_table(p: Parser, i: int) -> int:
+    j = p.any_of(i, ("of", "on", "in")) or (i if p.lex(i, lexicon.TABLE) is False else 0)
+    if not j:
+        return 0
+    j = p.opt(j, "the")
+    j = p.opt(j, "work")
+    if p.lex(j, lexicon.TABLE) is False:
+        return p.opt(j + 1, "top", "surface", "area")
+    return 0
+
+
+def _lead(p: Parser, i: int) -> int:
+    """ "in the", "to the", "at a", "near the", ... or nothing."""
+    j = (
+        p.any_of(
+            i,
+            (
+                "on",
+                "in",
+                "at",
+                "to",
+                "into",
+                "onto",
+                "near",
+                "within",
+                "inside",
+                "along",
+                "toward",
+                "towards",
+                "over to",
+                "by",
+                "against",
+            ),
+        )
+        or i
+    )
+    return p.opt(j, "the", "a", "any", "one") if j > i else i
+
+
+_CORNERS = (
+    "each corner", "every corner", "each of the corners", "each of the four corners", "every one of the corners",
+    "every one of the four corners", "all four corners", "all corners", "the four corners", "all the corners",
+    "the corners",
+)  # fmt: skip
+_EACH_CORNER = (
+    "per corner", ", one per corner", "one per corner",
+    *(f"{lead} {which}" for lead in ("in", "at", "on", "into", "to", "one in", ", one in", ", one block in",
+                                     ", one each in") for which in _CORNERS),
+)  # fmt: skip
+
+
+@rule
+def region(p: Parser, i: int) -> Results[In]:
+    """A region, with or without "of the table" where its name alone is plain."""
+    exact = p.opt(i, "exactly", "right", "precisely", "just", "directly", "somewhere", "anywhere")
+    if k := p.any_of(exact, _EACH_CORNER) if p.stands(i, (",", "one", "per")) else 0:
+        end = _of_table(p, k)
+        yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
+    j = _lead(p, exact)
+    if j == exact:
+        return
+    for name, k, plain in _names(p, j):
+        end = _of_table(p, k)
+        if end:
+            yield In(region=name, span=p.span(i, end)), end
+        elif plain:
+            yield In(region=name, vague=name in ("corner", "edge") or name.endswith("half"), span=p.span(i, k)), k
+    if k := p.any_of(exact, _EACH_CORNER):
+        end = _of_table(p, k)
+        yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
+    if j := p.any_of(i, ("on the table's", "to the table's", "in the table's", "at the table's")):
+        pass
+    if (k := p.any_of(i, ("on the table", "in the table"))) and p.one(k, "'s"):
+        for name, end, _ in _names(p, k + 1):
+            yield In(region=name, span=p.span(i, end)), end
+
+
+def named_regions(p: Parser, i: int) -> list[tuple[str, int]]:
+    """Regions that their names alone tell: "near right corner", "left half of the table"."""
+    return [(name, _of_table(p, k) or k) for name, k, plain in _names(p, i) if plain or _of_table(p, k)]
+
+
+def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
+    """(region, next position, whether it stands for itself)."""
+    found: list[tuple[str, int, bool]] = []
+    if side := p.peek(j, _HALVES):
+        word = p.words[j]
+        k = p.opt(p.reach(j + 1), "hand", "most")
+        if e := p.one(k, "half"):
+            found.append((f"{side}_half", e, True))
+        if e := p.one(k, "side"):
+            found.append((f"{side}_half", e, False))
+        if e := p.one(k, "edge"):
+            found.append((f"{side}_edge", e, True))
+        if e := p.one(k, "end"):
+            found.append((f"{side}_edge", e, False))
+        if side in ("left", "right") or word in ("front", "back", "rear"):
+            found.append((f"{side}_half", k, False))
+        found += _corner(p, k, side)
+    if k := p.any_of(j, ("middle", "center", "centre", "central area", "central part")):
+        found.append(("middle", p.opt(k, "part", "area"), False))
+    if k := p.one(j, "edge"):
+        found.append(("edge", k, False))
+    if k := p.any_of(
+        j,
+        (
+            "of the corners",
+            "of the four corners",
+            "one of the corners",
+            "one of the four corners",
+            "any one of the four corners",
+            "any of the corners",
+            "any of the four corners",
+        ),
+    ):
+        found.append(("corner", k, True))
+    if k := p.any_of(j, ("of the edges", "one of the edges", "any of the edges", "one of the four edges")):
+        found.append(("edge", k, True))
+    if k := p.one(j, "corner"):
+        found.append(("corner", k, True))
+    found += [(name, k, True) for name, k in told_corners(p, j)]
+    if k := p.any_of(j, ("other half", "opposite half", "other side", "opposite side")):
+        found.append(("other_half", k, p.words[k - 1] == "half"))
+    if k := p.any_of(j, ("half", "side")):
+        for phrase, name in (("closest to the robot", "near_half"), ("nearest to the robot", "near_half"),
+            ("nearest the robot", "near_half"),
+                             ("near the robot", "near_half"), ("farthest from the robot", "far_half"),
+                             ("furthest from the robot", "far_half"), ("far from the robot", "far_half")):  # fmt: skip
+            of = _of_table(p, k) or k
+            if e := p.seq(of, phrase):
+                found.append((name, e, True))
+    return found
+
+
+def _corner(p: Parser, k: int, side: str) -> list[tuple[str, int, bool]]:
+    """ "left corner" needs a second word; "far left corner" and "left front corner" have it."""
+    second = _half(p.words[k]) if k < p.end else None
+    if second is None:
+        return []
+    e = p.opt(p.reach(k + 1), "hand")
+    e = p.one(e, "corner") or (p.one(e, "one") if "corner" in p.words[:e] else 0)
+    if not e:
+        return []
+    across, along = (side, second) if side in ("left", "right") else (second, side)
+    if across not in ("left", "right") or along not in ("near", "far"):
+        return []
+    return [(f"{along}_{across}_corner", e, True)]
+
+
+def named(p: Parser, i: int) -> list[tuple[str, int]]:
+    """A region by its name alone, as a note ends: "far left corner", "middle", "left", "corner near right"."""
+    found = [(name.rstrip("?"), k) for name, k, _ in _names(p, i)]
+    if k := p.one(i, "corner"):
+        sides = (p.words[k], p.words[k + 1] if k + 1 < p.end else "")
+        halves = [h for h in (_half(side) for side in sides) if h is not None]
+        if len(halves) == 2:
+            across = next((h for h in halves if h in ("left", "right")), None)
+            along = next((h for h in halves if h in ("near", "far")), None)
+            if across and along:
+                found.append((f"{along}_{across}_corner", p.reach(k + 2)))
+    return found

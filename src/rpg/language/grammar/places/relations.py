@@ -1,0 +1,260 @@
+"""Where things are: relations to landmarks, regions of the table, distances."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare
+from rpg.language.grammar.places.offsets import centred_on
+from rpg.language.grammar.places.outside import neither, outside
+from rpg.language.grammar.places.prepositions import relation, side_relation
+from rpg.language.grammar.places.regions import region
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.meaning import Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
+
+_COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"})
+""" "Not more than 10 cm from" is a measure, and denies no place."""
+
+
+@rule
+def loc(p: Parser, i: int) -> Results[Meaning]:
+    """One statement of place, perhaps negated."""
+    j = p.one(i, "not")
+    if j and p.stands(j, _COMPARED):
+        j = 0
+    for found, k in _loc(p, j or i):
+        if j and isinstance(found, Loc | Coord):
+            if isinstance(found, Coord):
+                parts = tuple(replace(x, negated=True) for x in found.items if isinstance(x, Loc))
+                yield Coord(op="and" if found.op == "or" else "or", items=parts, span=p.span(i, k)), k
+                continue
+            yield replace(found, negated=True, span=p.span(i, k)), k
+        elif not j:
+            yield found, k
+    if j:
+        for found, k in region(p, j):
+            yield replace(found, negated=True), k
+
+
+_SPOTS = ("to a spot", "to a place", "to a position", "in a spot", "in a place", "at a spot", "in a position",
+    "to the spot", "at a point", "to a point", "at the spot", "to the place", "to a location", "at a location",
+          "in the spot", "to the position", "in the position")  # fmt: skip
+
+
+_AFTER_THERE = frozenset({",", ";", "too", "as", "instead", "at", "and", "then", ")", "now", "first", "initially"})
+"""What may follow "there" where it is a place: the patch spoken of."""
+
+
+@rule
+def _loc(p: Parser, i: int) -> Results[Meaning]:
+    if j := p.any_of(i, _SPOTS):
+        yield from _loc(p, j)
+    yield from region(p, i)
+    yield from measured(p, i)
+    yield from limited(p, i)
+    yield from centred_on(p, i)
+    yield from outside(p, i)
+    yield from neither(p, i)
+    for (name, mods), j in relation(p, i):
+        if p.words[j - 1] == "by" and p.figure(j) is not None:
+            continue
+        ends = p.words[i + 1 : j] == ["the", "top", "of"] and p.words[i] == "at"
+        for landmark, k in noun_phrase(p, j):
+            if ends and isinstance(landmark, Structure) and landmark.det == "a":
+                continue
+            if isinstance(landmark, Structure) and p.tokens[i].joined:  # "a red-on-blue tower"
+                continue
+            if name == "in" and isinstance(landmark, Pronoun) and landmark.word == "all":  # "four in all"
+                continue
+            if isinstance(landmark, TableTop) and p.words[i:j] == ["to"]:
+                yield Loc(rel="on", landmark=landmark, mods=mods, span=p.span(i, k), cost=1), k
+            if isinstance(landmark, TableTop) and name not in ("on", "off", "above", "behind", "front"):
+                continue
+            if isinstance(landmark, TableTop) and (name == "in" or p.words[i] in ("at", "to")):
+                continue
+            cost = (
+                _listed_cost(landmark)
+                + (5 if _stopped(p, landmark, j, k) else 0)
+                + (1 if p.words[i] == "side" and p.words[j - 1] == "with" else 0)
+                + (2 if name == "in" or p.words[i] == "by" else 0)
+            )
+            placed = Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost)
+            yield placed, k
+            yield from _by_so_much(p, i, k, placed)
+    there = p.any_of(i, ("in there", "on there", "onto there", "into there", "over there", "right there")) or p.one(
+        i, "there"
+    )
+    if (j := there) and (j >= p.end or p.words[j] in _AFTER_THERE):
+        yield Loc(rel="on", landmark=Pronoun(word="there", span=p.span(i, j)), span=p.span(i, j)), j
+    yield from _either_relation(p, i)
+    yield from _either_place(p, i)
+    yield from _between(p, i)
+    yield from _possessive(p, i)
+    yield from _bare(p, i)
+
+
+_SIDES = ("left", "right", "front", "behind")
+
+
+def _by_so_much(p: Parser, i: int, j: int, placed: Loc) -> Results[Loc]:
+    """ "to the left of the blue block by at least 8 cm": how far it is from it."""
+    by = p.one(p.opt(j, ","), "by") if placed.rel in _SIDES and p.stands(j, (",", "by")) else 0
+    for (low, high), k in bounds(p, by) if by else ():
+        yield replace(placed, low=low, high=high, span=p.span(i, k)), k
+
+
+@choice
+def _either_relation(p: Parser, i: int) -> Results[Meaning]:
+    """ "to the left or to the right of", "left of and behind": two relations with one landmark."""
+    start = p.one(i, "either") or i
+    firsts = [(name, j) for (name, _), j in relation(p, start)] + [
+        (s.rstrip("?"), j) for (s, _), j in side_relation(p, start)
+    ]
+    if p.words[start : start + 1] in (["left"], ["right"]):
+        firsts.append((p.words[start], p.reach(start + 1)))
+    for first, j in firsts:
+        k = p.one(j, frozenset({"or", "and"}))
+        op = p.words[j] if k else ""
+        for (second, mods), m in relation(p, k) if k else ():
+            for landmark, end in noun_phrase(p, m):
+                if isinstance(landmark, TableTop):
+                    continue
+                span = p.span(i, end)
+                parts = (
+                    Loc(rel=first, landmark=landmark, span=span),
+                    Loc(rel=second, landmark=landmark, mods=mods, span=span),
+                )
+                yield Coord(op=op, items=parts, span=span), end
+
+
+@choice
+def _either_place(p: Parser, i: int) -> Results[Meaning]:
+    """ "either left of the red block or behind the blue one"."""
+    start = p.one(i, "either")
+    for first, j in _loc(p, start) if start else ():
+        k = p.one(j, "or")
+        for second, end in _loc(p, k) if k else ():
+            if isinstance(first, Loc) and isinstance(second, Loc):
+                yield Coord(op="or", items=(first, second), span=p.span(i, end)), end
+
+
+@choice
+def _between(p: Parser, i: int) -> Results[Meaning]:
+    mods: tuple[str, ...] = ()
+    j = i
+    if p.words[j : j + 1] and p.words[j] in ("directly", "exactly", "right", "somewhere"):
+        mods, j = (("somewhere",) if p.words[j] == "somewhere" else ("directly",)), p.reach(j + 1)
+    name = "between"
+    k = p.any_of(j, ("in between", "in the middle of", "midway between", "halfway between", "between",
+        "in the middle between",
+                     "in the space between", "in the center of", "centered between", "in the gap between",
+                     "among"))  # fmt: skip
+    if not k:
+        k = p.any_of(j, ("sandwiched between", "sandwiched in between", "sandwiched by"))
+        name = "sandwiched"
+    if k and p.words[j] in ("midway", "halfway", "centered"):
+        mods = ("halfway",)
+    if k:
+        for landmark, end in noun_phrase(p, k):
+            if isinstance(landmark, TableTop):
+                continue
+            yield Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, end)), end
+
+
+@choice
+def _possessive(p: Parser, i: int) -> Results[Meaning]:
+    """ "on its left", "to its right", "on the blue block's left side"."""
+    j = p.any_of(i, ("on", "to", "at"))
+    if not j:
+        return
+    if k := p.one(j, frozenset({"its", "their"})):
+        owners: list[tuple[Meaning, int]] = [
+            (Pronoun(word="it" if p.words[j] == "its" else "them", span=p.span(j, k)), k)
+        ]
+    else:
+        owners = [(o, p.one(k, "'s")) for o, k in noun_phrase(p, j) if p.one(k, "'s")]
+    for owner, k in owners:
+        k = p.any_of(k, ("immediate",)) or k
+        for word, name in (
+            ("left", "left"),
+            ("right", "right"),
+            ("front", "front"),
+            ("back", "behind"),
+            ("top", "on"),
+            ("side", "beside"),
+        ):
+            if end := p.one(k, word):
+                end = p.any_of(end, ("hand side", "side")) or end
+                yield Loc(rel=name, landmark=owner, span=p.span(i, end)), end
+
+
+@choice
+def _bare(p: Parser, i: int) -> Results[Meaning]:
+    """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
+    yield from measured_bare(p, i)
+    for phrase, j in p.standing(i, _UNSAID):
+        landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
+        yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
+        if _UNSAID[phrase] == "apart" and p.words[j : j + 1] == [","]:
+            for (low, high), k in bounds(p, j + 1):
+                yield Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, k)), k
+
+
+_UNSAID = {
+    "side by side": "side_by_side", "next to each other": "side_by_side", "beside each other": "side_by_side",
+    "adjacent to each other": "adjacent", "next to one another": "side_by_side",
+    "beside one another": "side_by_side",
+    "well away from each other": "apart", "well apart": "apart", "well separated": "apart", "wide apart": "apart",
+    "well away from one another": "apart", "clearly apart": "apart", "clearly separated": "apart",
+    "far apart": "apart", "apart": "apart", "far away from each other": "apart", "separated": "apart",
+    "away from each other": "apart",
+    "apart from each other": "apart", "far apart from each other": "apart", "separately": "apart",
+    "close together": "near", "together": "together", "near each other": "near",
+    "close to each other": "near",
+    "touching": "touching", "in contact": "touching", "adjacent": "adjacent", "nearby": "near",
+    "neighbors": "side_by_side", "direct neighbors": "adjacent", "immediate neighbors": "adjacent",
+    "shoulder to shoulder": "side_by_side", "in one place": "together", "spread out": "apart",
+    "touching each other": "touching", "touching one another": "touching",
+    "in contact with each other": "touching",
+    "right next to each other": "adjacent", "immediately next to each other": "adjacent",
+    "directly next to each other": "adjacent",
+    "on top of each other": "heaped", "on top of one another": "heaped", "one on top of the other": "heaped",
+    "one on top of another": "heaped", "on each other": "heaped", "one upon another": "heaped",
+    "one over the other": "heaped",
+    "one above the other": "heaped", "one atop the other": "heaped", "atop each other": "heaped",
+    "atop one another": "heaped",
+    "one on the other": "heaped", "on one another": "heaped", "one on another": "heaped",
+    "on top of itself": "heaped",
+    "each on top of the other": "heaped", "on top of each": "heaped",
+    "one by one on top of each other": "heaped",
+    "all on top of each other": "heaped", "upon each other": "heaped",
+    "directly on top of each other": "heaped",
+    "one next to the other": "side_by_side", "one beside the other": "side_by_side",
+    "each next to the other": "side_by_side",
+    "in between": "between", "between them": "between", "in between them": "between",
+    "between the two": "between", "in the space between them": "between",
+    "one in front of the other": "one_behind", "one behind the other": "one_behind",
+    "one row behind the other": "one_behind", "one row in front of the other": "one_behind",
+    "one behind another": "one_behind",
+}  # fmt: skip
+
+
+def _stopped(p: Parser, landmark: Meaning, j: int, k: int) -> bool:
+    """ "8, and 9": behind a comma, "and" begins another clause rather than the second of two symbols."""
+    two = isinstance(landmark, Noun) and len(landmark.traits.labels) == 2
+    return two and p.words[k - 3 : k - 1] == [",", "and"] and j < k - 3
+
+
+def _listed_cost(landmark: Meaning) -> int:
+    """A list as a landmark is less natural than a clause that begins with its last item."""
+    if isinstance(landmark, Coord):
+        return 1 if landmark.op == "and" else 0
+    if not isinstance(landmark, Noun):
+        return 0
+    return (
+        1
+        if (landmark.head == "any" and len(landmark.traits.colors) > 1)
+        or (landmark.det == "bare" and len(landmark.traits.labels) > 1)
+        else 0
+    )

@@ -1,0 +1,186 @@
+"""Sides and directions: "from left to right", "at the bottom", "third from the left"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.meaning import At, Meaning, Toward
+
+SIDES = {
+    "left": "left", "right": "right", "top": "top", "bottom": "bottom", "front": "front", "back": "back",
+    "near": "front",
+    "far": "back", "base": "bottom", "ground": "bottom", "rear": "back", "leftmost": "left", "rightmost": "right",
+}  # fmt: skip
+
+
+OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
+
+
+AXIS = {"left": "y", "right": "y", "front": "x", "back": "x", "top": "z", "bottom": "z"}
+
+
+_ME = "me|us|you|viewer|robot|camera|observer"
+_GOING = (
+    "going|running|leading|heading|extending|stretching|pointing|runs|run|goes|go|leads|extends|stretches|that_goes|"
+    "that_runs|which_runs|which_goes|that_leads|that_extends"
+)
+_AWAY = Patterns(f"{_GOING}? straight? away_from the? {_ME}", f"{_GOING} straight? away")
+_NEARER = Patterns(f"{_GOING}|coming|comes|that_comes straight? towards|toward|to the? {_ME}")
+"""Lines that begin near the viewer, and far from them."""
+_BEGINNING = {
+    "starting from the left": ("left", "y"), "starting at the left": ("left", "y"),
+    "starting from the right": ("right", "y"), "starting from the bottom": ("bottom", "z"),
+    "starting at the bottom": ("bottom", "z"), "starting from the top": ("top", "z"),
+    "starting on the left": ("left", "y"), "starting on the right": ("right", "y"),
+    "starting at the right": ("right", "y"), "starting from the front": ("front", "x"),
+    "starting from the back": ("back", "x"), "upwards": ("bottom", "z"), "going right": ("left", "y"),
+    "going left": ("right", "y"), "downwards": ("top", "z"), "downward": ("top", "z"), "going down": ("top", "z"),
+    "bottom up": ("bottom", "z"), "top down": ("top", "z"), "upward": ("bottom", "z"),
+    "starting at the top": ("top", "z"), "starting at the front": ("front", "x"),
+    "starting with the bottom": ("bottom", "z"), "from near to far": ("front", "x"),
+    "from far to near": ("back", "x"), "away from the robot": ("front", "x"), "towards the robot": ("back", "x"),
+}  # fmt: skip
+"""Where an order begins, and its axis."""
+_ALONG = {
+    "horizontally": "y", "vertically": "z", "upright": "z", "along the y axis": "y", "along the x axis": "x",
+    "across the table": "y", "lengthwise": "x", "along the left right direction": "y",
+    "in left right direction": "y", "in the left right direction": "y", "along the left right axis": "y",
+    "along the front back direction": "x", "in front back direction": "x", "in the front back direction": "x",
+    "along the front back axis": "x",
+}  # fmt: skip
+"""The axis of a line."""
+
+
+_VIEWED = frozenset({"seen", "viewed", "looking", "looked", "watched"})
+_READ_OFF = _VIEWED | {
+    "reading",
+    "read",
+    "counting",
+    "counted",
+    "listed",
+    "told",
+    "named",
+    "written",
+    "taken",
+    "ordered",
+}
+"""How a line is told in a direction. "Seen from the left" is no direction, "seen from left to right" is one."""
+_ONWARD = frozenset({"to", "towards", "up", "down", "upwards", "downwards", "upward", "downward"})
+_FROM = frozenset({"from", "bottom", "top", "left", "right"})
+_COUNTED = frozenset({"block", "cube", "brick", "one", "layer", "row", "blocks", "cubes", *lexicon.ORDINAL})
+"""What is counted "from the bottom", so that this is no direction."""
+
+
+@rule
+def toward(p: Parser, i: int) -> Results[Meaning]:
+    """ "from left to right", "bottom to top", "from the bottom up", "vertically", "starting from the left"."""
+    j = p.one(i, "from") or i
+    j2 = p.opt(j, "the")
+    if first := p.peek(j2, SIDES):
+        k = p.reach(j2 + 1)
+        k = p.opt(k, "side", "end", "edge")
+        if e := p.one(k, frozenset({"to", "towards"})):
+            e = p.opt(e, "the")
+            last = SIDES.get(p.words[e]) if e < p.end else None
+            if last == OPPOSITE[first]:
+                yield (
+                    Toward(first=first, axis=AXIS[first], span=p.span(i, e + 1)),
+                    p.opt(p.reach(e + 1), "side", "end", "edge"),
+                )
+        if j2 > j > i and first in ("left", "right") and p.words[k] not in ("to", "towards"):
+            yield Toward(first=first, axis="y", span=p.span(i, k)), k
+        upright = first in ("top", "bottom") and not p.follows(i, _COUNTED)
+        if j2 > j > i and upright and not p.stands(k, ("to", "towards", "up", "down", "of", "upwards", "downwards")):
+            yield Toward(first=first, axis="z", span=p.span(i, k), cost=1), k
+        if j2 == j > i and p.words[k] == ":":
+            yield Toward(first=first, axis=AXIS[first], span=p.span(i, k)), k
+        if p.words[k : k + 1] in (["up"], ["upwards"], ["upward"]) and first == "bottom" and j > i:
+            yield Toward(first="bottom", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
+        if p.words[k : k + 1] in (["down"], ["downwards"], ["downward"]) and first == "top" and j > i:
+            yield Toward(first="top", axis="z", span=p.span(i, k + 1)), p.reach(k + 1)
+    lead = p.one(i, _READ_OFF)
+    lead = p.opt(lead, "at", "off") if lead else 0
+    for way, k in toward(p, lead) if lead else ():
+        onward = not _ONWARD.isdisjoint(p.words[lead:k]) or p.words[i] not in _VIEWED
+        if isinstance(way, Toward) and way.first is not None and onward and p.words[lead] in _FROM:
+            yield replace(way, span=p.span(i, k)), k
+    for phrase, k in p.standing(i, _BEGINNING):
+        side, axis = _BEGINNING[phrase]
+        yield Toward(first=side, axis=axis, span=p.span(i, k)), k
+    for ways, side in ((_AWAY, "front"), (_NEARER, "back")):
+        yield from ((Toward(first=side, axis="x", span=p.span(i, k)), k) for k in ways.matches(p, i))
+    for phrase, k in p.standing(i, _ALONG):
+        yield Toward(axis=_ALONG[phrase], span=p.span(i, k)), k
+
+
+_FLAT = (("row", "row"), ("line", "row"), ("column", "row"))
+_WHOLES = (
+    *_FLAT, ("stack", "stack"), ("tower", "stack"), ("pile", "stack"), ("pyramid", "pyramid"),
+)  # fmt: skip
+_WHOLE_OF = {noun: (f"of the {noun}", f"of this {noun}", f"of that {noun}") for noun, _ in _WHOLES}
+
+
+_EXTREMES = {
+    "leftmost": "left", "rightmost": "right", "topmost": "top", "bottommost": "bottom", "nearest": "front",
+    "frontmost": "front", "farthest": "back", "closest": "front", "furthest": "back", "lowermost": "bottom",
+    "up top": "top", "right up top": "top", "down below": "bottom", "at the summit": "top",
+}  # fmt: skip
+_REACH = Patterns(
+    "to the? me|us|you|viewer|robot|camera|observer", "away? from the? me|us|you|viewer|robot|camera|observer", "away"
+)
+"""What tells that the nearest and the farthest are meant as the viewer has it."""
+_LEADS = (
+    "at the very", "on the very", "at the", "on the", "in the", "to the", "at", "on", "as the", "as", "being the", "in",
+    "forming the",
+)  # fmt: skip
+_TAILS = ("end", "side", "most", "layer", "layers", "position", "level", "hand", "block", "spot", "place")
+_INSIDES = {**SIDES, "middle": "middle", "center": "middle", "hole": "middle"}
+
+
+@rule
+def at(p: Parser, i: int) -> Results[Meaning]:
+    """A place within the structure: "at the bottom", "in the middle", "on the left", "third from the left"."""
+    if j := p.any_of(i, _LEADS):
+        yield from _inside(p, i, j)
+    for word, k in p.standing(p.opt(i, "the"), _EXTREMES):
+        side = _EXTREMES[word]
+        far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0
+        if far or p.words[k] not in ("to", "from"):
+            yield At(side=side, span=p.span(i, far or k)), far or k
+    if j := p.any_of(i, _EITHER_END):
+        yield At(side="end", span=p.span(i, j)), j
+    ordinal = p.lex(i, lexicon.ORDINAL)
+    for side, phrases in _FROM_SIDES.items() if ordinal else ():
+        if k := p.any_of(i + 1, phrases):
+            yield At(side=side, index=ordinal, span=p.span(i, k)), k
+
+
+_FROM_SIDES = {side: (f"from the {side}", f"from {side}") for side in ("left", "right", "bottom", "top")}
+_EITHER_END = tuple(
+    f"{at} {end}"
+    for at in ("at", "on")
+    for end in ("an end", "either end", "one end", "any end", "one of the ends", "one of its ends")
+)
+"""No certain end: it can be said that a block is at none of them."""
+
+
+def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
+    word = p.words[j] if j < p.end else ""
+    if word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end":
+        j, word = p.reach(j + 1), p.words[j + 1]
+    side = _INSIDES.get(word)
+    if side and word not in ("ground", "near", "far"):
+        k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")
+        for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
+            if end := p.any_of(k, _WHOLE_OF[noun]):
+                yield At(side=side, whole=whole, span=p.span(i, end)), end
+        if p.words[k - 1] == "block" and p.words[i] == "on":
+            return
+        of_it = p.seq(k, "of it") if side in ("top", "bottom", "middle") else 0
+        yield At(side=side, span=p.span(i, k)), of_it or k
+    counted = word in ("first", "last", *lexicon.ORDINAL)
+    if counted and (k := p.any_of(j + 1, ("position", "place", "spot", "from the left"))):
+        yield At(side="first", index=lexicon.ORDINAL.get(word, -1), span=p.span(i, k)), k

@@ -1,0 +1,127 @@
+"""Colours that take turns: "alternating red and white", "whose colours alternate", "every other one black"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.lists import listed
+from rpg.language.meaning import Meaning, Noun, OrderBy, Traits
+
+_TURNS = Patterns(
+    "so|so_that|such_that|where|in_which|while|and? the|their|its? color|colors|blocks|cubes "
+    "should|must|will|do|does? alternate|alternates|take_turns",
+    "whose|with the|their? color|colors|blocks should|must|will|do|does? alternate|alternates|alternating|taking_turns",
+    "so_that|so|that|which|such_that they|it? should|must|will? alternate|alternates in_color|colors?",
+    "taking|take|in turns|turn",
+    "by|in turns",
+)
+"""The colours of the blocks spoken of alternate."""
+_WHERE_NO = "so_that|so|such_that|in_which|where|with|and|but|of_which?"
+_NEXT = (
+    "neighbors|neighboring_blocks|neighboring_cubes|neighboring_ones|adjacent_blocks|adjacent_cubes|adjacent_ones|"
+    "touching_blocks|blocks_next_to_each_other"
+)
+_TOUCH = "neighbors|next_to_each_other|side_by_side|adjacent|touching|beside_each_other|next_to_one_another"
+_APART = Patterns(
+    f"{_WHERE_NO} no two {_NEXT} are|is|have|share|with|of|having? may|should|must|can? have|share|be|show? of|in? "
+    "the? same|equal color|colors",
+    f"{_WHERE_NO} {_NEXT} in|of|with different color|colors",
+    f"{_WHERE_NO} no two {_NEXT} are|being|may_be|should_be|must_be? equal|alike|identical|the_same in color|colors",
+    f"{_WHERE_NO} no two blocks|cubes|ones? of|in|with the? same|equal|one color|colors are|stand|may|should|must|can? "
+    f"be|stand|sit|come|lie|end_up? {_TOUCH}",
+    f"{_WHERE_NO} no two blocks|cubes|ones? of|in|with the? same|equal|one color|colors may|should|must|can? touch",
+    f"{_WHERE_NO} {_NEXT} should|must|always|all? have|are|be|show|differ of|in? different? color|colors",
+)
+"""Nowhere along the line do two neighbours agree in colour."""
+_SAME_BACK = (
+    "the_same from|in|seen_from|read_from|when_read_from both|either ends|end|sides|side|directions|direction|ways"
+)
+_MIRRORED = Patterns(
+    f"which|that|so_that_it|so_it|such_that_it? should|must|can_be|to? read|reads|reading|look|looks|is|be "
+    f"{_SAME_BACK}",
+    "whose|with|so_that|such_that|where|in_which the|its|their? colors|order|pattern|it|they is|are|being|be|reads? "
+    "mirror_symmetric|mirror_symmetrical|mirrored|symmetric|symmetrical|palindromic|a_palindrome|a_mirror_image",
+    "mirrored|symmetric|symmetrical|symmetrically around|about|to|with_respect_to|in the|its middle|center",
+)
+_ALONE = Patterns(
+    "the|their|its? color|colors|blocks|cubes should|must|will|do|have_to? alternate|take_turns",
+    "they|it should|must|will|do|does? alternate|take_turns in_color|colors?",
+)
+_IT_READS = Patterns(f"it|the_row|the_line|the_tower|this should|must|has_to? read|reads|look|looks|be|is {_SAME_BACK}")
+_TWICE = frozenset(
+    {"no", "neighbors", "neighboring", "adjacent", "the", "their", "its", "they", "it", "this", "colors"}
+)
+_RARE = (
+    "alternate", "alternates", "alternating", "alternately", "alternation", "switching", "turn", "turns", "every", "no",
+    "neighbors", "neighboring", "adjacent", "touching", "next", "different", "same", "mirrored", "symmetric",
+    "symmetrical", "symmetrically",
+)  # fmt: skip
+_TELLING = frozenset(_RARE)
+"""Words without one of which nothing is said of this here."""
+
+
+@rule
+def alternation_alone(p: Parser, i: int) -> Results[OrderBy]:
+    """ "The colours alternate.", "No two neighbours have the same colour.": of the line that was built."""
+    if p.rarely(_TELLING) and p.stands(i, _TWICE):
+        for patterns, by in ((_ALONE, "alternating"), (_APART, "alternating"), (_IT_READS, "mirrored")):
+            yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
+
+
+_BETWEEN = (
+    ", alternate", ": alternate", ", alternates",
+    "alternating between", "with alternating colors", "in alternating colors ,", "alternating", "alternately",
+    "alternately in", "with alternating", "of alternating", "switching between", "that alternates between",
+    "that alternates", "which alternates between", "which alternates", "alternates between", "that alternate between",
+)  # fmt: skip
+"""What two colours follow."""
+_AFTER = ("alternating", "in alternation", "alternately", "alternate", "taking turns", "take turns")
+_WHERE = ("in which", "where", "with", "so that", "such that", "so", ",")
+_ONE = ("every other one", "every second one", "every other block", "every second block", "every other cube",
+        "every second cube", "every other", "every second")  # fmt: skip
+_REST = ("the rest", "the others", "the other ones", "the remaining ones", "the other blocks", "all others")
+
+
+@rule
+def alternation(p: Parser, i: int) -> Results[Meaning]:
+    """Colours that alternate, with the two of them where they are named."""
+    if not p.rarely(_TELLING):
+        return
+    for j in _TURNS.matches(p, i):
+        two = p.opt(j, "between", ":")
+        if two == j or p.words[j] == ":":
+            yield OrderBy(by="alternating", span=p.span(i, j)), j
+        yield from _two(p, i, two)
+    for patterns, by in ((_APART, "alternating"), (_MIRRORED, "mirrored")):
+        yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
+    if j := p.any_of(i, _BETWEEN):
+        yield from _two(p, i, j)
+    for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):
+        for items, k in listed(p, j):
+            if end := p.any_of(k, _AFTER):
+                yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
+        if k := p.any_of(j, _ONE):
+            yield from _one_and_rest(p, i, k)
+
+
+def _two(p: Parser, i: int, j: int) -> Results[Meaning]:
+    for one, k in color(p, j):
+        for two, end in color(p, p.one(k, "/")) if p.stands(k, ("/",)) else ():
+            both = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=p.span(j, end)) for x in (one, two))
+            yield OrderBy(by="alternating", items=both, span=p.span(i, end)), p.opt(end, "blocks", "cubes", "ones")
+    for items, k in listed(p, j):
+        k = p.opt(k, "blocks", "cubes", "ones")
+        yield OrderBy(by="alternating", items=items, span=p.span(i, k)), k
+
+
+def _one_and_rest(p: Parser, i: int, j: int) -> Results[Meaning]:
+    """ "every other one (is) black, the rest (are) white"."""
+    j = p.any_of(j, ("is", "should be", "must be", "being", "in")) or j
+    for one, k in color(p, j):
+        rest = p.any_of(p.opt(p.opt(k, ","), "and"), _REST)
+        rest = p.any_of(rest, ("is", "are", "should be", "must be", "being", "in")) or rest if rest else 0
+        for two, end in color(p, rest) if rest else ():
+            both = (two, one) if "second" in p.words[i:j] else (one, two)
+            items = tuple(Noun(head="any", traits=Traits(colors=(x,)), span=p.span(j, end)) for x in both)
+            yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end

@@ -1,0 +1,77 @@
+"""What a comma adds to a structure: which symbols it shows, how many blocks each of its layers has."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.nouns import simple
+from rpg.language.meaning import Absolute, Amount, Coord, Noun, Places, Size, Traits
+
+_LINED = ("grid", "row", "line", "column", "stack", "square", "circle", "rectangle", "wall", "checkerboard")
+
+
+@rule
+def symbols_told(p: Parser, j: int, kind: str) -> Results[Noun]:
+    """ ", letters A to F", ": digits 1, 2 and 3": the symbols that a structure shows."""
+    start = p.one(j, frozenset({",", ":"})) if kind in _LINED else 0
+    if not start:
+        return
+    the = p.opt(start, "the")
+    if p.lex(the, lexicon.LETTER) is None and p.lex(the, lexicon.DIGIT) is None:
+        return
+    for found, k in simple(p, start):
+        marks = found.traits if isinstance(found, Noun) else Traits()
+        plain = marks == Traits(labels=marks.labels, kind=marks.kind)
+        if isinstance(found, Noun) and plain and len(marks.labels) > 1 and found.amount is None:
+            yield found, k
+
+
+@rule
+def a_lot_each(p: Parser, i: int, many: int) -> Results[Coord]:
+    """ "(two towers:) 2 red and 3 blue blocks": behind a colon as many lots as there are towers, one for each."""
+    at = p.one(i, frozenset({":"}))
+    lots: list[Absolute] = []
+    while at and len(lots) < many:
+        number, j = p.number(at), at + 1
+        named = next(iter(color(p, j)), None) if number is not None else None
+        if number is None or named is None:
+            return
+        end = p.any_of(named[1], _BLOCKS) or named[1]
+        span = p.span(at, end)
+        theme = Noun(head="block", amount=Amount(number, number), plural=number > 1, traits=Traits(colors=(named[0],)),
+                     span=span)  # fmt: skip
+        lots.append(Absolute(theme=theme, adjuncts=(Places(side="one", unit="whole", span=span),), span=span))
+        if len(lots) == many > 1 and (end >= p.end or p.words[end] in (",", ";")):
+            yield Coord(op="absolutes", items=tuple(lots), span=p.span(i, end)), end
+        at = p.any_of(end, (", and", ",", "and", "+", ";"))
+
+
+_BLOCKS = ("blocks", "block", "cubes", "cube", "bricks", "ones", "one")
+_BELOW = ("at the bottom", "on the bottom", "in the bottom row", "in the bottom layer", "below", "as a base", "first",
+          "at the base", "on the ground", "in the first layer", "as the base", "down below")  # fmt: skip
+_ABOVE = ("above", "on top", "on top of that", "above that", "at the top", "above them", "on them", "on those",
+          "on top of those", "on top of them", "at the very top", "in the next", "in the middle", "next")  # fmt: skip
+_THEN = (", then", ", and then", "then", "and then", ", and", "and", ",", ", finally", ", and finally", "followed by",
+         ", followed by", ", next", "and finally")  # fmt: skip
+
+
+@rule
+def layers_told(p: Parser, j: int) -> Results[Size]:
+    """ "(a pyramid,) 3 blocks at the bottom, then 2, then 1": one less from layer to layer, down to one block."""
+    start = p.any_of(j, (",", ":", "with", "of", ", with", "-", "having"))
+    number = p.number(start) if start else None
+    if not start or number is None or number < 2:
+        return
+    left, at = number, start + 1
+    while True:
+        at = p.any_of(at, _BLOCKS) or at
+        at = p.any_of(at, _BELOW if left == number else _ABOVE) or at
+        if left == 1:
+            break
+        k = p.any_of(at, _THEN)
+        left -= 1
+        if not k or p.number(k) != left:
+            return
+        at = k + 1
+    yield Size(what="base", amount=Amount(number, number), span=p.span(start, at)), at

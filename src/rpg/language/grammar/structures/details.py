@@ -1,0 +1,122 @@
+"""Clauses about parts of a structure that was spoken of before: "the middle row is red and the others are white"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.absolutes import more_parts, one_more
+from rpg.language.grammar.places.around import surrounded
+from rpg.language.grammar.places.onto import piled_from_an_end
+from rpg.language.grammar.structures.each import each_clause
+from rpg.language.grammar.structures.each_line import each_line
+from rpg.language.grammar.structures.parts import IS, part, part_statement
+from rpg.language.grammar.structures.patterns import DIAGONALS, pattern
+from rpg.language.grammar.structures.succession import succession
+from rpg.language.grammar.structures.wholes import wholes_told
+from rpg.language.grammar.things.bodies import body_clause
+from rpg.language.grammar.things.nouns import simple
+from rpg.language.grammar.things.strangers import strangers_told
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, OrderBy, Structure
+
+
+@rule
+def part_clause(p: Parser, i: int) -> Results[Meaning]:
+    """ "its top is red", "make the middle one blue", "the two ends should be white"."""
+    yield from _comes_next(p, i)
+    yield from _first_then(p, i)
+    yield from each_clause(p, i)
+    yield from strangers_told(p, i)
+    yield from piled_from_an_end(p, i)
+    yield from surrounded(p, i)
+    yield from body_clause(p, i)
+    yield from succession(p, i)
+    for lines, j in each_line(p, i):
+        if isinstance(lines, Coord):
+            yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j
+    for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) or p.rarely(DIAGONALS) else ():
+        yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
+    for several, j in wholes_told(p, i):
+        yield _said(p, i, j, several), j
+    yield from _of_a_whole(p, i)
+    start = p.any_of(i, ("make", "let", "have", "keep")) or i
+    told = dict.fromkeys(part_statement(p, start))
+    for first, j in told:
+        yield _said(p, i, j, first), j
+    for first, j in {**told, **dict.fromkeys(one_more(p, start))}:
+        for whole, k in more_parts(p, start, j, first):
+            if isinstance(whole, Coord):
+                yield _said(p, i, k, whole), k
+
+
+_ONWARD = (", and then", ", then", "and then", "then", ", and finally", ", and lastly", "and finally", "and lastly",
+           ", finally", ", lastly", "followed by", ", followed by", ", next", ", and last", "and last",
+           ", and after that", ", after that")  # fmt: skip
+_IS_LAST = ("is last", "comes last", "last", "at the end", "is at the end")
+
+
+@choice
+def _first_then(p: Parser, i: int) -> Results[Clause]:
+    """ "First (comes) red, then white, and blue is last.": the blocks of a line from its beginning on."""
+    start = p.any_of(i, ("first", "first comes", "first there is", "first of all", "the first is", "first :"))
+    items: list[Meaning] = []
+    at = start
+    while at and len(items) < 12:
+        theme, k = next(((x, k) for x, k in simple(p, at) if isinstance(x, Noun) and _one(x)), (None, 0))
+        if theme is None:
+            return
+        items.append(theme)
+        end = p.any_of(k, _IS_LAST) or k
+        if end >= p.end and len(items) > 1:
+            order = OrderBy(by="named", items=tuple(items), span=p.span(i, end))
+            yield Clause(verb="part", adjuncts=(order,), mode="goal", span=p.span(i, end), cost=1), end
+        on = p.any_of(end, _ONWARD)
+        last = p.any_of(end, (", and", "and"))
+        at = (p.any_of(on, _COMES) or on) if on else last
+
+
+def _one(theme: Noun) -> bool:
+    """One block, told by its look."""
+    one = theme.amount in (None, Amount(1, 1)) and not theme.plural and theme.head != "patch" and theme.det != "each"
+    return one and len(theme.traits.colors + theme.traits.labels) == 1 and theme.part_of is None
+
+
+_COMES = ("comes", "come", "there comes", "follows", "follow", "there follows", "comes the", "there is", "is")
+
+
+@choice
+def _comes_next(p: Parser, i: int) -> Results[Clause]:
+    """ "(red is on the left,) then comes blue": next to what was told before."""
+    j = p.any_of(i, _COMES)
+    if not j or not p.follows(i, ("then", "next", "that", "it")):
+        return
+    for theme, k in simple(p, j):
+        if isinstance(theme, Noun) and theme.head != "patch" and theme.amount in (None, Amount(1, 1)):
+            follows = At(side="next", span=p.span(i, j))
+            yield Clause(verb="be", theme=theme, adjuncts=(follows,), mode="goal", span=p.span(i, k), cost=1), k
+
+
+def _of_a_whole(p: Parser, i: int) -> Results[Clause]:
+    """ "the four corners of a 3x3 grid are pink": builds the grid, and says so of its corners."""
+    from rpg.language.grammar.structures.structures import structure
+
+    for place, j in part(p, i):
+        of = p.one(j, frozenset({"of", "in"}))
+        for whole, k in structure(p, of) if of else ():
+            sized = isinstance(whole, Structure) and whole.det in ("a", "bare") and not whole.plural
+            if not sized or not isinstance(whole, Structure) or not (whole.sizes or whole.dims or whole.members):
+                continue
+            told = p.any_of(k, IS)
+            for theme, end in simple(p, told) if told else ():
+                if not isinstance(theme, Noun) or theme.det != "bare" or theme.traits.rank or not theme.traits.colors:
+                    continue
+                first = Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end))
+                built = Clause(verb="build", theme=whole, adjuncts=(first,), mode="goal", span=p.span(i, end))
+                yield built, end
+                for more, last in more_parts(p, i, end, first):
+                    if isinstance(more, Coord):
+                        yield replace(built, adjuncts=(more,), span=p.span(i, last)), last
+
+
+def _said(p: Parser, i: int, j: int, found: Absolute | Coord) -> Clause:
+    return Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j), cost=1)

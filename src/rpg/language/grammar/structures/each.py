@@ -1,0 +1,168 @@
+"""What each of several structures is made of: "two towers, each of a red and a blue block", "each row has ..."."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Size
+
+_LEADS = (
+    "each of", "each made of", "each consisting of", "each built of", "each made from", "each built from", "each with",
+    "each containing", "each having", "each made up of", "each composed of", "each comprising", "every one of",
+    "each one with", "each one of", "in each of which there is", "in each of which there are", "each being",
+    "in each of which", "all of", "both with", "both of", "where each has", "where each one has", "and each has",
+    "so that each has", "so that each one has", "such that each has", "of which each has",
+)  # fmt: skip
+_NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "of them", "of the towers",
+          "of the stacks", "of the rows", "of these", "of the columns", "of the lines")  # fmt: skip
+_HAS = (
+    "has", "should have", "must have", "contains", "should contain", "must contain", "consists of",
+    "should consist of", "must consist of", "is made of", "should be made of", "must be made of", "is built of",
+    "is built from", "gets", "should get", "includes", "should include", "has to have", "is to have", "has to contain",
+    "is made up of", "is composed of", "uses", "should use",
+)  # fmt: skip
+_EACH = ("each", "apiece", "in each", "in each of them", "in each one", "per tower", "per stack", "per row",
+         "in every one")  # fmt: skip
+_TIMES = ("both times", "each time", "every time", "in each", "in both", "in each of them", "in both of them",
+          "in each tower", "in both towers", "in every tower", "in each stack", "in both stacks", "each")  # fmt: skip
+_TIMES_WORDS = frozenset(phrase.split()[-1] for phrase in _TIMES)
+_ON = {"on": True, "on top of": True, "above": True, "over": True, "atop": True, "under": False, "below": False,
+       "beneath": False, "underneath": False, "carrying": False, "carries": False, "supporting": False,
+       "supports": False, "is on": True, "is on top of": True, "is under": False, "lies on": True, "sits on": True,
+       "stands on": True, "is above": True, "is below": False}  # fmt: skip
+"""How two blocks lie, and whether the one named first is the upper one."""
+
+
+@rule
+def each_of(p: Parser, i: int) -> Results[OrderBy]:
+    """Behind several structures: ", each of a red and a blue block", "with a red and a blue block each"."""
+    yield from each_led(p, i)
+    comma = p.opt(i, ",", ":")
+    j = p.any_of(comma, ("of", "with", "from", "made of"))
+    for found, k in _lot(p, i, j or comma) if j or comma > i else ():
+        if not found.first and (end := p.any_of(k, _EACH)):
+            yield replace(found, span=p.span(i, end)), end
+
+
+@rule
+def each_led(p: Parser, i: int) -> Results[OrderBy]:
+    """As an adjunct: ", each of a red and a blue block", ", green under yellow both times"."""
+    comma = p.opt(i, ",", ":")
+    if j := p.any_of(comma, _LEADS):
+        yield from _lot(p, i, j)
+        yield from _layered(p, i, j)
+    if j := p.one(comma, frozenset({"both", "each"})):
+        yield from _layered(p, i, p.opt(j, "one", "tower", "stack"))
+        yield from (x for x in _lot(p, i, p.opt(j, "one", "tower", "stack")) if x[0].first)
+    for found, j in _lot(p, i, comma) if comma > i and p.anywhere(_TIMES_WORDS) else ():
+        if found.first and (k := p.any_of(j, _TIMES)):
+            yield replace(found, span=p.span(i, k)), k
+
+
+@rule
+def each_clause(p: Parser, i: int) -> Results[Clause]:
+    """ "each tower has one red and one blue block", "in each tower a green block carries a yellow one"."""
+    inside = p.one(i, "in")
+    j = p.one(inside or i, frozenset({"each", "every"}))
+    j = p.any_of(j, _NOUNS) if j else 0
+    if not j:
+        return
+    start = p.any_of(p.opt(j, ","), ("there is", "there are", "there should be", "there must be")) or p.opt(j, ",")
+    for found, k in _lot(p, i, start if inside else p.any_of(j, _HAS)) if inside or p.any_of(j, _HAS) else ():
+        yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, k)), k
+
+
+_HEIGHTS = ("of heights", "with heights", "with heights of", "with the heights", "having heights", "heights :",
+            "of height")  # fmt: skip
+_TALL = ("blocks high", "blocks tall", "high", "tall", "blocks", "cubes")
+
+
+@rule
+def heights(p: Parser, i: int, count: int) -> Results[tuple[Size, tuple[str, ...]]]:
+    """Behind `count` towers: "of heights 2, 3 and 4", "with two and three (red) blocks", with the blocks' colour."""
+    comma = p.opt(i, ",")
+    lead = p.any_of(comma, _HEIGHTS)
+    j = lead or p.any_of(comma, ("of", "with", "that are", "having", "which are")) or (comma if comma > i else 0)
+    listed: list[int] = []
+    while j and (n := p.number(j)) is not None:
+        listed.append(n)
+        ends: list[tuple[tuple[str, ...], int]] = [
+            ((), e) for e in (p.any_of(j + 1, _TALL), j + 1 if lead or count == len(listed) else 0) if e
+        ]
+        ends += [((named,), e) for named, k in color(p, j + 1) if (e := p.one(k, frozenset({"blocks", "cubes"})))]
+        for named, end in ends if len(listed) > 1 else ():
+            end = p.any_of(end, (", respectively", "respectively")) or end
+            yield (Size(what="heights", dims=tuple(listed), span=p.span(i, end)), named), end
+        after = p.opt(p.opt(j + 1, ","), "and")
+        j = after if after > j + 1 else 0
+
+
+def _lot(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """A list of counted blocks, or one block on another."""
+    for members, k in noun_phrase(p, j):
+        items = _items(members, p.span(j, k))
+        if len({item.traits for item in items}) > 1:
+            yield OrderBy(by="each", items=items, span=p.span(i, k)), k
+    for first, k in simple(p, j):
+        one = _items(first, first.span)
+        for phrase, at in p.standing(k, _ON) if len(one) == 1 else ():
+            for second, end in simple(p, at):
+                two = _items(second, second.span)
+                if len(two) == 1:
+                    pair = (*two, *one) if _ON[phrase] else (*one, *two)
+                    yield OrderBy(by="each", items=pair, first="bottom", span=p.span(i, end)), end
+
+
+_AT = {
+    **dict.fromkeys(("at the bottom", "below", "underneath", "at the base", "lowest", "at the very bottom"), "bottom"),
+    **dict.fromkeys(("on top", "at the top", "above", "on the top", "highest", "at the very top"), "top"),
+    **dict.fromkeys(("in the middle", "in between", "between them", "in the center"), "middle"),
+}
+
+
+def _layered(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """ "(both with) red at the bottom and white on top"."""
+    held: dict[str, Noun] = {}
+    while len(held) < 3:
+        for theme, k in simple(p, j):
+            one = _items(theme, theme.span)
+            at, end = next(((_AT[phrase], end) for phrase, end in p.standing(k, _AT)), ("", 0))
+            if len(one) == 1 and end and at not in held:
+                held[at] = one[0]
+                break
+        else:
+            return
+        if {"bottom", "top"} <= held.keys():
+            items = tuple(held[at] for at in ("bottom", "middle", "top") if at in held)
+            yield OrderBy(by="each", items=items, first="bottom", span=p.span(i, end)), end
+        j = p.any_of(end, (", and", ",", "and"))
+        if not j:
+            return
+
+
+def _items(meaning: Meaning, span: Span) -> tuple[Noun, ...]:
+    """The blocks of a list one by one; none where it is not such a list."""
+    if isinstance(meaning, Coord):
+        lots = [_items(item, item.span) for item in meaning.items] if meaning.op == "and" else [()]
+        return tuple(x for lot in lots for x in lot) if all(lots) else ()
+    if not isinstance(meaning, Noun) or meaning.head == "patch" or meaning.conditions or meaning.part_of is not None:
+        return ()
+    marks, amount = meaning.traits, meaning.amount
+    if meaning.det not in ("a", "bare", "some") or marks.either or marks.rank or marks.extra or marks.matching:
+        return ()
+    if amount is not None and (amount.low != amount.high or amount.low < 1):
+        return ()
+    if not (marks.colors or marks.labels or marks.kind or marks.size):
+        return ()
+    count = amount.low if amount is not None else 1
+    looks = [replace(marks, colors=(c,)) for c in marks.colors] if len(marks.colors) > 1 else [marks]
+    looks = [replace(look, labels=(x,)) for look in looks for x in look.labels] if len(marks.labels) > 1 else looks
+    if (len(looks) > 1 and count not in (1, len(looks))) or (count == 1 and meaning.plural and len(looks) == 1):
+        return ()
+    count = count if len(looks) == 1 else 1
+    one = Noun(head="block", det="a", amount=Amount(1, 1), span=span)
+    return tuple(replace(one, traits=look) for look in looks for _ in range(count))

@@ -1,0 +1,62 @@
+"""Bars, stems and arms of letters: "a T whose bar is five wide", "an L with arms equally long"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.things import amounts
+from rpg.language.meaning import Size
+
+_OF_T = {
+    **dict.fromkeys(("bar", "top bar", "crossbar", "cross bar", "horizontal bar", "crosspiece"), "bar"),
+    **dict.fromkeys(("stem", "leg", "vertical bar", "trunk", "foot"), "stem"),
+}
+_OF_L = {
+    **dict.fromkeys(("long arm", "long side", "longer arm", "longer side", "long leg", "stem"), "long arm"),
+    **dict.fromkeys(("short arm", "short side", "shorter arm", "shorter side", "short leg", "foot"), "short arm"),
+}
+LIMBED = {"T": _OF_T, "L": _OF_L}
+"""The parts of letters that have lengths of their own."""
+LIMBS = frozenset({"bar", "crossbar", "stem", "leg", "trunk", "foot", "arm", "arms", "legs"})
+_EQUAL = (
+    *(f"{both}{arms} {same}" for both in ("", "both ", "with ", "with both ", "with its ", "whose ", "the ")
+      for arms in ("arms", "sides", "legs", "arms are", "sides are")
+      for same in ("equally long", "of equal length", "of the same length", "the same length", "equal in length")),
+    *(f"with {equal} {arms}" for equal in ("equal", "equally long") for arms in ("arms", "sides", "legs")),
+)  # fmt: skip
+_LEADS = ("with a", "with the", "with its", "with", "whose", "the", "its", "a", "and a", "and the", "and")
+_LONG = ("blocks long", "blocks wide", "blocks high", "cubes long", "cubes wide", "long", "wide", "high", "blocks",
+         "cubes", "block", "bricks")  # fmt: skip
+_BOTH = ("both arms", "both sides", "both legs", "with both arms", "two arms")
+_SHARED = (
+    "sharing the corner", "including the corner", "counting the corner", "including the corner block",
+    "counting the corner twice", "with the corner shared", "sharing the corner block", "with a shared corner",
+)  # fmt: skip
+
+
+@rule
+def limb(p: Parser, i: int, kind: str) -> Results[Size]:
+    """ ", the bar five wide", "with a stem of two blocks", "three blocks for the bar"; "with arms of equal length"."""
+    start = p.any_of(i, (", and", ",", ":", "and")) or i
+    if kind == "L" and (j := p.any_of(start, _EQUAL)):
+        yield Size(what="equal arms", span=p.span(i, j)), j
+    if kind == "L" and (j := p.any_of(start, _SHARED)):
+        yield Size(what="shared", span=p.span(i, j)), j
+    both = (
+        p.any_of(start, ("both arms", "both sides", "both legs", "with both arms", "arms", "two arms"))
+        if kind == "L"
+        else 0
+    )
+    for found, j in amounts.amount(p, p.any_of(both, ("of", "are", "each")) or both) if both else ():
+        end = p.any_of(p.any_of(j, _LONG) or j, ("each",)) or p.any_of(j, _LONG) or j
+        yield Size(what="each arm", amount=found, span=p.span(i, end)), end
+    named = LIMBED[kind]
+    lead = p.any_of(start, _LEADS) or start
+    for phrase, j in p.standing(lead, named) if lead > i else ():
+        k = p.any_of(j, ("is", "of", "being", ":", "has", "made of", "should be", "consisting of")) or j
+        for found, end in amounts.amount(p, k):
+            yield Size(what=named[phrase], amount=found, span=p.span(i, end)), p.any_of(end, _LONG) or end
+    for found, j in amounts.amount(p, p.any_of(start, ("with",)) or start) if start > i or p.one(i, "with") else ():
+        k = p.any_of(p.any_of(j, _LONG) or j, ("for the", "in the", "as the", "form the", "in its", "for its", "in"))
+        for phrase, end in p.standing(k, named) if k else ():
+            end = p.any_of(end, ("on top", "at the top", "at the far side")) or end
+            yield Size(what=named[phrase], amount=found, span=p.span(i, end)), end

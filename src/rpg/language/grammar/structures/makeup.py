@@ -1,0 +1,395 @@
+"""What follows the noun of a structure: its sizes, the blocks that it is made of, and which stand where."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.sides import toward
+from rpg.language.grammar.structures.along import listed_along
+from rpg.language.grammar.structures.apposed import a_lot_each, layers_told, symbols_told
+from rpg.language.grammar.structures.ascents import measures
+from rpg.language.grammar.structures.each_line import EACH, one_line_each
+from rpg.language.grammar.structures.gradients import gradient
+from rpg.language.grammar.structures.limbs import LIMBED, limb
+from rpg.language.grammar.structures.sizes import IN_TOTAL, ends_in_lines, lines_of, size_phrase
+from rpg.language.grammar.structures.steps import steps_told
+from rpg.language.grammar.things import amounts
+from rpg.language.grammar.things.adjectives import colors
+from rpg.language.grammar.things.labels import run
+from rpg.language.grammar.things.lists import listed
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    Coord,
+    Into,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pattern,
+    Places,
+    Pronoun,
+    Size,
+    Structure,
+    Toward,
+    Traits,
+)
+
+
+def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
+    """A structure with what is said of its size, of its blocks, and of single ones among them."""
+    from rpg.language.grammar.places.onto import counted_pile
+    from rpg.language.grammar.structures.each import each_of, heights
+
+    many = base.amount.low if base.amount is not None else 0
+    for (tall, named), k in heights(p, j, many) if base.plural and base.kind == "stack" else ():
+        traits = replace(base.traits, colors=base.traits.colors or named)
+        yield replace(base, sizes=(*base.sizes, tall), traits=traits, span=p.span(i, k)), k
+    if base.kind == "staircase" and not base.sizes:
+        for (steps, rising, named), k in steps_told(p, j):
+            traits = replace(base.traits, colors=base.traits.colors or named)
+            told = replace(base, sizes=(steps,), details=(*base.details, *rising), traits=traits, span=p.span(i, k))
+            yield from _sized(p, i, k, told)
+    for sized, k in _sized(p, i, j, base):
+        yield sized, k
+        yield from gradient(p, i, k, sized) if base.kind == "gradient" and not sized.members else ()
+        yield from _one_each(p, i, k, sized)
+        for whole, end in _members(p, i, k, sized):
+            yield whole, end
+            yield from counted_pile(p, i, end, whole)
+            yield from _one_each(p, i, end, whole)
+            for lot, last in each_of(p, end) if base.plural else ():
+                yield replace(whole, details=(*whole.details, lot), span=p.span(i, last)), last
+            yield from _sided(p, i, end, whole)
+            yield from _in_colors(p, i, end, whole)
+            yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
+        yield from _sided(p, i, k, sized)
+        for lot, end in each_of(p, k) if base.plural else ():
+            yield replace(sized, details=(*sized.details, lot), span=p.span(i, end)), end
+        yield from _piled(p, i, k, sized)
+        yield from _in_colors(p, i, k, sized)
+        if base.kind in ("stack", "row", "line", "column"):
+            for items, end in listed(p, p.opt(k, ":", ",")):
+                given = OrderBy(by="named", items=items, span=p.span(k, end))
+                yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
+            for along, end in listed_along(p, k):
+                yield replace(sized, details=(*sized.details, along), span=p.span(i, end), cost=sized.cost + 1), end
+
+
+_COLORS = tuple(
+    f"{lead}{word}{of}"
+    for lead in (
+        "in ", "in the ", "with ", "with the ", "of ", "of the ", ", ", "", "whose ", "where the ", "with its ",
+        "using the ",
+    )
+    for word in ("colors", "color", "colored", "painted")
+    for of in ("", " :", " are", " are :", " being", " of")
+)  # fmt: skip
+"""What the colours of a line's blocks are listed after."""
+
+
+def _in_colors(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "a row in the colours red, white and blue", "a tower of three blocks coloured red, white and blue"."""
+    members = base.members
+    lead = p.any_of(k, _COLORS) if base.kind in ("stack", "row", "line", "column") and not base.plural else 0
+    if not lead or base.traits.colors or not (members is None or _uncoloured(members)):
+        return
+    size = base.size or members_amount(members) if members is not None else base.size
+    for way, k in toward(p, lead):
+        for items, end in listed(p, p.opt(p.any_of(k, ("are", "being", "is")) or k, ":", ",")):
+            if isinstance(way, Toward) and _as_many_colors(items, size):
+                whole = Coord(op="and", items=items, span=p.span(lead, end))
+                given = OrderBy(by="named", items=items, first=way.first, span=p.span(lead, end))
+                told = (*base.details, given)
+                yield replace(base, members=whole, sizes=(), details=told, span=p.span(i, end)), end
+    for items, end in listed(p, lead):
+        if _as_many_colors(items, size):
+            whole = Coord(op="and", items=items, span=p.span(lead, end))
+            yield replace(base, members=whole, sizes=(), span=p.span(i, end)), end
+
+
+def _as_many_colors(items: tuple[Meaning, ...], size: Amount | None) -> bool:
+    """One colour for each block."""
+    colored = all(isinstance(x, Noun) and x.traits == Traits(colors=x.traits.colors[:1]) for x in items)
+    return colored and (size is None or size.low == size.high == len(items))
+
+
+def _uncoloured(members: Meaning) -> bool:
+    """Blocks of which no look is said."""
+    return isinstance(members, Noun) and members.traits == Traits() and members.head == "block" and not members.part_of
+
+
+def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "a tower of red on green on blue"."""
+    from rpg.language.grammar.places.onto import one_on_another
+
+    lead = p.any_of(k, (",", ":", "in which", "where", ", with", "that is", "that has", "which has", "having"))
+    lead = lead or p.any_of(k, _OF)
+    lead = lead or (k if base.det in ("the", "a") and k < p.end and p.words[k] in lexicon.COLOR else 0)
+    if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
+        return
+    for order, end in one_on_another(p, lead):
+        yield replace(base, details=(*base.details, order), span=p.span(i, end)), end
+
+
+_DETAILED = frozenset({"with", ",", "having", "where", ":", "whose", "in", "of", "so", "such", "except", "but",
+                       "starting", "that", "which"})  # fmt: skip
+
+
+def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "a tower with red at the bottom and blue on top": its parts belong to it, wherever it stands in the sentence."""
+    from rpg.language.grammar.places.absolutes import one_more, sided
+
+    if k < p.end and p.words[k] in _DETAILED:
+        for detail, end in sided(p, k):
+            yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
+    if base.sizes and p.one(k, "and"):
+        for detail, end in one_more(p, k + 1):
+            yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
+
+
+def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
+    """ "two towers ..., one red and one blue", "... the left one red and the right one blue"."""
+    from rpg.language.grammar.structures.wholes import wholes
+
+    towers = base.plural and base.kind == "stack" and base.amount is not None
+    for j in EACH.matches(p, p.opt(k, ",")) if towers and p.anywhere(_EACHES) else ():
+        for items, end in listed(p, lead) if (lead := p.any_of(j, (":", ",", "-", ", namely"))) else ():
+            named = tuple(c for x in items if isinstance(x, Noun) and x.amount is None for c in x.traits.colors)
+            if base.amount is not None and len(named) == len(items) == base.amount.low:
+                yield _painted(base, named, Pattern(unit="stack", span=p.span(k, end)), p.span(i, end)), end
+    lots = a_lot_each(p, k, base.amount.low) if towers and base.amount is not None else ()
+    for told, end in lots if base.members is None else ():
+        yield replace(base, details=(*base.details, told), span=p.span(i, end)), end
+    for found, end in wholes(p, k) if base.plural else ():
+        places = [x.adjuncts[0] for x in found.items if isinstance(x, Absolute)]
+        themes = [x.theme for x in found.items if isinstance(x, Absolute)]
+        colors = tuple(c for theme in themes if isinstance(theme, Noun) for c in theme.traits.colors)
+        plain = not any(isinstance(theme, Noun) and theme.amount is not None for theme in themes)
+        alike = plain and len(colors) == len(themes) and all(isinstance(x, Places) and x.side == "one" for x in places)
+        if base.kind == "stack" and alike:
+            yield _painted(base, colors, Pattern(unit="stack", span=found.span), p.span(i, end)), end
+        else:
+            yield replace(base, details=(*base.details, found), span=p.span(i, end)), end
+
+
+_EACHES = frozenset({"each", "every"})
+
+
+def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: Span) -> Structure:
+    members, traits = base.members, base.traits
+    if isinstance(members, Noun):
+        members = replace(members, traits=replace(members.traits, colors=members.traits.colors or colors))
+    else:
+        traits = replace(traits, colors=traits.colors or colors)
+    return replace(base, members=members, traits=traits, details=(*base.details, pattern), span=span)
+
+
+@rule
+def per_color(p: Parser, i: int) -> Results[Pattern]:
+    """ "per colour", "for each colour"."""
+    if j := p.any_of(i, ("per color", "for each color", "for every color", "of each color")):
+        yield Pattern(unit="stack", span=p.span(i, j)), j
+
+
+@rule
+def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
+    yield base, j
+    if len(base.sizes) > 3:
+        return
+    if k := p.any_of(p.any_of(j, (",", ", and", ", but", "and", "but", ":")) or j, _HOLLOW):
+        yield from _sized(p, i, k, replace(base, filled=False, span=p.span(i, k)))
+    if k := p.any_of(
+        j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
+    ):
+        yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
+    if k := p.any_of(j, (", lying flat on the table", "lying flat on the table", ", lying flat", "lying flat",
+                         ", flat on the table", "flat on the table")):  # fmt: skip
+        yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
+    plain = base.members is None and not base.traits.colors
+    for blocks, k in apposed_blocks(p, j) if plain else ():
+        yield replace(base, members=blocks, span=p.span(i, k)), k
+    for blocks, k in symbols_told(p, j, base.kind) if plain else ():
+        yield replace(base, members=blocks, span=p.span(i, k)), k
+    comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
+    flat = base.kind in _FLAT
+    every = p.any_of(j, _ALL_ARE) if flat else 0
+    if plain and (comma > j or every or base.kind == "checkerboard"):
+        for (named, either), k in colors(p, every or p.any_of(comma, _ALL_IN) or comma):
+            k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 else k
+            k = p.opt(k, "everywhere") if flat else k
+            closed = k >= p.end or p.words[k] == "," or (flat and p.words[k] in _CLOSED)
+            if not either and (len(named) == 1 or base.kind == "checkerboard") and closed:
+                painted = replace(base.traits, colors=named)
+                cost = base.cost + (0 if every or p.words[comma] == "all" else 1)
+                yield replace(base, traits=painted, span=p.span(i, k), cost=cost), k
+    for unit, named, k in one_line_each(p, j) if plain and base.kind in _LINED and p.anywhere(_ONE) else ():
+        pattern = Pattern(unit=unit, span=p.span(j, k))
+        traits = replace(base.traits, colors=named)
+        yield replace(base, traits=traits, details=(*base.details, pattern), span=p.span(i, k)), k
+    limbs = limb(p, j, base.kind) if base.kind in LIMBED else ()
+    if plain and base.kind in _FLAT and (lead := p.any_of(j, ("in", "all in"))):
+        for (named, either), k in colors(p, lead):
+            if not either and len(named) == 1 and (k >= p.end or p.words[k] in _CLOSED):
+                yield replace(base, traits=replace(base.traits, colors=named), span=p.span(i, k)), k
+    tiers = layers_told(p, j) if base.kind == "pyramid" and not base.sizes else ()
+    for size, k in [*limbs, *tiers, *lines_of(p, j, base.kind), *size_phrase(p, j)]:
+        if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
+            continue
+        k = (p.any_of(k, _EACH) or k) if base.plural else k
+        changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
+        yield from _sized(p, i, k, changed)
+
+
+_LINED = ("grid", "square", "rectangle", "wall")
+_ONE = frozenset({"one", "other", "another"})
+_FLAT = ("grid", "square", "rectangle", "wall", "pyramid", "circle", "plus", "staircase", "cube")
+_CLOSED = frozenset({",", "with", "except", "but", "where", ":", "apart", "save"})
+_ALL_ARE = (
+    *(
+        f"{lead}{every}"
+        for lead in (", where ", "where ", "in which ", ", in which ", "with ", ", with ")
+        for every in ("all blocks are", "all the blocks are", "all cubes are", "all the cubes are", "every block is",
+                      "every cube is", "everything is", "each block is", "all blocks being", "all blocks", "all cubes",
+                      "all of the blocks are", "all the blocks")
+    ),
+    ": all", ": all in", ": everything", ": all blocks", ": all cubes",
+)  # fmt: skip
+"""What says of all blocks of a figure which colour they have."""
+_ALL_IN = ("all in", "all", "in", "all blocks", "all cubes", "all of them", "all of it", "every block",
+           "all the blocks", "all blocks in", "all are", "everything")  # fmt: skip
+
+
+_HOLLOW = (
+    *(
+        f"{lead}{nothing} {where}"
+        for lead in ("with ", "")
+        for nothing in ("nothing", "no block", "no blocks", "no cube", "no cubes")
+        for where in ("in the middle", "inside", "in the center", "inside it", "in its middle", "in its center",
+                      "in the inside", "within")
+    ),
+    "with an empty center", "with an empty middle", "with a hole in the middle", "hollow", "empty inside",
+    "that is hollow", "just the outline", "outline only", "only the outline", "the outline only", "hollow inside",
+    "empty in the middle", "empty in the center", "with a hole in the center", "with the inside empty",
+    "with the middle empty", "with its middle empty", "with the center empty", "with a hollow middle",
+    "with an empty inside", "not filled", "which is hollow", "leaving the middle empty", "the middle empty",
+    "the inside empty", "the center empty", "only its outline", "the middle is empty",
+    "the inside is empty", "the center is empty",
+)  # fmt: skip
+"""What makes a figure an outline."""
+
+
+@rule
+def apposed_blocks(p: Parser, j: int) -> Results[Noun]:
+    """ ", red blocks", ", all blocks green": what the blocks of a structure look like, closed by the next comma."""
+    if p.words[j : j + 1] != [","]:
+        return
+    start = p.opt(j + 1, "all")
+    if every := p.any_of(start, ("blocks", "cubes", "of the blocks", "the blocks", "of the cubes", "the cubes")):
+        for (named, either), k in colors(p, p.any_of(every, ("are", "being", "in")) or every) if start > j + 1 else ():
+            if not either and len(named) == 1 and (k >= p.end or p.words[k] == ","):
+                yield Noun(head="block", plural=True, traits=Traits(colors=named), span=p.span(start, k)), k
+    for (named, either), k in colors(p, start):
+        end = p.one(k, frozenset({"blocks", "cubes", "bricks"}))
+        if end and not either and len(named) == 1 and (end >= p.end or p.words[end] == ","):
+            yield Noun(head="block", plural=True, traits=Traits(colors=named), span=p.span(start, end)), end
+
+
+_LINES = ("row", "line", "column", "stack", "circle", "pile", "word")
+"""Structures of which "two each" says nothing by itself: it is said of the kinds of blocks."""
+_OF = ("of", "made of", "made out of", "made from", "made up of", "built from", "consisting of", "composed of",
+    "built of", "formed by", "formed of", "comprising",
+       "containing", "using", "constructed from", "out of", "built with", "which consists of", "that consists of",
+       "which is made of",
+       "that is made of", "that consist of", "which consist of", "that are made of", "that contains",
+       "which contains", "made with", "with only", "from",
+       "built out of", "formed from", "constructed of", "for", "with",
+       "full of", "filled with", "filled by")  # fmt: skip
+
+
+_BUILT = ("made of", "made out of", "made from", "made up of", "built from", "built of", "consisting of",
+          "composed of", "built with", "built out of", "made with", "formed by", "formed from")  # fmt: skip
+"""Those of them that a comma may stand in front of."""
+
+
+_EACH = ("each", "apiece", "in each one", "in each", "in each of them", "in every one", "per tower", "in each tower",
+         "per stack", "in each stack")  # fmt: skip
+"""What says that a number of blocks is that of each of several structures."""
+_OF_EACH = ("each made of", "each of", "each made from", "each built of", "each consisting of", "each made up of",
+            "each built from", "each composed of", "each with")  # fmt: skip
+
+
+def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
+    from rpg.language.grammar.things.nouns import noun_phrase
+
+    k = p.any_of(j, _OF) or p.any_of(p.opt(j, ","), _BUILT) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
+    k = k or (p.any_of(p.opt(j, ","), _OF_EACH) if base.plural else 0)
+    if base.sizes and base.sizes[-1].what == "dims" and not k:
+        for members, end in noun_phrase(p, j):
+            if isinstance(members, Noun) and members.det == "bare" and members.plural and members.amount is None:
+                yield replace(base, members=members, span=p.span(i, end)), end
+    if not k or (p.words[k - 1] == "from" and run(p, k)):
+        return
+    for labels, end in run(p, k):
+        if not measures(p, end):
+            shown = Noun(head="block", plural=True, traits=Traits(labels=labels), span=p.span(k, end))
+            yield replace(base, members=shown, span=p.span(i, end)), end
+    if base.kind in ("row", "line") and not (base.plural or base.sizes or base.details) and p.words[k - 1] == "of":
+        for towers, end in noun_phrase(p, k):
+            if isinstance(towers, Structure) and towers.kind == "stack" and towers.plural:
+                into = Into(structure=base, span=base.span)
+                yield replace(towers, details=(*towers.details, into), span=p.span(i, end)), end
+    for start in dict.fromkeys((k, p.one(k, "each"))):
+        for members, end in noun_phrase(p, start) if start else ():
+            if not _are_members(p, j, k, base, members, end):
+                continue
+            if base.plural and isinstance(members, Coord) and members.items[0].span[0] > p.tokens[start].span[0]:
+                continue
+            each = _number_of_each(p, j, k, base, members, end)
+            end = end if base.plural else p.any_of(end, IN_TOTAL) or end
+            whole = replace(base, members=members, span=p.span(i, end), each_size=each)
+            yield whole, (p.any_of(end, _EACH) or end) if base.plural else end
+    if not base.sizes:
+        for found, end in amounts.amount(p, k):
+            size = Size(what="size", amount=found, span=p.span(k, end))
+            cost = base.cost + (0 if base.plural else 1)
+            last = p.opt(end, "each", "apiece") if base.plural else end
+            yield replace(base, sizes=(size,), span=p.span(i, end), cost=cost), last
+
+
+def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, end: int) -> bool:
+    """Whether a phrase behind the noun can be what the structure is made of."""
+    lone = isinstance(members, Noun) and members.det in ("the", "a") and not members.plural and not members.amount
+    if lone and p.words[k - 1] == "with":
+        return False
+    if any(isinstance(x, Noun) and x.traits.extra for x in getattr(members, "items", (members,))):
+        return False
+    if isinstance(members, Structure) or (isinstance(members, Pronoun) and p.words[k - 1] == "for"):
+        return False
+    if isinstance(members, Coord):
+        if p.one(end, frozenset({"each", "apiece"})) or any(isinstance(x, Structure | Pronoun) for x in members.items):
+            return False
+        if base.plural and any(map(_mere_number, members.items)):
+            return False
+    return not (ends_in_lines(p, j) and base.sizes and members_amount(members) is not None)
+
+
+def _number_of_each(p: Parser, j: int, k: int, base: Structure, members: Meaning, end: int) -> bool:
+    """ "two towers of three blocks": three in each of them."""
+    if members_amount(members) is None or not base.plural:
+        return False
+    of = p.words[k - 1] == "of" and p.words[j] != "out"
+    of = of or "each" in p.words[j:k]
+    return of or p.words[k - 1] in ("with", "containing") or p.one(end, frozenset({"each", "apiece"})) > 0
+
+
+def _mere_number(item: Meaning) -> bool:
+    """ "towers of two and three red blocks": so many of each, no members."""
+    return isinstance(item, Noun) and item.head == "any" and item.traits == Traits() and item.amount is not None
+
+
+def members_amount(members: Meaning) -> Amount | None:
+    """The number that a members phrase gives."""
+    return getattr(members, "amount", None)

@@ -1,0 +1,281 @@
+"""Orders, directions, patterns, spacing: how the members of a structure are laid out."""
+
+from __future__ import annotations
+
+import string
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.sides import toward
+from rpg.language.grammar.structures.alternation import alternation
+from rpg.language.grammar.structures.ascents import ascent, counted
+from rpg.language.grammar.structures.order_phrases import NAMED
+from rpg.language.grammar.structures.parted import parted
+from rpg.language.grammar.structures.patterns import pattern, spacing
+from rpg.language.grammar.structures.reading import read_out
+from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.things.amounts import makes_number
+from rpg.language.grammar.things.classes import classes
+from rpg.language.grammar.things.labels import run
+from rpg.language.grammar.things.lists import listed, ranks
+from rpg.language.meaning import Meaning, Noun, OrderBy, Toward, Traits
+
+_LEADS = frozenset(
+    {
+        "both",
+        "each",
+        "all",
+        "reading",
+        "read",
+        "readable",
+        "legible",
+        "sorted",
+        "ordered",
+        "arranged",
+        "lined",
+        "organized",
+        "organised",
+        "going",
+        "running",
+        "placed",
+        "runs",
+        "run",
+        "stretching",
+        "extending",
+        "leading",
+    }
+)
+
+READABLE = (
+    "so that they can be read in",
+    "so they can be read in",
+    "so that it can be read in",
+    "so that you can read them in",
+)
+"""What an order follows, and no statement of its own."""
+_READABLE = ("row by row", "so that they can be read", "so they can be read", "so that it can be read", "to be read",
+             "so that they are", "so that they read", "so that they stand", "so that you can read them")  # fmt: skip
+_NAMED = {
+    first: [entry for entry in NAMED if entry[0].split()[0] == first] for first in {e[0].split()[0] for e in NAMED}
+}
+_NAMED["into"] = [entry for entry in NAMED if entry[0].split()[0] in ("in", "into")]
+"""The named orders by the first word; what is said with "in" is said with "into" as well."""
+
+
+@rule
+def order(p: Parser, i: int) -> Results[Meaning]:
+    """An order, a direction, a pattern, a spacing."""
+    j = p.one(i, _LEADS) or p.any_of(i, _READABLE) or i
+    for start in {i: None, j: None}:
+        for phrase, by, extra in p.peek(start, _NAMED) or ():
+            into = phrase.startswith("in ") and p.words[start] == "into"
+            if k := p.seq(start + 1, phrase[3:]) if into else p.seq(start, phrase):
+                paged = p.any_of(k, (", row by row", "row by row", ", row after row", "row after row"))
+                for end in dict.fromkeys((paged or k, k)):
+                    yield OrderBy(by=by, span=p.span(i, end), descending=bool(extra.get("descending"))), end
+        yield from toward(p, start)
+        yield from _explicit(p, start)
+        yield from _run(p, start)
+        yield from ascent(p, start)
+        yield from counted(p, start)
+        yield from _grown(p, start)
+        yield from _by_attribute(p, start, j > i)
+        yield from temporal(p, start)
+    yield from pattern(p, i)
+    yield from spacing(p, i)
+    yield from alternation(p, i)
+    yield from read_out(p, i)
+    yield from _toward_list(p, i)
+
+
+@rule
+def temporal(p: Parser, i: int) -> Results[Meaning]:
+    """ "in exact temporal order (blue first, then red)"."""
+    j = p.any_of(
+        i,
+        (
+            "in exact temporal order",
+            "in temporal order",
+            "in the temporal order",
+            "in strict temporal order",
+            "in the order",
+            "one after the other",
+            "in time order",
+            "in this order",
+        ),
+    )
+    if not j:
+        return
+    opened = p.one(p.opt(j, ",", ":"), frozenset({"(", "["}))
+    k = opened or p.opt(j, ",", ":")
+    k = p.opt(k, "first")
+    for items, end in firsts(p, k):
+        close = p.one(end, frozenset({")", "]"})) if opened else end
+        if close:
+            yield OrderBy(by="temporal", items=items, span=p.span(i, close)), close
+
+
+@rule
+def firsts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """ "blue first, then red": an explicit order in time."""
+    from rpg.language.grammar.things.nouns import simple
+
+    for first, j in simple(p, i):
+        j = p.opt(j, "first")
+        for rest, k in _after_first(p, j):
+            yield (first, *rest), k
+
+
+def _after_first(p: Parser, at: int) -> Results[tuple[Meaning, ...]]:
+    from rpg.language.grammar.things.nouns import simple
+
+    j = p.opt(at, ",")
+    j = p.any_of(j, ("and then", "then", "and finally", "finally", "and", "followed by"))
+    if not j:
+        return
+    for item, k in simple(p, j):
+        k = p.opt(k, "second", "last", "third", "afterwards", "after that")
+        yield (item,), k
+        for rest, end in _after_first(p, k):
+            yield (item, *rest), end
+
+
+@choice
+def _explicit(p: Parser, i: int) -> Results[Meaning]:
+    """ "in the order red, yellow, green", "in this order: A, B, C", "red first, then blue"."""
+    j = p.any_of(i, ("in the following order", "in the order of", "in the order", "in order", "in this order",
+        "in the sequence", "in color order",
+                     "following the order", "with the order", "with order", "with the color order",
+                     "in the color order", "order",
+                     "in that order", "ordered as", "ordered", "in the pattern", "as", "like this", "as follows",
+                     "that goes", "that go", "which goes", "in order from", "going",
+                     "so they are", "so that they are", "so it goes", "in a sequence of",
+                     "in the sequence of"))  # fmt: skip
+    if not j:
+        return
+    for way, k in toward(p, p.opt(j, ",", "(")):
+        k = p.opt(p.opt(k, ")"), ":", ",")
+        if isinstance(way, Toward) and way.first and p.words[k - 1] in (":", ","):
+            for items, end in listed(p, k):
+                yield OrderBy(by="given", items=items, first=way.first, span=p.span(i, end)), end
+    j = p.opt(j, ":", ",", "of")
+    j = p.opt(j, "first") if p.words[j : j + 1] == ["first"] else j
+    j = p.opt(j, "from") if p.words[j : j + 1] == ["from"] and j + 1 < p.end and p.words[j + 1] in lexicon.COLOR else j
+    yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in listed(p, j))
+    yield from ((OrderBy(by="given", items=items, span=p.span(i, k)), k) for items, k in ranks(p, j))
+
+
+_GROWING = Patterns(
+    "from the? smallest|lowest|least|small|low number|digit|one|block|cube? to the? "
+    "largest|highest|biggest|greatest|large|big|high number|numbers|digit|digits|one|block|cube?",
+    "so_that|so|such_that the|it|they tower|row|stack|line|column|numbers|digits|blocks|cubes? "
+    "count|counts|go|goes|run|runs|increase|increases up|upward|upwards?",
+    "counting|increasing up|upward|upwards",
+)
+_SHRINKING = Patterns(
+    "from the? largest|highest|biggest|greatest|large|big|high number|digit|one|block|cube? to the? "
+    "smallest|lowest|least|small|low number|numbers|digit|digits|one|block|cube?",
+    "so_that|so|such_that the|it|they tower|row|stack|line|column|numbers|digits|blocks|cubes? "
+    "count|counts|go|goes|run|runs|decrease|decreases down|downward|downwards?",
+    "counting|decreasing down|downward|downwards",
+)
+"""Numbers, or sizes, that grow or shrink along a line; what counts up a tower begins at its bottom."""
+
+
+@choice
+def _grown(p: Parser, i: int) -> Results[Meaning]:
+    for patterns, descending in ((_GROWING, False), (_SHRINKING, True)):
+        for j in patterns.matches(p, i):
+            counted = p.words[j - 1].startswith(("up", "down"))
+            number = counted or p.words[j - 1] in ("number", "numbers", "digit", "digits")
+            by = "number" if number else "ascending"
+            if counted and descending:
+                yield OrderBy(by="countdown", descending=True, span=p.span(i, j)), j
+            elif counted:
+                yield OrderBy(by="count_up", span=p.span(i, j)), j
+            elif p.words[i] == "from":
+                yield OrderBy(by=by, descending=descending, span=p.span(i, j)), j
+
+
+@choice
+def _run(p: Parser, i: int) -> Results[Meaning]:
+    """ "from 1 to 5", "from E down to A": those symbols, in that order."""
+    j = p.one(i, "from")
+    for labels, k in run(p, j) if j else ():
+        if labels[-1].isalpha() and len(labels) == len(string.ascii_uppercase):
+            continue
+        if labels[-1].isalpha() or not makes_number(p, k):
+            items = tuple(Noun(head="any", traits=Traits(labels=(x,)), span=p.span(j, k)) for x in labels)
+            cost = 1 if p.follows(i, _NAMING) and p.any_of(k, _SORTED) else 0
+            yield OrderBy(by="run", items=items, span=p.span(i, k), cost=cost), k
+
+
+_NAMING = frozenset({"digits", "numbers", "letters", "numerals", "symbols"})
+_SORTED = ("in order", "in reading order", "in sequence", "in the right order")
+"""Between these "from 1 to 5" tells which ones are meant, and their order is told after it."""
+
+
+_ATTRIBUTES = {
+    "color": "color", "colour": "color", "colors": "color", "letter": "label", "label": "label", "number": "label",
+    "kind": "kind",
+    "type": "kind", "size": "size", "symbol": "label", "letters": "label", "parity": "parity", "value": "label",
+    "shade": "color", "category": "kind",
+}  # fmt: skip
+
+
+@rule
+def _toward_list(p: Parser, i: int) -> Results[Meaning]:
+    """ "whose colors from top to bottom are red, white and black", "so that from left to right they are ..."."""
+    j = (
+        p.any_of(
+            i,
+            (
+                "whose colors",
+                "so that the colors",
+                "with the colors",
+                "with colors",
+                "so that",
+                "where the colors",
+                "such that",
+                "in which the colors",
+                "where",
+                "so",
+            ),
+        )
+        or i
+    )
+    sides = list(toward(p, j)) if j < p.end else []
+    for found, k in sides:
+        if not isinstance(found, Toward) or not found.first:
+            continue
+        end = p.any_of(
+            p.opt(k, "order"),
+            ("they are", "are", "it is", "they read", "is", "read", "it reads", "the blocks are", "the colors are"),
+        ) or (p.one(k, ":") if j == i else 0)
+        if not end and j == i and i and p.words[i - 1] in (",", ":"):
+            end = k
+        for items, last in listed(p, p.opt(end, ":")) if end else ():
+            yield OrderBy(by="given", items=items, first=found.first, span=p.span(i, last)), last
+
+
+@choice
+def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
+    """ "by colour", "according to size", "by even and odd", "into vowels and consonants"."""
+    yield from classes(p, i)
+    yield from parted(p, i)
+    j = p.any_of(i, ("by", "according to", "based on", "by their", "according to their", "by the", "depending on",
+        "by whether they are", "according to whether they are", "on the basis of", "based on their",
+                     "by same", "by different", "by block"))  # fmt: skip
+    if j:
+        word = p.words[j] if j < p.end else ""
+        if word in _ATTRIBUTES:
+            k = p.reach(j + 1)
+            k = p.opt(k, "of")
+            yield OrderBy(by="attribute", attribute=_ATTRIBUTES[word], span=p.span(i, k)), k
+        for phrase, attribute in (("even and odd", "parity"), ("odd and even", "parity"),
+            ("whether they are even or odd", "parity"), ("even or odd", "parity"),
+                                  ("vowel and consonant", "vowel"), ("vowels and consonants", "vowel"),
+                                  ("whether they are vowels or consonants", "vowel"),
+                                  ("vowel or consonant", "vowel"), ("odd or even", "parity")):  # fmt: skip
+            if k := p.seq(j, phrase):
+                yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, k)), k

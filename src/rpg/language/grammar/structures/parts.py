@@ -1,0 +1,388 @@
+"""Parts of a structure and what they are made of: "the first row red", "a blue one in each corner", "white ends".
+
+A part is one or more of its places; a statement about it is an `Absolute` whose theme says what stands there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.structures.sizes import dimensions
+from rpg.language.grammar.things.adjectives import adjectives
+from rpg.language.grammar.things.labels import literal
+from rpg.language.grammar.things.lists import listed
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
+
+_SIDES = {
+    "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",
+    "bottom": "bottom", "lower": "bottom", "lowest": "bottom", "bottommost": "bottom", "lowermost": "bottom",
+    "ground": "bottom", "base": "bottom",
+    "middle": "middle", "center": "middle", "central": "middle",
+    "left": "left", "leftmost": "left", "right": "right", "rightmost": "right",
+    "front": "front", "near": "front", "nearest": "front", "frontmost": "front", "closest": "front",
+    "back": "back", "far": "back", "rear": "back", "farthest": "back", "rearmost": "back", "furthest": "back",
+    "outer": "outer", "outermost": "outer", "outside": "outer", "end": "ends", "corner": "corners", "edge": "edge",
+    "inner": "inner", "inside": "inner", "innermost": "inner", "other": "rest", "remaining": "rest",
+    "last": "last", "next": "next", **{word: str(n) for word, n in lexicon.ORDINAL.items()},
+}  # fmt: skip
+_UNITS = {
+    "row": "row", "rows": "row", "column": "column", "columns": "column", "layer": "layer", "layers": "layer",
+    "level": "layer", "levels": "layer", "tier": "layer", "tiers": "layer", "floor": "layer", "floors": "layer",
+    "story": "layer", "stories": "layer", "course": "layer", "block": "block", "blocks": "block", "cube": "block",
+    "cubes": "block", "brick": "block", "bricks": "block", "one": "block", "ones": "block", "cell": "block",
+    "cells": "block", "half": "half", "third": "third", "tower": "whole", "towers": "whole", "stack": "whole",
+    "stacks": "whole", "pyramid": "whole", "wall": "whole", "staircase": "whole", "square": "whole", "circle": "whole",
+}  # fmt: skip
+_NOUNS = {
+    "corners": "corners", "ends": "ends", "edges": "edge", "border": "edge", "rim": "edge", "perimeter": "edge",
+    "center": "middle", "middle": "middle", "top": "top", "peak": "top", "tip": "top", "apex": "top",
+    "bottom": "bottom", "base": "bottom", "foundation": "bottom", "rest": "rest", "others": "rest",
+    "remainder": "rest", "corner": "corners", "end": "ends", "inside": "inner", "interior": "inner",
+    "outside": "outer", "hole": "middle", "arms": "rest",
+    "foot": "bottom",
+}  # fmt: skip
+"""Parts that are named by a noun of their own."""
+_FROM = tuple(f"from {the}{side}" for side in ("left", "right", "top", "bottom") for the in ("the ", ""))
+_OWN = frozenset({"the", "its", "their", "all", "both", "each", "every", "either"})
+_LEADS = ("in", "at", "on", "for", "along", "as", "forming", "in all", "on all", "at all")
+_PAIRS = tuple(
+    f"{one} and {the}{other}"
+    for pair in (
+        ("top", "bottom"),
+        ("left", "right"),
+        ("front", "back"),
+        ("first", "last"),
+        ("leftmost", "rightmost"),
+        ("lowest", "highest"),
+        ("lowest", "top"),
+        ("bottom", "topmost"),
+        ("near", "far"),
+        ("nearest", "farthest"),
+    )
+    for one, other in (pair, pair[::-1])
+    for the in ("", "the ")
+)
+"""Both ends of a line, named one by one."""
+_REST = (
+    "everything else", "all else", "all the rest", "all the others", "all others", "every other block",
+    *(
+        f"{rest} {between}"
+        for rest in ("everything", "all", "the ones", "all those", "all blocks", "the blocks", "all the blocks",
+                     "all the ones", "every block")
+        for between in ("between them", "in between", "in between them")
+    ),
+)  # fmt: skip
+_BETWEEN = (
+    "around it",
+    "all around it",
+    "around the outside",
+    "round it",
+    "around the middle",
+    "around the center",
+    "around that",
+    "in between",
+    "between them",
+    "elsewhere",
+    "everywhere else",
+    "in between them",
+    "between the ends",
+)
+IS = (
+    "is", "are", "being", "should be", "must be", "shall be", "has to be", "have to be", "will be", "in",
+    "made of", "is made of", "are made of", "consists of", "consist of", "contains", "contain", "of", "is all",
+    "are all", "should all be", "must all be", "all", "is a", "should only be", ":", "has", "has only", "to be",
+    "shall all be", "are both", "is to be", "are to be", "must both be", "should both be", "is made from",
+)  # fmt: skip
+
+
+@rule
+def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
+    """ "the first row", "the two middle blocks", "each corner", "the rest"; `unit`: what is counted if it is not said.
+
+    A single block at a side is an `At`, everything else `Places`.
+    """
+    if k := p.any_of(i, _REST):
+        yield Places(side="rest", unit="block", span=p.span(i, k)), k
+    j, each, owned = p.opt(i, "only", "just"), False, False
+    while k := p.one(j, _OWN):
+        each = each or p.words[j] in ("each", "every", "either")
+        owned, j = True, k
+    if k := p.any_of(j, ("of the", "of its")):
+        j = k
+    if (k := p.one(j, frozenset({"a", "an"}))) and p.words[k] in _NOUNS and p.words[k + 1] == "of":
+        owned, j = True, k
+    yield from _noun_there(p, i, j, unit)
+    if both := p.any_of(j, _PAIRS):
+        found = _UNITS.get(p.words[both]) if both < p.end else None
+        end = p.reach(both + 1) if found else p.opt(both, "end", "ends", "side", "sides")
+        yield Places(side="ends", unit=found or "block", span=p.span(i, end)), end
+        return
+    along = p.peek(j, _SIDES)
+    if along in ("top", "bottom", "back", "front") and p.stands(j + 1, ("left", "right")):
+        across = p.words[j + 1]
+        end = p.opt(p.reach(j + 2), "corner", "block", "one", "cell", "cube")
+        yield Places(side=f"{along} {across}", unit="cell", span=p.span(i, end)), end
+        return
+    if (line := p.peek(j, _UNITS)) in _LAYERS and (turn := p.number(j + 1)) and p.number(j + 2) is None:
+        yield Places(side="first", unit=line or "", index=turn, span=p.span(i, j + 2)), p.reach(j + 2)
+    several = p.number(j)
+    after = j + 1 if several is not None else j
+    after = p.opt(after, "very")
+    if p.words[after : after + 1] == ["outer"] and _NOUNS.get(p.words[after + 1]) == "edge":
+        after += 1
+    if side := p.peek(after, _SIDES):
+        p.reach(after + 1)
+        yield from _sided(p, i, after + 1, side, several, each, unit)
+    side = p.peek(after, _NOUNS)
+    if side and (owned or several is not None or not p.stands(after, ("corner", "end"))):
+        end = p.any_of(p.reach(after + 1), ("of it", "of them", "pieces", "places")) or after + 1
+        yield _place(p, i, end, side, "block", several, each), end
+
+
+_THERE = ("in the", "at the", "on the", "at", "in", "on", "at both", "at each", "on both", "on each")
+_ONE_OR_MORE = ("block", "blocks", "cube", "cubes", "one", "ones", "bricks", "brick")
+
+
+def _noun_there(p: Parser, i: int, j: int, unit: str) -> Results[Meaning]:
+    """ "the one in the middle", "the two at the ends", "the three blocks in between": told by where they are."""
+    several = p.number(j) if p.words[j] not in ("one", "ones") else None
+    k = j + 1 if several is not None else j
+    start = p.opt(k, *_ONE_OR_MORE)
+    if j == i or start == j:
+        return
+    if end := p.any_of(start, _BETWEEN):
+        yield Places(side="rest", unit="block", several=several, span=p.span(i, end)), end
+    lead = p.any_of(start, _THERE)
+    for place, end in part(p, lead, "") if lead and p.words[start] != "of" else ():
+        if isinstance(place, Places) and place.unit == "block" and place.several is None and place.side != "rest":
+            yield replace(place, several=several or place.several, span=p.span(i, end)), end
+        elif isinstance(place, At) and several in (None, 1):
+            yield replace(place, span=p.span(i, end)), end
+        elif isinstance(place, At) and several is not None and place.index is None:
+            yield Places(side=place.side, unit="block", several=several, span=p.span(i, end)), end
+    side = _SIDES.get(p.words[lead]) if lead and lead < p.end else None
+    if side in ("left", "right", "top", "bottom", "front", "back") and p.words[start] not in ("in", "of"):
+        end = p.opt(p.reach(lead + 1), "side", "end")
+        if several is None or several == 1:
+            yield At(side=side, span=p.span(i, end)), end
+        else:
+            yield Places(side=side, unit="block", several=several, span=p.span(i, end)), end
+
+
+def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool, unit: str) -> Results[Meaning]:
+    """What follows the word for the side: "two", "two rows", "row", "of them", or nothing where the unit is known."""
+    count = p.number(j)
+    if count is not None and several is None and p.words[j] not in ("one", "ones"):
+        several, j = count, j + 1
+    if side.isdigit() and (k := p.any_of(p.opt(j, "one", "block", "cube"), _FROM)):
+        where = p.words[k - 1]
+        yield At(side=where, index=int(side), span=p.span(i, k)), k
+    found = _UNITS.get(p.words[j]) if j < p.end else None
+    if found and unit and p.words[j] in ("one", "ones"):
+        found = unit
+    if found:
+        end = p.any_of(p.reach(j + 1), ("of it", "of them", "of blocks", "of cubes")) or j + 1
+        yield _place(p, i, end, side, found, several, each), end
+        return
+    end = p.any_of(j, ("of them", "of these")) or j
+    if end > j or unit or several is not None:
+        yield _place(p, i, end, side, unit or "block", several, each), end
+    elif side in ("top", "bottom", "left", "right") and p.words[j - 1].endswith(("est", "most")):
+        yield _place(p, i, j, side, "block", several, each), j
+
+
+def _place(p: Parser, i: int, j: int, side: str, unit: str, several: int | None, each: bool) -> Meaning:
+    index = int(side) if side.isdigit() else None
+    if (
+        unit == "block"
+        and several in (None, 1)
+        and side in ("top", "bottom", "left", "right", "front", "back", "middle")
+    ):
+        return At(side=side, own=p.words[j - 1] in _ONE_OR_MORE, span=p.span(i, j))
+    if index is not None:
+        side = "first"
+    return Places(side=side, unit=unit, index=index, several=several, each=each, span=p.span(i, j))
+
+
+_OF_IT = tuple(
+    f"{of} {the} {noun}"
+    for of in ("of", "in")
+    for the in ("the", "this", "that")
+    for noun in ("tower", "stack", "row", "line", "column", "grid", "square", "wall", "pyramid", "circle", "structure")
+)
+"""What a part belongs to, where only one structure is spoken of."""
+
+
+@rule
+def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
+    """ "the first row is red", "white on both ends", "black corners", "red in between"."""
+    for place, j in part(p, i, unit):
+        j = p.any_of(j, _OF_IT) or j
+        if isinstance(place, At) and p.words[j : j + 1] == ["one"]:  # "the top one red" is no top of one red block
+            continue
+        lines = list(_cells(p, i, j, place))
+        yield from lines
+        for theme, k in _looks(p, p.any_of(j, (", which is", "which is")) or p.any_of(j, IS) or j):
+            if all(k != end for _, end in lines):
+                yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
+        for word, k in _word(p, j) if isinstance(place, Places) else ():
+            yield Absolute(theme=word, adjuncts=(place,), span=p.span(i, k)), k
+    yield from _coloured(p, i)
+    yield from _put(p, i, unit)
+    yield from _place_first(p, i, unit)
+
+
+@choice
+def _place_first(p: Parser, i: int, unit: str) -> Results[Absolute]:
+    """ "at both ends a red block", "in the far row blue", "on both sides of it a white one"."""
+    if (end := p.any_of(i, _EACH_SIDE)) and p.anywhere(_LINES):
+        both = Places(side="beside", unit="block", each=True, span=p.span(i, end))
+        for theme, k in _looks(p, p.any_of(end, IS) or p.opt(end, ",", "there")):
+            yield Absolute(theme=theme, adjuncts=(both,), span=p.span(i, k)), k
+    lead = p.any_of(i, ("at", "in", "on", "for"))
+    for place, j in part(p, lead, unit) if lead else ():
+        if isinstance(place, Places) and place.side != "rest":
+            lines = list(_cells(p, i, j, place))
+            yield from lines
+            for theme, k in _looks(p, p.any_of(j, _THERE_IS) or j):
+                if all(k != end for _, end in lines):
+                    yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, k)), k
+
+
+_THERE_IS = ("there is", "there are", "comes", "come", "is", "are", "goes", "go", "stands", "stand", ":")
+
+
+def _word(p: Parser, j: int) -> Results[Structure]:
+    """ "(the far row) spells CAT"."""
+    k = p.any_of(j, _SPELLS)
+    text = literal(p, k) if k else None
+    if text is not None and len(text) > 1:
+        yield Structure(kind="word", det="the", letter=text, span=p.span(j, k + 1)), k + 1
+
+
+def _looks(p: Parser, j: int) -> Results[Noun]:
+    """What a part is made of: a colour, or blocks of it."""
+    for theme, k in simple(p, j):
+        if isinstance(theme, Noun) and _plain(theme) and not (theme.plural and theme.det == "the"):
+            yield theme, k
+
+
+def _cells(p: Parser, i: int, j: int, place: Meaning) -> Results[Absolute]:
+    """ "(the far row:) red, white, red": the blocks of a row one by one."""
+    if not isinstance(place, Places) or place.unit not in ("row", "layer") or place.several is not None:
+        return
+    for items, k in listed(p, p.any_of(j, IS) or j):
+        if all(map(_single, items)) and (len(items) > 2 or "and" not in p.words[j:k]):
+            line = Coord(op="then", items=items, span=p.span(j, k))
+            yield Absolute(theme=line, adjuncts=(place,), span=p.span(i, k)), k
+
+
+def _single(theme: Meaning) -> bool:
+    """One block, told by its look and without an article."""
+    one = isinstance(theme, Noun) and theme.det == "bare" and theme.amount is None and not theme.plural
+    return one and _plain(theme) and len(theme.traits.colors + theme.traits.labels) == 1  # type: ignore[attr-defined]
+
+
+def _plain(theme: Meaning) -> bool:
+    """Whether a phrase says only how blocks look, and how many there are."""
+    if not isinstance(theme, Noun) or theme.head == "patch" or theme.part_of is not None or theme.conditions:
+        return False
+    marks = theme.traits
+    return bool(marks.colors or marks.labels or marks.size) and marks.rank is None and not marks.extra
+
+
+@choice
+def _coloured(p: Parser, i: int) -> Results[Absolute]:
+    """ "black corners", "a green middle column", "a yellow top"."""
+    j = p.opt(i, "a", "an", "the", "its", "all", "four")
+    for marks, k in adjectives(p, j):
+        if set(marks) != {"colors"} or k >= p.end or p.words[k] in _OWN:
+            continue
+        if p.words[j - 1] == "four" and j > i and not p.stands(k, ("arms", "corners")):
+            continue
+        for place, end in part(p, k):
+            if isinstance(place, Places) and place.side == "rest" and p.words[k] != "arms":
+                continue
+            theme = Noun(head="any", traits=Traits(colors=marks["colors"]), span=p.span(j, k))
+            yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
+@choice
+def _put(p: Parser, i: int, unit: str) -> Results[Absolute]:
+    """ "a blue one in each corner", "white on both ends", "red in between", "red for the first row"."""
+    for theme, k in noun_phrase(p, i):
+        if not _plain(theme):
+            yield from _so_many(p, i, theme, k, unit)
+            continue
+        k = p.any_of(k, ("is", "are", "being", "goes", "go")) or k
+        if end := p.any_of(k, _BETWEEN):
+            rest = Places(side="rest", unit="block", span=p.span(k, end))
+            yield Absolute(theme=theme, adjuncts=(rest,), span=p.span(i, end)), end
+        if (end := p.any_of(k, _EACH_SIDE)) and p.anywhere(_LINES):
+            both = Places(side="beside", unit="block", each=True, span=p.span(k, end))
+            yield Absolute(theme=theme, adjuncts=(both,), span=p.span(i, end)), end
+        yield from _as_base(p, i, theme, k) if isinstance(theme, Noun) else ()
+        if lead := p.any_of(k, _LEADS):
+            for place, end in part(p, lead, unit):
+                block = p.words[end - 1] in _UNITS and _UNITS[p.words[end - 1]] == "block"
+                on_block = p.words[k] == "on" and (block or isinstance(place, At))
+                own = p.words[lead] in ("its", "each", "every", "either") or getattr(place, "index", None) is not None
+                if (isinstance(place, Places) or own) and not on_block:
+                    yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
+_SIDES_OF_IT = tuple(
+    f"{on}{of}"
+    for on in ("on each side", "on both sides", "on either side", "left and right", "to the left and right",
+               "to the left and to the right", "on the left and right", "on the left and the right",
+               "on its left and right", "at each side", "at both sides")
+    for of in (" of it", " of that", " of this", " of them", "")
+)  # fmt: skip
+_EACH_SIDE = (
+    *_SIDES_OF_IT,
+    *(f"{by} {on}" for by in ("next to it", "beside it", "beside that", "next to that")
+      for on in ("on each side", "on both sides", "on either side", "left and right")),
+)  # fmt: skip
+"""Places of a line on both sides of what was told before."""
+_LINES = frozenset({"row", "line", "column"})
+
+
+def _as_base(p: Parser, i: int, theme: Noun, k: int) -> Results[Absolute]:
+    """ "four white blocks as a 2x2 base", "as the base"."""
+    lead = p.any_of(k, ("as a", "as the", "as its", "as", "form the", "forming the", "in a", "for the", "make up the"))
+    for dims, j in dimensions(p, lead) if lead else ():
+        if len(dims) == 2 and dims[0] == dims[1] and theme.amount == Amount(dims[0] ** 2, dims[0] ** 2):
+            lead = j
+    if end := p.any_of(lead, ("base", "foundation", "bottom", "bottom layer", "first layer", "base layer")):
+        base = Places(side="bottom", unit="layer", span=p.span(lead, end))
+        yield Absolute(theme=theme, adjuncts=(base,), span=p.span(i, end)), end
+
+
+_LAYERS = ("layer", "row", "column")
+
+
+def _so_many(p: Parser, i: int, theme: Meaning, k: int, unit: str) -> Results[Absolute]:
+    """ "two (blocks) in the second layer": a mere number, of a line of the structure."""
+    bare = isinstance(theme, Noun) and theme.traits == Traits() and theme.head != "patch" and theme.part_of is None
+    if not bare or not isinstance(theme, Noun) or theme.amount is None or theme.det != "bare" or theme.conditions:
+        return
+    lead = p.any_of(k, _LEADS)
+    for place, end in part(p, lead, unit) if lead else ():
+        if isinstance(place, Places) and place.unit in _LAYERS and place.side not in ("rest", "ends"):
+            yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end
+
+
+def unit_of(found: Absolute) -> str:
+    """The unit that a further statement in the list may leave unsaid."""
+    place = found.adjuncts[0]
+    return place.unit if isinstance(place, Places) else "block" if isinstance(place, At) else ""
+
+
+_SPELLS = (
+    "spells", "spelling", "reads", "reading", "says", "saying", "shows", "showing", "should spell", "must spell",
+    "should read", "must read", "should say", "must say", "spells the word", "reads the word", "with the word",
+    "spelling the word",
+)  # fmt: skip

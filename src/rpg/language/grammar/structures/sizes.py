@@ -1,0 +1,226 @@
+"""Sizes of structures: "3x3", "three blocks high", "with 3 rows and 4 columns", "whose base is 3 by 3"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.things import amounts
+from rpg.language.meaning import Size
+
+_BY = frozenset({"by", "x", "times"})
+_BLOCKS = ("block", "blocks", "cube", "cubes", "brick", "bricks", "level", "levels", "layer", "layers")
+IN_TOTAL = ("in total", "in all", "altogether", "all in all", "total")
+_UNITS = {
+    "high": "high", "tall": "high", "in height": "high", "long": "long", "in length": "long", "wide": "wide",
+    "in width": "wide", "across": "wide",
+    "deep": "deep", "in a row": "long",
+}  # fmt: skip
+_PARTS = {
+    "steps": "steps", "step": "steps", "stairs": "steps", "levels": "layers", "layers": "layers", "tiers": "layers",
+    "stories": "layers", "floors": "layers",
+    "rows": "rows", "columns": "columns", "layer": "layers", "row": "rows", "column": "columns",
+}  # fmt: skip
+_BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom row", "ground floor")
+
+_BELOW = ("below", "at the bottom", "at the base", "on the bottom", "as its base", "as a base", "as the base",
+          "as base", "at its base", "underneath", "in the bottom layer")  # fmt: skip
+
+
+@rule
+def dimensions(p: Parser, i: int) -> Results[tuple[int, ...]]:
+    """ "3x3", "3 by 3 by 3", "two by four"."""
+    token = p.token(i)
+    if token is not None and token.kind == "dims" and isinstance(token.value, tuple):
+        yield token.value, p.reach(i + 1)
+    first = p.number(i)
+    if first is None:
+        return
+    yield from _lines_by_lines(p, i, first)
+    if not p.one(i + 1, _BY):
+        return
+    second = p.number(i + 2)
+    if second is None:
+        return
+    third = p.number(i + 4) if p.one(i + 3, _BY) else None
+    if third is not None:
+        yield (first, second, third), i + 5
+    yield (first, second), i + 3
+
+
+_LINES = {"row": "columns", "rows": "columns", "column": "rows", "columns": "rows"}
+
+
+def _lines_by_lines(p: Parser, i: int, first: int) -> Results[tuple[int, ...]]:
+    """ "four rows by two columns": the rows come first in what is yielded."""
+    other = _LINES.get(p.words[i + 1]) if i + 3 < p.end else None
+    second = p.number(i + 3) if other and p.one(i + 2, _BY) else None
+    if second is not None and p.words[i + 4] in (other, (other or "")[:-1]):
+        yield ((first, second) if other == "columns" else (second, first)), p.reach(i + 5)
+
+
+@rule
+def rows_and_columns(p: Parser, i: int) -> Results[tuple[int, ...]]:
+    """ "two rows and three columns", "4 rows x 2 columns": a grid that is told by these alone."""
+    first = p.number(i)
+    other = _LINES.get(p.words[i + 1]) if first is not None else None
+    k = p.any_of(i + 2, ("and", "by", "x", ", and", ",", "times", "*")) if other else 0
+    second = p.number(k) if k else None
+    if first is not None and second is not None and other is not None and p.words[k + 1] in (other, other[:-1]):
+        yield ((first, second) if other == "columns" else (second, first)), p.reach(k + 2)
+
+
+@rule
+def size_phrase(p: Parser, i: int) -> Results[Size]:
+    """One statement of size after the noun."""
+    j = p.opt(i, ",", "and", "but", ":")
+    j = (
+        p.any_of(
+            j,
+            (
+                "that is",
+                "which is",
+                "that are",
+                "each",
+                "all",
+                "of which each is",
+                "each of them",
+                "with a size of",
+                "of size",
+                "measuring",
+                "it is",
+            ),
+        )
+        or j
+    )
+    for found, k in amounts.amount(p, j):
+        k = p.opt(k, *_BLOCKS)
+        if end := p.any_of(k, IN_TOTAL):
+            yield Size(what="total", amount=found, span=p.span(i, end)), end
+        if p.words[i] == "," and p.words[k - 1] in ("blocks", "cubes") and j == i + 1:
+            yield Size(what="size", amount=found, span=p.span(i, k), cost=1), k
+        for unit, end in p.standing(k, _UNITS):
+            ranging = unit == "in a row" and found.low != found.high
+            yield Size(what=_UNITS[unit], amount=found, span=p.span(i, end), cost=2 if ranging else 0), end
+    for dims, k in dimensions(p, j):
+        if below := p.any_of(p.opt(k, *_BLOCKS), _BELOW):
+            yield Size(what="base", dims=dims, span=p.span(i, below)), below
+        yield (
+            Size(what="dims", dims=dims, span=p.span(i, k), cost=0 if j > i else 1),
+            p.any_of(k, ("in size", "blocks", "cubes", "per layer", "in each layer", "for each layer")) or k,
+        )
+    for dims, k in dimensions(p, i + 1) if p.one(i, "of") else ():
+        yield Size(what="dims", dims=dims, span=p.span(i, k)), k
+    yield from _led(p, i, j)
+
+
+_MEASURES = {
+    "of height": "high", "with height": "high", "with a height of": "high", "of length": "long",
+    "with a length of": "long", "of size": "size", "with a width of": "wide", "of width": "wide", "in height": "high",
+}  # fmt: skip
+_WITH = (
+    "with", "of", "having", "that has", "which has", "that have", "containing", "in", "whose", "has", "on",
+    "with each side", "the",
+)  # fmt: skip
+_COUNTED = (
+    (("block base", "blocks base", "cube base", "wide base", "block wide base", "base", "blocks wide base",
+      "blocks wide bottom"), "base", 0),
+    (("blocks each", "cubes each", "blocks per row", "blocks in each row", "cubes per row", "per row",
+      "blocks in every row", "each"), "columns", 0),
+    (("blocks per column", "blocks in each column", "cubes per column", "per column", "blocks in every column",
+      "cubes in each column"), "rows", 0),
+    (("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side",
+      "per side", "cubes on each side", "to a side", "to each side", "on a side", "along each side", "on each side",
+      "on every side", "of them along each side", "of them on each side", "of them to a side", "cubes to a side",
+      "cubes along each side", "along every side", "blocks a side", "blocks on every side"), "side", 0),
+    (("blocks on the bottom", "blocks in the bottom row", "blocks at the bottom", "on the bottom", "in the bottom row",
+      "blocks at its base", "blocks in the base", "cubes at the bottom", "cubes in the bottom row",
+      "blocks in the bottom layer", "blocks as its base", "at the base"), "base", 1),
+)  # fmt: skip
+
+
+def _led(p: Parser, i: int, j: int) -> Results[Size]:
+    """After "with", "of", "having"."""
+    for lead, told in p.standing(i, _MEASURES):
+        for found, k in amounts.amount(p, told):
+            yield Size(what=_MEASURES[lead], amount=found, span=p.span(i, k)), p.opt(k, *_BLOCKS)
+    k = p.any_of(j, _WITH) or (j if j > i else 0)
+    if not k:
+        return
+    k = p.opt(k, "a", "an", "the", "its")
+    for found, e in amounts.amount(p, k):
+        for part, end in p.standing(e, _PARTS):
+            yield Size(what=_PARTS[part], amount=found, span=p.span(i, end)), p.opt(end, "only")
+        for phrases, what, cost in _COUNTED:
+            if end := p.any_of(e, phrases):
+                yield Size(what=what, amount=found, span=p.span(i, end), cost=cost), end
+    lines = p.number(k)
+    for dims, e in _lines_by_lines(p, k, lines) if lines is not None else ():
+        yield Size(what="dims", dims=dims, span=p.span(i, e)), e
+    for dims, e in dimensions(p, k):
+        if end := p.any_of(p.opt(e, "block", "blocks"), _BASES):
+            yield Size(what="base", dims=dims, span=p.span(i, end)), end
+    if e := p.any_of(k, ("side of", "sides of", "side length of", "sides")):
+        for found, m in amounts.amount(p, e):
+            yield Size(what="side", amount=found, span=p.span(i, m)), p.opt(m, *_BLOCKS)
+    yield from _based(p, i, k)
+
+
+def _based(p: Parser, i: int, k: int) -> Results[Size]:
+    """ "base of 3 blocks", "base is 3 x 3"."""
+    e = p.any_of(k, _BASES)
+    e = p.any_of(e, ("of", "is", "that is", "which is", "being", "should be")) if e else 0
+    if not e:
+        return
+    for dims, m in dimensions(p, p.opt(e, "a")):
+        yield Size(what="base", dims=dims, span=p.span(i, m)), p.opt(m, *_BLOCKS, "square")
+    for found, m in amounts.amount(p, e):
+        m = p.opt(p.opt(m, "horizontal"), *_BLOCKS)
+        yield Size(what="base", amount=found, span=p.span(i, m)), p.opt(m, "wide")
+
+
+_ROWS = {"rows": ("grid", "square", "rectangle"), "columns": ("grid", "square", "rectangle"), "layers": ("wall",)}
+"""Lines of which it can be said how many blocks each has, by the kinds of structures."""
+
+
+def ends_in_lines(p: Parser, j: int) -> bool:
+    """Whether "three rows" stands just before: "of four" then says how long each is."""
+    return j > 1 and p.words[j - 1] in _ROWS and p.number(j - 2) is not None
+
+
+_LAYERED = frozenset({"layers", "levels", "tiers", "floors"})
+_OF_EACH = ("of", "each", ", each", "each of", "each with", ", each of", ", each with", "with", "on a base of", "on a",
+            "each a", ", each a", "being")  # fmt: skip
+_EACH_LAYER = ("each", "in each layer", "per layer", "in every layer", "in each", "base", "grid", "square", "in size")
+
+
+@rule
+def layers_of(p: Parser, i: int) -> Results[Size]:
+    """ "two layers of 2x2 blocks", "three layers on a 2x2 base": rows, columns and layers."""
+    layers = p.number(i)
+    of = p.any_of(i + 2, _OF_EACH) if layers and p.stands(i + 1, _LAYERED) else 0
+    for dims, j in dimensions(p, of) if of else ():
+        if len(dims) == 2 and layers is not None:
+            j = p.any_of(j, _EACH_LAYER) or j
+            end = p.any_of(p.opt(j, "of"), _EACH_LAYER) or j
+            yield Size(what="dims", dims=(*dims, layers), span=p.span(i, end)), end
+
+
+@rule
+def lines_of(p: Parser, i: int, kind: str) -> Results[Size]:
+    """ "with three rows of four": the extents of a grid, or of a wall."""
+    if kind in _THICK and (after := p.any_of(i, ("with", "of", "having", "in", ",", ":", "made of", ", with", "i.e.",
+                                                 ", i.e.", ", that is ,", ", so", "and"))):  # fmt: skip
+        yield from layers_of(p, after)
+    j = p.any_of(i, ("with", "of", "having", "in", "made of"))
+    lines = p.number(j) if j else None
+    what = p.words[j + 1] if lines is not None and j + 3 < p.end else ""
+    each = p.number(j + 3) if what in _ROWS and p.words[j + 2] in ("of", "with") else None
+    if lines is None or each is None or not (kind in _ROWS[what] or (kind == "wall" and what == "rows")):
+        return
+    dims = (lines, each) if what == "rows" and kind != "wall" else (each, lines)
+    end = p.any_of(j + 4, _IN_EACH_LINE)
+    yield Size(what="dims", dims=dims, span=p.span(i, end or j + 4)), end or j + 4
+
+
+_IN_EACH = ("", " each", *(f" in {a} {line}" for a in ("each", "every") for line in ("row", "layer", "column")))
+_IN_EACH_LINE = tuple(f"{noun}{tail}" for noun in ("blocks", "cubes", "bricks") for tail in _IN_EACH)
+_THICK = ("grid", "cube", "square", "rectangle", "stack")

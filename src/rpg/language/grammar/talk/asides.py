@@ -1,0 +1,310 @@
+"""Words that mean nothing wherever they stand: hesitation, thanks, emphasis. They are left out before the reading."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser
+from rpg.language.grammar.talk.arrows import in_words
+from rpg.language.grammar.talk.framing import VIEW
+from rpg.language.grammar.talk.rephrased import rephrased
+from rpg.language.phrases import Beginnings, by_first
+from rpg.language.tokens import Token
+
+_ANYWHERE = (
+    "once upon a time", "as a result", "long story short", "in short", "as discussed", "as agreed", "as requested",
+    "to sum up", "in summary", "pretty please", "as promised", "as usual", "as mentioned", "as planned",
+    "all in all", "um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh", "yeah", "yep", "yup", "lol", "haha",
+    "cheers", "thx", "ty", "tx", "thanks", "thanks a lot", "thanks so much", "thanks in advance", "many thanks",
+    "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
+    "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",
+    "basically", "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
+    "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
+    "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
+    "kinda", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
+    "my dear", "dear", "sweetheart", "darling", "honey",
+    "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
+    "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
+    "as seen in the camera image", "in the camera image", "from the camera 's point of view",
+)  # fmt: skip
+"""Phrases that carry nothing in any place."""
+SOFT = 1.0
+"""The value of a comma that may have set off nothing but an aside."""
+_HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh"})
+_EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
+             "nice and neat", "nice and tidy", "good", "proper", "dead", "smack")  # fmt: skip
+"""What carries nothing in front of a description; by itself it would be what is asked for."""
+_FREE = (
+    *(
+        f"{lead}{which} order{free}"
+        for lead in ("", "in ")
+        for which in ("any", "whatever", "whichever")
+        for free in ("", " you like", " you want", " you please", " you prefer", " you wish", " you choose",
+                     " suits you", " at all", " is fine with me", " you fancy", " will do", " is fine", " works",
+                     " i do not mind")
+    ),
+    "the order does not matter", "order does not matter", "no matter the order",
+    "no particular order", "in no particular order", "whichever way", "whichever way you like",
+    "any way you like", "however you like", "whichever direction", "in whichever direction",
+    "direction does not matter", "the direction does not matter", "in no particular direction",
+    "regardless of the order", "regardless of order", "the exact order does not matter", "in random order",
+    "in a random order", "hello", "hi", "hello there", "hi there", "hello robot", "hi robot", "hey", "hey robot",
+    "hello everyone", "good morning", "good day", "dear robot", "ok", "okay", "alright", "great", "your choice",
+    "up to you", "as you like", "you choose", "either is fine",
+    "whichever", "whatever", "either will do", "either one will do", "either one is fine",
+    "it does not matter which", "does not matter which", "no matter which",
+    "any color", "any colors", "of any color", "whatever color", "whatever colors",
+    "the color does not matter",
+    "color does not matter", "colors do not matter", "the colors do not matter", "any color will do",
+    "any color is fine", "i do not care which", "i do not care", "i do not mind which", "i do not care which one",
+    "it does not matter which one", "i do not mind", "rather", "whichever you prefer", "whatever you prefer",
+    "whichever you like", "whatever you like", "it does not matter which side", "does not matter which side",
+    "the side does not matter", "on whichever side", "whichever side", "in either order", "either order is fine",
+    "which goes where is up to you", "which one goes where is up to you", "which is which does not matter",
+    "which goes where does not matter", "it does not matter which goes where", "in both cases", "in either case",
+    "in any case", "however", "no matter which one", "no matter which side",
+    "no matter which ones", "it does not matter which ones", "i do not mind which ones", "i do not care which ones",
+    "which ones does not matter", "which ones is up to you", "which ones you choose is up to you",
+    "which ones you like", "whichever one",
+    "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
+    "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
+    "that is all", "that is it", "i think",
+    "all good",
+    *(
+        f"{lead}{which} {hue}{free}"
+        for lead in ("", "in ", "of ", "with ", "using ")
+        for which in ("any", "whatever", "whichever", "arbitrary", "random")
+        for hue in ("color", "colors")
+        for free in ("", " you like", " you want", " you have", " you please", " you prefer", " is fine", " are fine",
+                     " will do", " there are", " at all", " will be fine", " is ok")
+    ),
+    *(f"{lead}{choice}" for lead in ("with the ", "with ", "the ", "") for choice in (
+        "colors however you like", "color however you like", "colors as you like", "colors of your choice",
+        "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
+)  # fmt: skip
+"""What leaves open what is open anyway, beside a comma or at an end of the sentence."""
+_WHICHEVER = frozenset({"whatever", "whichever"})
+_LINES = frozenset({"row", "line", "tower", "stack", "column"})
+_BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
+_DEGREES = frozenset(
+    {
+        "if",
+        "as",
+        "that",
+        "when",
+        "of",
+        "for",
+        "enough",
+        "and",
+        "but",
+        "to",
+        "near",
+        "close",
+        "far",
+        "long",
+        "small",
+        "big",
+        "large",
+        "tiny",
+    }
+)
+"""What an emphasis in front of them would change."""
+_BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
+"""Words that are said again when what they begin is begun again."""
+
+_STANDING = frozenset({"behind", "on", "in", "next", "under", "above", "between", "near", "touching", "at", "beside"})
+"""After these "its" was meant as "it is"."""
+_NAMED = frozenset({"a", "an", "not", "only", "just", "there"})
+"""Before these "its" was meant as "it is" wherever it stands."""
+_ADDRESSED = frozenset({"can", "could", "would", "will", "if", "do", "want", "need", "when", "once", "should", "must"})
+
+
+def without_asides(tokens: list[Token]) -> list[Token]:
+    """The tokens without words that mean nothing, and without the commas that set them off."""
+    tokens = [_side(tokens, n) or _between(tokens, n) for n in range(len(tokens))]
+    words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
+    tables = (
+        (by_first(_ANYWHERE), lambda first, last: True),
+        (by_first(_EMPHASIS), lambda first, last: _emphatic(words, last)),
+        (by_first(_FREE), lambda first, last: _set_off(words, first, last)),
+        (by_first(_BUILT), lambda first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
+        (by_first(_AT_ALL), lambda first, last: _denying(words, first, last)),
+    )
+    p = Parser(tokens)
+    out: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        end = max(_standing(words, at, phrases, fits) for phrases, fits in tables)
+        if words[at] in VIEW.begun:
+            end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
+        if end == at:
+            out.append(tokens[at])
+            at += 1
+        elif "order" in words[at:end] and words[at] in ("in", "any", *_WHICHEVER) and not _LINES.isdisjoint(words[:at]):
+            # A list tells an order unless this is said; where it cannot be read, it says nothing.
+            if out and out[-1].word == ",":
+                out[-1] = replace(out[-1], value=SOFT)
+            kept = tokens[at : at + words[at:end].index("order") + 1]
+            out += [replace(t, value=SOFT, word="any" if t.word in _WHICHEVER else t.word) for t in kept]
+            at = end
+        else:
+            at = _closed(tokens, out, end, words[at] in _HESITATIONS)
+    return rephrased(in_words([token for n in range(len(out)) for token in _meant(out, n)]))
+
+
+def _between(tokens: list[Token], at: int) -> Token:
+    """ "white btw red and black": "btw" between things, with an "and" to come, is "between"; else it is by the way."""
+    token = tokens[at]
+    if token.word != "btw" or not 0 < at < len(tokens) - 1 or tokens[at - 1].word in _BREAKS:
+        return token
+    joined = any(t.word in ("and", "&", "n", "2", "two", "both") for t in tokens[at + 1 : at + 8])
+    return replace(token, word="between") if joined and _thing(tokens[at + 1]) else token
+
+
+_SIDE = {"l": "left", "r": "right"}
+_LETTERS = frozenset({"letters", "letter", "blocks", "cubes", "from", "spell", "symbols", "labels", "characters"})
+
+
+def _side(tokens: list[Token], at: int) -> Token | None:
+    """ "row (l to r): ...": from left to right, where no letters are spoken of."""
+    if tokens[at].word not in _SIDE:
+        return None
+    for first in (at, at - 2):
+        way = [t.word for t in tokens[max(first, 0) : first + 3]]
+        if way not in (["l", "to", "r"], ["r", "to", "l"]):
+            continue
+        behind = [t.word for t in tokens[first + 3 : first + 5] if t.word != ")"]
+        small = tokens[first].raw.islower() and tokens[first + 2].raw.islower()
+        if (small or behind[:1] == [":"]) and not (first and tokens[first - 1].word in _LETTERS):
+            side = _SIDE[tokens[at].word]
+            return replace(tokens[at], word=side, raw=side)
+    return None
+
+
+def _thing(token: Token) -> bool:
+    """Whether a thing may begin with it."""
+    letter = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper()
+    return letter or token.kind == "number" or any(token.word in table for table in (*_THINGS, _DETERMINERS))
+
+
+_THINGS = (lexicon.COLOR, lexicon.COLOR_PLURAL, lexicon.BLOCK, lexicon.PATCH, lexicon.NUMBER)
+_DETERMINERS = frozenset({"the", "a", "an", "two", "both", "its", "one", "each", "every", "no"})
+
+
+def _shouted(token: Token) -> bool:
+    return token.kind == "word" and len(token.raw) > 1 and token.raw.isupper()
+
+
+def _standing(words: list[str], at: int, phrases: Beginnings, fits: Callable[[int, int], bool]) -> int:
+    """The position after the longest of `phrases` that stands and fits here, or `at`."""
+    if (begun := phrases.get(words[at])) is None:
+        return at
+    ends = [
+        at + len(phrase)
+        for phrase in begun
+        if tuple(words[at : at + len(phrase)]) == phrase and fits(at, at + len(phrase))
+    ]
+    return max(ends, default=at)
+
+
+def _emphatic(words: list[str], end: int) -> bool:
+    """Whether a description follows."""
+    after = words[end] if end < len(words) else ""
+    return bool(after) and after not in _BREAKS | _DEGREES
+
+
+def _set_off(words: list[str], at: int, end: int) -> bool:
+    before = at == 0 or words[at - 1] in _BREAKS or words[at] in ("in", "regardless", "with", "using", "of")
+    before = before and not (at and words[at - 1] in ("rest", "others"))
+    return before and (end == len(words) or words[end] in _BREAKS)
+
+
+def _same_view(words: list[str], at: int, end: int) -> bool:
+    """ "when I look at it" in front of no "from behind"; "from top to bottom" is of no place to look from."""
+    after = words[end : end + 6]
+    if not after or after[0] in ("behind", "from"):
+        return not after or not {"to", "down", "up"}.isdisjoint(after)
+    opened = at == 0 or words[at - 1] in _BREAKS
+    return after[0] in _GOING_ON | _DOWNWARDS or (opened and words[at] not in ("when", "if"))
+
+
+_DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})
+_BUILT = ("finished", "completed", "resulting", "finalized")
+"""What carries nothing in front of what is built."""
+_AT_ALL = ("at all", "whatsoever")
+_DENYING = frozenset({"no", "not", "none", "nothing", "never", "without", "neither", "nor", "nobody"})
+_GOING_ON = _BREAKS | {
+    "",
+    "and",
+    "but",
+    "between",
+    "on",
+    "in",
+    "or",
+    "that",
+    "which",
+    "touching",
+    "left",
+    "is",
+    "are",
+    "may",
+    "must",
+    "should",
+}
+
+
+def _denying(words: list[str], at: int, end: int) -> bool:
+    """ "no gaps at all": what only underlines a denial."""
+    after = words[end] if end < len(words) else ""
+    return after in _GOING_ON and not _DENYING.isdisjoint(words[max(0, at - 8) : at])
+
+
+def _closed(tokens: list[Token], out: list[Token], end: int, whole: bool) -> int:
+    """Where to go on after an aside that ends at `end`; its commas (one of two unless `whole`), and what was begun
+    twice, are gone from `out`."""
+    opened = not out or out[-1].word in _BREAKS
+    last = end == len(tokens) or tokens[end].word in _BREAKS - {","}
+    if out and out[-1].word == "," and (last or (whole and tokens[end].word == ",")):
+        out.pop()
+    if end < len(tokens) and tokens[end].word == "," and opened:
+        end += 1
+        if out and out[-1].word == ",":
+            out[-1] = replace(out[-1], value=SOFT)
+    if not out and end < len(tokens) and tokens[end].word in ("but", "though", "however"):
+        end += 1
+    for size in (3, 2, 1):
+        said = [t.word for t in out[-size:]]
+        if len(said) == size and said[0] in _BEGUN and said == [t.word for t in tokens[end : end + size]]:
+            del out[-size:]
+            break
+    return end
+
+
+_SHOWN = frozenset({"letter", "letters", "spell", "word", "and", "cube", "cubes", "block", "blocks", "symbol", "name"})
+"""Before a "w" that is a letter."""
+
+
+def _meant(tokens: list[Token], at: int) -> list[Token]:
+    """ "red n blue": "n" between two things is "and"; "can u": you; "so its behind": it is."""
+    token = tokens[at]
+    after = tokens[at + 1].word if at + 1 < len(tokens) else ""
+    if token.word == "either" and at and ((tokens[at + 1 :] and tokens[at + 1].kind == "literal") or after == "the"):
+        named = [t.word for t in tokens[at + 1 : at + 3]] == ["the", "word"] or tokens[at + 1].kind == "literal"
+        return [] if named else [token]
+    if token.word == "its" and at and tokens[at - 1].word in ("so", "that", "until") and after in _STANDING:
+        return [replace(token, word=word) for word in ("it", "is")]
+    if token.word == "its" and after in _NAMED:
+        return [replace(token, word=word) for word in ("it", "is")]
+    if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
+        return [replace(token, word="you")]
+    if token.raw == "w" and 0 < at < len(tokens) - 1 and len(tokens[at - 1].word) > 2 and _thing(tokens[at + 1]):
+        return [replace(token, word="with")] if tokens[at - 1].word not in _SHOWN else [token]
+    if token.raw != "n" or not 0 < at < len(tokens) - 1:
+        return [token]
+    before = tokens[at - 1]
+    thing = before.kind == "number" or any(before.word in table for table in _THINGS)
+    place = before.word in ("top", "bottom", "left", "right", "middle")
+    letter = before.kind == "word" and len(before.raw) == 1 and before.raw.isupper()
+    return [replace(token, word="and") if thing or place or letter else token]

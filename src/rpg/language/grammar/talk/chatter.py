@@ -1,0 +1,100 @@
+"""What people say around an instruction: who it is for, how it feels, that it comes now. None of it asks for anything.
+
+Patterns as in `wishes`: rows of slots with what may stand there.
+"""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser
+from rpg.language.grammar.talk.frames import Phrases
+from rpg.language.grammar.talk.framing import CLOSING, POINTING
+from rpg.language.grammar.talk.wishes import FINE, PEOPLE, Patterns
+from rpg.language.tokens import Token
+
+_ERRAND = (
+    "task|job|request|plan|idea|goal|instruction|instructions|wish|exercise|challenge|puzzle|problem|question|mission|"
+    "game|assignment"
+)
+_OPEN = (
+    "the_order|the_exact_order|order|which_order|which_one_goes_where|what_order|the_direction|which_direction|"
+    "the_orientation|the_exact_position|the_exact_positions|their_order|their_exact_order|their_exact_positions|"
+    "the_exact_place|the_exact_places|the_exact_spot|where_exactly|where_on_the_table|where|where_it_is|where_they_are|"
+    "where_it_stands|where_they_stand|where_you_build_it|where_you_put_it|where_you_put_them|which_is_which|"
+    "which_goes_where|which_comes_first|which_one_comes_first|what_they_are|the_rest|everything_else|anything_else|"
+    "how_you_do_it|how_you_do_that|how_you_get_there|how_it_is_done|how|the_colors|their_colors|the_color|its_color|"
+    "what_color|what_color_it_is|what_color_they_are|which_color|which_colors|which_color_it_is|which_colors_they_have"
+)
+_FREE = (
+    "up_to_you|irrelevant|unimportant|not_important|of_no_importance|your_choice|your_decision|left_to_you|"
+    "all_the_same_to_me|all_the_same|not_relevant|arbitrary|for_you_to_decide|for_you_to_choose"
+)
+CHATTER = Patterns(
+    "i|we|my_boss|my_teacher|they do|does|really not really|particularly|much|actually? care|mind|worry|bother "
+    f"about|at_all|much? {_OPEN}?",
+    f"it|that does not really|actually? matter|make_a_difference|make_any_difference at_all|to_me|here? {_OPEN}?",
+    f"it|that is|remains|stays really|entirely|completely|totally|quite? {_FREE} {_OPEN}?",
+    f"{_OPEN} is|are|remains|stays entirely|completely|totally|really|quite? {_FREE}|free|open|left_open",
+    f"{_OPEN} do|does not really|actually? matter at_all|to_me|here?",
+    f"you can|may|are_free_to choose|pick|decide|select|decide_on yourself|freely? {_OPEN} yourself|freely?",
+    f"i|we have|'ve|got|brought a|an|another|one|this|some|your? new|little|small|simple|quick|easy|nice|special? "
+    f"{_ERRAND} for_you|for_the_robot|today|here|now?",
+    "i|we need|could_use|want|would_like|require your|some|a_bit_of|a_little? help|assistance|support with_this|"
+    "with_something|here|now|today?",
+    "can|could|will|would you help|assist me|us with_this|with_something|here|out|now|today?",
+    f"let us play|try|do a|another|the|this? little|quick|new|nice? {_ERRAND}|experiment|trick",
+    "let us begin|start|go|get_started|get_going|do_this|do_it|get_to_work|try_this|try_something|see|go_ahead|play",
+    f"my|our|the? {PEOPLE} wants|want|likes|like|loves|love|prefers|prefer|needs|need|expects a|the? "
+    "tidy|neat|clean|nice|orderly? tidy|neat|clean|nice|orderly? table|desk|workspace",
+    f"this|it|that is for my|our|the? {PEOPLE}|class|classroom|lesson|school|demo|presentation|birthday|homework|"
+    "exam|fun|video|photo",
+    f"here is|comes|are the|my|our|your|a|another|one? next|new|first|little|simple|today_'s? {_ERRAND}",
+    "listen|attention|listen_up|look|look_here|pay_attention|ready|are_you_ready|wake_up|come_on|here_we_go|"
+    "off_we_go|here_goes please|everyone|everybody|robot|now?",
+    f"that|this|it would|will|'d be so|really|very|just? {FINE}",
+    f"you are|'re so|really|very|simply? {FINE}",
+    "thank_you|thanks so_much|very_much|a_lot|a_million|for_your_help|for_helping|in_advance|again?",
+    "that|this is|was all|it|everything for_now|for_today|i_need|we_need|i_want|we_want?",
+    "that|this|it should do it|be_it|be_easy|be_simple|be_enough|be_fun|be_doable|be_no_problem",
+    "this|that|it|all|everything is|seems|sounds quite|very|really|not|not_so? "
+    "easy|simple|fun|difficult|hard|tricky|important|clear",
+    "i hope this|that|it is|works|helps|makes_sense clear|easy|simple|okay|ok?",
+    "good|nice|well job|work|done|luck|boy",
+    "we|you|i start|begin with|from|in a|the|this|total|complete? total|complete|big|real? mess|chaos",
+    "everything|it|the_table|the_desk is a|in|in_a|one|such_a? total|complete|big|real? mess|chaos|disorder",
+    "do not worry|hurry|rush about_it|anything?",
+    "take your time",
+    "have fun",
+    "i|we am|are making|doing|shooting|preparing|planning|taking a|the|some|this? nice|little|short? "
+    "picture|pictures|photo|photos|video|videos|demo|poster|presentation|game|exercise for|of? my|our|the|a? "
+    "school|class|lab|team|website|paper|lesson|project? website|project|page|today?",
+    "the|my table|desk|workspace is messy|untidy|a_mess|in_disorder",
+)
+"""Whole sentences that ask for nothing. Disorder is how things begin anyway."""
+_TITLES = frozenset({"level", "task", "exercise", "problem", "example", "question", "puzzle", "challenge", "scene",
+                     "scenario", "instruction", "job", "mission", "number", "round", "riddle"})  # fmt: skip
+
+
+def idle(tokens: list[Token]) -> bool:
+    """Whether a sentence asks for nothing."""
+    return _wholly(tokens, CHATTER, CLOSING, POINTING)
+
+
+def announces(tokens: list[Token]) -> bool:
+    """Whether a sentence says no more than that the next one describes it all: "The table looks like this."."""
+    return _wholly(tokens, POINTING)
+
+
+def _wholly(tokens: list[Token], *tables: Phrases) -> bool:
+    p = Parser(tokens)
+    start = p.opt(0, ",")
+    return any(p.opt(j, ",", ":") == p.end for table in tables for j in table.matches(p, start))
+
+
+def untitled(tokens: list[Token]) -> list[Token]:
+    """The words of a text without the title in front of it: "Level 5: ...", "Question: ..."."""
+    if not tokens or tokens[0].word not in _TITLES:
+        return tokens
+    at = 2 if len(tokens) > 2 and tokens[1].kind == "number" else 1
+    ends = (":", ".", ",") if at == 2 else (":",)
+    told = len(tokens) > at + 1 and tokens[at].kind == "punct" and tokens[at].word in ends
+    return tokens[at + 1 :] if told else tokens

@@ -1,0 +1,113 @@
+"""What brackets behind blocks say of them: how many they are, how large each is, or what they look like."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.things import amounts
+from rpg.language.grammar.things.adjectives import color, colors
+from rpg.language.grammar.things.labels import label_list
+from rpg.language.meaning import Amount, Noun
+
+_LEADS = ("there are", "there is", "we have", "there are only", "exactly", "all", "you have", "i have", "in total",
+          "together", "altogether", "total", "total :", "just")  # fmt: skip
+_COUNTED = ("of them", "of those", "of these", "in total", "in all", "altogether", "pieces", "blocks", "cubes",
+            "in number", "all together", "total", "each")  # fmt: skip
+_WIDE = ("each", "wide", "edge", "edges", "each side", "a side", "on each side", "on a side", "cubes", "cube", "large",
+         "in size", "apiece", "edge length", "side length", "blocks", "block")  # fmt: skip
+
+
+@choice
+def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
+    """ "all white blocks (3)", "every red one (there are four)", "the orange block (3 cm)", "two mats (red, blue)"."""
+    opened = p.one(j, "(")
+    if not opened:
+        return
+    start = p.any_of(opened, _LEADS) or opened
+    for many, k in amounts.count(p, start):
+        told = p.any_of(k, _COUNTED) or k
+        end = p.one(told, ")")
+        bare = start == opened and told == k
+        if end and p.words[k] != "each" and _countable(noun) and not (bare and noun.traits.kind in ("digit", "symbol")):
+            yield _counted(noun, Amount(many, many), p.span(i, end)), end
+    for metres, k in amounts.length(p, p.any_of(start, ("edge", "size", "each")) or start):
+        end = p.one(p.any_of(k, _WIDE) or k, ")")
+        if end and noun.head != "patch" and noun.traits.edge is None:
+            yield replace(noun, traits=replace(noun.traits, edge=metres), span=p.span(i, end)), end
+    for (labels, more), k in label_list(p, opened, True) if noun.plural and noun.head == "block" else ():
+        end = p.one(k, ")")
+        marks = noun.traits
+        if end and not more and not marks.labels and (len(labels) > 1 or labels[0].isalpha()) and _shows(noun, labels):
+            yield replace(noun, traits=replace(marks, labels=labels), span=p.span(i, end)), end
+    each = [((found, False), k) for found, k in _one_by_one(p, opened)]
+    for (listed, either), k in [*colors(p, p.any_of(opened, ("one", "namely")) or opened), *each]:
+        end = p.one(k, ")")
+        if end and not either and not noun.traits.colors and _as_many(noun, len(listed)):
+            yield replace(noun, traits=replace(noun.traits, colors=listed), span=p.span(i, end)), end
+
+
+def _one_by_one(p: Parser, i: int) -> Results[tuple[str, ...]]:
+    """ "a red one, a green one": the colour of each."""
+    found: list[str] = []
+    while j := p.one(i, _ONE):
+        named = next(iter(color(p, j)), None)
+        if named is None:
+            return
+        found.append(named[0])
+        end = p.opt(named[1], "one", "block", "cube")
+        if len(found) > 1 and p.stands(end, (")",)):
+            yield tuple(found), end
+        i = p.any_of(end, (", and", "and", ",", "plus"))
+        if not i:
+            return
+
+
+_ONE = frozenset({"a", "an", "one"})
+
+
+def _countable(noun: Noun) -> bool:
+    several = noun.plural or noun.det in ("each", "no")
+    return noun.amount is None and several and noun.part_of is None and noun.head in ("block", "patch", "any")
+
+
+def _shows(noun: Noun, labels: tuple[str, ...]) -> bool:
+    """Whether the blocks spoken of may show these symbols, and are as many."""
+    kind = noun.traits.kind
+    fits = {"letter": all(x.isalpha() for x in labels), "digit": all(x.isdigit() for x in labels)}
+    return (
+        fits.get(kind or "", True) and noun.part_of is None and noun.amount in (None, Amount(len(labels), len(labels)))
+    )
+
+
+def _as_many(noun: Noun, many: int) -> bool:
+    """Whether so many colours tell what each of some objects looks like."""
+    if noun.part_of is not None or noun.traits.labels or noun.head == "any":
+        return False
+    if noun.amount is not None:
+        return noun.amount == Amount(many, many)
+    return many > 1 if noun.plural else many == 1
+
+
+def _counted(noun: Noun, amount: Amount, span: tuple[int, int]) -> Noun:
+    if noun.det in ("each", "no", "any"):
+        whole = replace(noun, det="the", plural=True, amount=amount, cost=0)
+        return Noun(head=noun.head, det=noun.det, plural=True, part_of=whole, span=span)
+    return replace(noun, amount=amount, span=span)
+
+
+_THERE_ARE = tuple(
+    f"{of}{there}{just}"
+    for of in ("", "of which ", "and ", "of them ", "and of them ")
+    for there in ("there are", "there is", "i have", "we have", "you have")
+    for just in ("", " just", " exactly", " only")
+)
+"""What a number of the blocks just spoken of follows, between commas."""
+
+
+def counted_aside(p: Parser, i: int, j: int, whole: Noun) -> Results[Noun]:
+    """ "all the red blocks, there are two, ...": how many they are, between commas."""
+    there = p.any_of(j + 1, _THERE_ARE) if p.words[j] == "," else 0
+    for many, k in amounts.count(p, there) if there else ():
+        if end := p.one(p.any_of(k, ("of them", "of those", "in all", "in total", "altogether")) or k, ","):
+            yield replace(whole, amount=Amount(many, many), plural=many > 1, span=p.span(i, end)), end

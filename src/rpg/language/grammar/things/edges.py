@@ -1,0 +1,89 @@
+"""Blocks of several sizes: "three blue blocks with edges of 3, 4 and 5 cm"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.things.amounts import length
+from rpg.language.meaning import Amount, Coord, Noun
+
+_LEADS = (
+    "with edges of", "of", "with edges", "with sides of", "with edge lengths of", "of edge length", "of size",
+    "of sizes", "measuring", "with sizes", "with sizes of", "of edge lengths", "in sizes", "in sizes of", "of edge",
+    "of the sizes", "in the sizes", "with side lengths of", "with sides", "that are", "which are",
+)  # fmt: skip
+
+
+def of_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord]:
+    """As many blocks as there are lengths, each with its own."""
+    if noun.plural and noun.traits.edge is None:
+        yield from _of_any_edges(p, i, j, noun)
+    k = p.any_of(j, _LEADS) if noun.plural and noun.head == "block" and noun.traits.edge is None else 0
+    for edges, end in lengths(p, k) if k else ():
+        many = noun.amount
+        if many is None or many == Amount(len(edges), len(edges), many.strict):
+            one = replace(noun, amount=Amount(1, 1), det="the" if noun.det == "the" else "bare", plural=False)
+            items = tuple(replace(one, traits=replace(noun.traits, edge=edge), span=p.span(i, end)) for edge in edges)
+            yield Coord(op="and", items=items, span=p.span(i, end)), end
+
+
+_DIFFERENT = (
+    "of different sizes", "in different sizes", "of different size", "with different sizes", "of increasing size",
+    "of various sizes", "each of a different size", ", each of a different size", "of unequal size", "in various sizes",
+    "of three sizes", "in three sizes", "of two sizes", "in two sizes", "with different edges",
+)  # fmt: skip
+_EDGES = {2: (0.03, 0.05), 3: (0.03, 0.04, 0.05)}
+"""Sizes that are told apart, for so many blocks."""
+
+
+def _of_any_edges(p: Parser, i: int, j: int, noun: Noun) -> Results[Coord]:
+    """ "three cubes of different sizes": each of a size of its own."""
+    k = p.any_of(j, _DIFFERENT) if noun.head == "block" and noun.amount is not None else 0
+    edges = _EDGES.get(noun.amount.low, ()) if k and noun.amount is not None and noun.traits.size is None else ()
+    said = {"two": 2, "three": 3}.get(p.words[k - 2], len(edges)) if k else 0
+    if edges and said == len(edges) and noun.amount == Amount(len(edges), len(edges)):
+        one = replace(noun, amount=Amount(1, 1), det="bare", plural=False)
+        items = tuple(replace(one, traits=replace(noun.traits, edge=edge), span=p.span(i, k)) for edge in edges)
+        yield Coord(op="and", items=items, span=p.span(i, k)), k
+
+
+def lengths(p: Parser, i: int) -> Results[tuple[float, ...]]:
+    """ "3, 4 and 5 cm", "3 cm, 4 cm and 5 cm": different lengths, the unit with each or with the last."""
+    numbers: list[tuple[float, float | None]] = []
+    at = i
+    while (value := p.figure(at)) is not None:
+        unit = p.lex(at + 1, lexicon.UNIT)
+        numbers.append((value, unit))
+        at += 2 if unit is not None else 1
+        last = unit
+        found = tuple(round(v * (u or last or 0), 6) for v, u in numbers)
+        if len(numbers) > 1 and last is not None and len(set(found)) == len(found):
+            yield found, at
+        at = p.opt(p.opt(at, ","), "and", "&")
+
+
+USUAL = frozenset({"standard", "normal", "usual", "ordinary", "default", "regular"})
+STANDARD = tuple(
+    f"{of} {the}{usual} size"
+    for of in ("of", "in", "with", "having")
+    for the in ("", "the ", "a ", "its ")
+    for usual in ("standard", "normal", "usual", "ordinary", "default", "regular")
+)
+"""What says of a block no more than is so anyway."""
+_WIDE = ("wide", "long", "edge", "edges", "edge length", "side length", "on each side", "across", "in size", "on edge",
+         "along the edge", "per side", "a side", "on a side", "in width", "along each edge")  # fmt: skip
+_EDGE_IS = ("edge length", "edge", "side length", "size", "an edge of", "edge length of", "edge of", "edge :", "size :",
+            "edge length :", "size of", "with an edge length of", "its edge is", "its edge")  # fmt: skip
+
+
+def edge_told(p: Parser, i: int) -> Results[float]:
+    """ ", 5 cm wide", ", edge length 5 cm,", "of 5 cm edge": the edge of one block, set off or not."""
+    comma = p.opt(i, ",")
+    lead = p.any_of(comma, _EDGE_IS) if comma > i else 0
+    for metres, j in length(p, lead or comma) if lead or comma > i else ():
+        end = j if lead else p.any_of(j, _WIDE)
+        if end and p.words[end] not in ("apart", "away", "from", "to", "of"):
+            for last in {end, p.opt(end, ",")}:
+                yield metres, last

@@ -1,0 +1,53 @@
+"""What is taken out of a noun phrase: "all blocks but the red one", "nothing but red", "all except A and B"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.things.retold import universal
+from rpg.language.meaning import Coord, Meaning, Noun, Pronoun, Structure, Traits
+
+
+def _of_another_kind(whole: Meaning, out: Meaning) -> bool:
+    """ "the letters apart from the digits": these are no exception, for they are none of those."""
+    if not isinstance(whole, Noun) or not isinstance(out, Noun):
+        return False
+    one, two = whole.traits, out.traits
+    told = [(one.kind, two.kind), (one.colors, two.colors), (one.quality, two.quality)]
+    return any(a and b and a != b for a, b in told)
+
+
+_NO_MORE = ("and nothing else", "nothing else", "and nothing more", "nothing more", "and no other blocks",
+            "and nothing besides", "and that is all", "but nothing else")  # fmt: skip
+"""Behind a structure: no block is there anyway that is not called for."""
+
+
+def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord | Structure]:
+    """ "all blocks but the red one", "nothing but the red block", "all the blocks except A and B"."""
+    from rpg.language.grammar.things.nouns import noun_phrase, simple
+
+    shape = items[0] if len(items) == 1 else None
+    alone = p.any_of(comma, _NO_MORE) if isinstance(shape, Structure) else 0
+    if isinstance(shape, Structure) and alone and (alone >= p.end or p.words[alone] in (",", ";", ":")):
+        yield shape, alone
+    whole = len(items) == 1 and universal(items[0]) and (op := _but(items[0])) is not None
+    if whole and p.words[comma : comma + 1] == ["but"] and p.words[comma + 1] not in ("not", "only", "first"):
+        for item, j in noun_phrase(p, p.reach(comma + 1)):
+            if isinstance(item, Coord) or (isinstance(item, Noun) and not item.part_of and item.det in ("the", "all")):
+                yield Coord(op=str(op), items=(*items, item), span=p.span(i, j)), j
+    if k := p.any_of(comma, ("but not", "except for", "except", "other than", "apart from", "and not", "excluding")):
+        for item, j in noun_phrase(p, k) if len(items) == 1 else simple(p, k):
+            closed = p.opt(j, ",") if p.words[comma - 1] == "," else j
+            if p.words[comma] == "apart" and _of_another_kind(items[0], item):
+                continue
+            if (op := _but(items[0])) is not None:
+                yield from ((Coord(op=op, items=(*items, item), span=p.span(i, j)), e) for e in {j: None, closed: None})
+
+
+def _but(whole: Meaning) -> str | None:
+    """ "All but red" are the others; "nothing but red", "no block except red" is red alone. None: "no A except B"."""
+    if isinstance(whole, Pronoun) and whole.word == "nothing":
+        return "only"
+    if not isinstance(whole, Noun) or whole.det != "no":
+        return "except"
+    plain = whole.traits == Traits() and whole.head == "block" and whole.part_of is None
+    return "only" if plain else None

@@ -1,0 +1,358 @@
+"""Lists of noun phrases and what is set beside one: "and", "or", "but", exceptions, appositions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.things import amounts
+from rpg.language.grammar.things.adjectives import adjectives, color
+from rpg.language.grammar.things.brackets import counted_aside
+from rpg.language.grammar.things.excepted import exceptions
+from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.retold import (
+    bare_color,
+    extra_alike,
+    mere_size,
+    named_by,
+    named_together,
+    part_after,
+    restates,
+    retelling,
+    retold,
+    shares_head,
+    sized_alike,
+    tally,
+    the_other,
+    told_anew,
+    what_is_left,
+)
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
+
+_JOIN = frozenset({"and", "or", "plus", "&", "nor"})
+
+
+def all_but(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
+    """ "all the blocks that are not red"."""
+    yield from _but_so_many(p, i, whole, j)
+    k = p.any_of(j, ("that are not", "which are not", "that is not", "which is not")) if isinstance(whole, Noun) else 0
+    if not k or not isinstance(whole, Noun) or whole.det not in ("all", "each", "the") or whole.head == "patch":
+        return
+    for named, end in color(p, k):
+        out = Noun(head="block", det="all", plural=True, traits=Traits(colors=(named,)), span=p.span(k, end))
+        whole = replace(whole, det="all", plural=True)
+        yield Coord(op="besides", items=(whole, out), span=p.span(i, end)), end
+
+
+def _but_so_many(p: Parser, i: int, whole: Meaning, j: int) -> Results[Noun]:
+    """ "all yellow blocks but one", "all five of the red blocks except two"."""
+    k = p.any_of(j, ("but", "except", "except for", "apart from", "save")) if isinstance(whole, Noun) else 0
+    if not k or not isinstance(whole, Noun) or whole.det != "all" or not whole.plural:
+        return
+    them = whole.part_of or replace(whole, det="the")
+    for many, end in amounts.count(p, k):
+        end = p.any_of(end, ("of them", "of these", "block", "blocks", "cube", "cubes")) or end
+        if not amounts.makes_number(p, end) and p.words[end] != "of":
+            some, span = Amount(many, many), p.span(i, end)
+            yield Noun(head=whole.head, det="all but", amount=some, plural=True, part_of=them, span=span), end
+
+
+_OF_EACH = ("each of", "each in", "each :", "of each of", "of each of the colors", "of each of these :", "of each :")
+
+
+def of_each(p: Parser, i: int, whole: Meaning, j: int) -> Results[Coord]:
+    """ "one cube each of red, orange and yellow", "two each of A and B": so many of each that is listed."""
+    from rpg.language.grammar.things.nouns import noun_phrase
+
+    k = p.any_of(j, _OF_EACH)
+    if not k or not isinstance(whole, Noun) or whole.amount is None or whole.traits != Traits() or whole.part_of:
+        return
+    if whole.det not in ("bare", "a", "some") or whole.amount.low != whole.amount.high or whole.head == "patch":
+        return
+    for listed, end in noun_phrase(p, k):
+        looks = _looks(listed)
+        if len(looks) > 1 and len(set(looks)) == len(looks):
+            each = replace(whole, head="block", cost=0, det="bare")
+            items = tuple(replace(each, traits=look, span=p.span(i, end)) for look in looks)
+            yield Coord(op="and", items=items, span=p.span(i, end)), end
+
+
+def _looks(listed: Meaning) -> tuple[Traits, ...]:
+    """The colours or labels of a plain list of them; none of anything else."""
+    if isinstance(listed, Coord) and listed.op == "and":
+        each = [_looks(item) for item in listed.items]
+        return tuple(look for looks in each for look in looks) if all(each) else ()
+    if not isinstance(listed, Noun) or listed.det != "bare" or listed.amount is not None or listed.head == "patch":
+        return ()
+    marks = listed.traits
+    if marks == Traits(colors=marks.colors) and listed.part_of is None and not listed.conditions:
+        return tuple(Traits(colors=(color,)) for color in marks.colors)
+    if marks == Traits(labels=marks.labels) and listed.part_of is None and not listed.conditions:
+        return tuple(Traits(labels=(label,)) for label in marks.labels)
+    return ()
+
+
+_OF_WHICH = ("of which", "of them", "of these", "of whom")
+
+
+def _of_which(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
+    """ "six blocks, of which four are brown and two are white", "..., four of them brown and two white"."""
+    items: list[Meaning] = []
+    at = start = p.any_of(j, _OF_WHICH) or j
+    led = start > j
+    while True:
+        told = next(iter(amounts.count(p, at)), None)
+        if told is None:
+            return
+        many, k = told
+        of = p.any_of(k, _OF_WHICH)
+        if not (led or of):
+            return
+        led = True
+        named = next(iter(color(p, p.opt(of or k, "are", "is"))), None)
+        if named is None:
+            return
+        look, at = named
+        marks = Traits(colors=(look,))
+        items.append(Noun(head="any", amount=Amount(many, many), plural=many > 1, traits=marks, span=p.span(k, at)))
+        if len(items) > 1 and tally(tuple(items)) == count:
+            yield Coord(op="and", items=tuple(items), span=p.span(i, at)), at
+        at = p.opt(p.opt(at, ",", ";", "/"), "and", "&")
+
+
+def _list_of(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
+    """ "four blocks, red, blue, red, blue": a list of just as many."""
+    from rpg.language.grammar.things.nouns import simple
+
+    yield from _of_which(p, i, j, count)
+    start = p.opt(j, "namely")
+    for first, k in simple(p, start):
+        for found, end in more(p, i, (first,), k, None):
+            if isinstance(found, Coord) and found.op in ("and", "then") and tally(found.items) == count:
+                yield replace(found, cost=0), end
+
+
+def _of_kind(item: Meaning, whole: Noun) -> Meaning:
+    """ "red" of "two mats, red and blue": a mat."""
+    return replace(item, head=whole.head) if isinstance(item, Noun) and item.head == "any" else item
+
+
+_NAMELY = ("that is", "namely", "that is to say", "meaning", "which are", "these are", "i . e .", "ie")
+
+
+def _namely(p: Parser, i: int, whole: Noun, j: int) -> Results[Meaning]:
+    """ "all odd digits, that is 1, 5 and 9, ...": just which they are."""
+    k = p.any_of(j, _NAMELY)
+    for (labels, more), end in label_list(p, p.opt(k, ",", ":", "the")) if k else ():
+        kind, quality = whole.traits.kind, whole.traits.quality
+        if not more and named_by(whole, labels) and kind is not None:
+            marks = Traits(labels=labels, kind=kind, quality=quality)
+            named = replace(whole, det="the", amount=None, plural=len(labels) > 1, traits=marks, span=p.span(i, end))
+            yield from ((named, last) for last in {end: None, p.opt(end, ","): None})
+
+
+def _left(p: Parser, j: int) -> Results[Meaning]:
+    """ "The remaining blocks, green and white, go on the mat": green and white."""
+    from rpg.language.grammar.things.nouns import simple
+
+    for first, k in simple(p, p.opt(j, "namely")):
+        for listed, end in [(first, k), *more(p, j, (first,), k, None)]:
+            items = listed.items if isinstance(listed, Coord) and listed.op == "and" else (listed,)
+            plain = all(isinstance(x, Noun) and x.traits.colors + x.traits.labels and not x.part_of for x in items)
+            if plain and p.one(end, ","):
+                yield replace(listed, cost=0), end + 1
+
+
+def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
+    """ "three red blocks, none of them ...", "five cubes, two on ...": part of what was just named."""
+    if isinstance(whole, Noun) and whole.plural and p.one(j, frozenset({",", ":", "("})):
+        yield from _namely(p, i, whole, j + 1)
+    if what_is_left(whole) and p.one(j, ","):
+        yield from _left(p, j + 1)
+    if not (isinstance(whole, Noun) and (whole.plural or whole.amount)) or not p.one(j, frozenset({",", ":"})):
+        return
+    for found, k in amounts.quantity(p, j + 1):
+        counts = whole.amount is None and whole.det in ("bare", "some") and found.det == "some"
+        if found.partitive and not counts and (end := p.any_of(k, ("them", "these", "those", "which"))):
+            yield (
+                Noun(
+                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
+                ),
+                end,
+            )
+    plain = isinstance(whole, Noun) and whole.traits in (Traits(), Traits(kind="plain"))
+    if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and plain:
+        for listed, k in _list_of(p, i, j + 1, whole.amount.low):
+            named = replace(listed, items=tuple(_of_kind(item, whole) for item in listed.items))
+            yield named, k
+            if p.one(k, ","):
+                yield named, k + 1
+    if isinstance(whole, Noun) and whole.amount is None:
+        yield from counted_aside(p, i, j, whole)
+        for some, k in amounts.amount(p, j + 1):
+            told = p.any_of(k, ("of them ,", "of them", "in all", "in total ,", "in total", "of those"))
+            if not told and whole.traits.labels and p.tokens[j + 1].kind == "number":
+                continue
+            k = told or k
+            yield (
+                replace(
+                    whole,
+                    amount=some,
+                    plural=some.high != 1,
+                    det="bare" if whole.det == "some" else whole.det,
+                    span=p.span(i, k),
+                ),
+                k,
+            )
+    if k := p.any_of(j + 1, ("none", "all", "each", "both")):
+        det = {"none": "no"}.get(p.words[k - 1], p.words[k - 1])
+        yield Noun(head=whole.head, det=det, plural=True, part_of=whole, span=p.span(i, k), cost=1), k
+
+
+def _joint(p: Parser, comma: int, op: str | None, before: Meaning) -> tuple[int, str]:
+    """What joins the next thing of a list: the position after it, and the word for it."""
+    summed = p.one(comma, "+") if isinstance(before, Noun) and before.traits.colors else 0
+    if 0 < summed < p.end:  # "2 red + 1 blue": of things that have a colour, none shows the sign
+        return summed, "and"
+    if op == "comma" and (k := p.any_of(comma, _AT_LAST)):
+        return k, "then"
+    joined = p.any_of(comma, ("and then", "as well as", "along with", "together with")) or p.one(comma, _JOIN)
+    return joined, p.words[comma] if joined else ""
+
+
+def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None) -> Results[Coord | Noun | Structure]:
+    """Lists that go on from `items`; with commas only ("red, blue, green") they cost a little."""
+    from rpg.language.grammar.things.nouns import simple
+
+    comma = p.opt(at, ",", ";", "/")
+    joined, word = _joint(p, comma, op, items[-1])
+    summed = word == "and" and p.words[comma] == "+"
+    yield from exceptions(p, i, items, comma)
+    if not joined and (k := p.any_of(comma, ("followed by", "then"))):
+        joined, word = k, "then"
+    now = {"or": "or", "nor": "or"}.get(word, "and") if joined else op
+    if comma == at and not joined:
+        return
+    if (joined and p.words[joined - 1] == "then") or word == "then":
+        now = "then"
+    if op is not None and now != op and op != "comma":
+        return
+    if word == "nor" and isinstance(items[0], Noun) and items[0].det == "no":
+        return
+    nxt = joined or comma
+    if word == "plus" and isinstance(items[-1], Noun) and _mere_number(items[-1]):
+        return
+    for item, j in [*simple(p, nxt), *_another_like(p, nxt, items[-1])]:
+        if not joined and (isinstance(item, Pronoun) or (isinstance(item, Noun) and isinstance(item.part_of, Pronoun))):
+            continue
+        if summed and not (isinstance(item, Noun) and item.traits.colors):
+            continue
+        like = _like(items[-1], item) if p.words[j - 1] in ("one", "ones") else item
+        item = _weighed(items, like, op == "and" and p.words[at] in (",", ";"))
+        if _no_item(p, items[-1], item, bool(joined), at):
+            continue
+        if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
+            yield from ((replace(again, span=p.span(i, j)), end) for end in {j: None, p.opt(j, ","): None})
+            continue
+        whole = extra_alike(sized_alike((*items, item)))
+        if isinstance(item, Noun) and item.traits.extra and not any(_is_extra(x) for x in whole[:-1]):
+            whole = (*whole[:-1], replace(item, cost=item.cost + 3))
+        if joined and now == "and" and (named := named_together(whole)) is not None:
+            yield replace(named, span=p.span(i, j)), j
+            continue
+        if joined and now == "or" and (k := p.any_of(j, ("but not both", ", but not both", "not both"))):
+            yield from ((Coord(op="xor", items=whole, span=p.span(i, k)), e) for e in {k: None, p.opt(k, ","): None})
+        if joined:
+            stopped = len(items) == 1 and p.words[at : at + 1] == [","] and now == "and"
+            cost = 6 if retold(whole) else 5 if stopped else 2 if now == "then" or shares_head(items[-1], item) else 0
+            yield Coord(op=str(now), items=whole, span=p.span(i, j), cost=cost), j
+            yield from more(p, i, whole, j, now)
+        else:
+            if (same := retelling(items, item)) is not None:
+                for end in {j: None, p.opt(j, ","): None} if same else ():
+                    yield from ((replace(found, span=p.span(i, j)), end) for found in same)
+                continue
+            if not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
+                yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
+            yield from more(p, i, whole, j, op or "comma")
+
+
+_AT_LAST = ("and finally", "and lastly", "and last", "and at last", "and last of all")
+"""Before the last thing of a list with commas: "red, green, blue and finally yellow"."""
+
+
+def _like(before: Meaning, one: Meaning) -> Meaning:
+    """ "a blue block, a red one and a white patch": "one" stands for what was named before it, not for the patch."""
+    if not isinstance(before, Noun) or not isinstance(one, Noun):
+        return one
+    told = before.head != "any" and bool(before.traits.colors or before.traits.labels)
+    further = one.head == "any" and one.det in ("a", "bare", "another") and one.part_of is None
+    return replace(one, head=before.head) if told and further else one
+
+
+def _no_item(p: Parser, before: Meaning, item: Meaning, joined: bool, at: int) -> bool:
+    """Whether something is no further item of a list: a colour or a size of what came before it, or some of that."""
+    if joined:
+        return isinstance(before, Structure) and isinstance(item, Structure) and _amid_colors(p, at)
+    told = isinstance(item, Noun) and bare_color(item) and (isinstance(before, Structure) or _of_sizes(before))
+    return told or (isinstance(item, Noun) and (mere_size(item) or _of_them(before, item)))
+
+
+def _weighed(items: tuple[Meaning, ...], item: Meaning, closed: bool) -> Meaning:
+    """An item at what it costs to be one. `closed`: "and" came before the last one, and a comma before this one."""
+    if isinstance(item, Noun) and isinstance(item.part_of, Noun) and item.part_of.det == "bare" and not item.cost:
+        item = replace(item, cost=2)
+    if closed and _starts_anew(items, item):
+        item = replace(item, cost=item.cost + 1)
+    return replace(item, cost=item.cost + 3) if part_after(items[-1], item) else item
+
+
+def _starts_anew(items: tuple[Meaning, ...], item: Meaning) -> bool:
+    """ "(a tower of) red and blue, a green block and ...": a list of bare colours that is closed does not go on."""
+    bare = all(isinstance(x, Noun) and x.det == "bare" and x.head == "any" and x.amount is None for x in items)
+    return bare and isinstance(item, Noun) and item.det == "a" and item.head == "block"
+
+
+def _amid_colors(p: Parser, at: int) -> bool:
+    """ "a staircase of red, blue and green steps": the list of colours goes on here."""
+    comma = p.words[at - 2 : at - 1] == [","]
+    return comma and p.words[at - 1] in lexicon.COLOR and p.words[at - 3] in lexicon.COLOR
+
+
+def _of_them(before: Meaning, item: Noun) -> bool:
+    """ "two blocks of 3 cm, both purple": said of these, they are no further ones."""
+    counted = isinstance(before, Noun) and before.plural and not before.traits.colors and not before.traits.labels
+    alone = item.head == "any" and item.det in ("both", "all") and item.traits == Traits(colors=item.traits.colors)
+    return counted and alone
+
+
+def _of_sizes(before: Meaning) -> bool:
+    """ "cubes with edges of 5, 4 and 3 cm": a colour behind them is that of all."""
+    items = before.items if isinstance(before, Coord) else ()
+    return bool(items) and all(isinstance(x, Noun) and x.traits == Traits(edge=x.traits.edge) for x in items)
+
+
+def _is_extra(item: Meaning) -> bool:
+    return isinstance(item, Noun) and item.traits.extra
+
+
+def _mere_number(item: Noun) -> bool:
+    """ "two" of "two plus signs"."""
+    return item.head == "any" and item.det == "bare" and item.amount is not None and item.traits == Traits()
+
+
+def _another_like(p: Parser, i: int, before: Meaning) -> Results[Meaning]:
+    """ "a group of reds and one of blues": a structure like the one before it in the list."""
+    from rpg.language.grammar.things.nouns import simple
+
+    if isinstance(before, Noun) and before.traits.rank and before.head == "any" and before.det == "the":
+        for marks, j in adjectives(p, i):
+            if set(marks) == {"rank"}:
+                yield replace(before, traits=Traits(**marks), span=p.span(i, j)), j
+    of = p.any_of(i, ("one of", "another of", "another one of", "a second of", "a third of", "the other of"))
+    if not (of and isinstance(before, Structure) and before.members is not None and not before.plural):
+        return
+    for members, j in simple(p, of):
+        if isinstance(members, Noun):
+            yield replace(before, members=members, sizes=(), dims=(), details=(), span=p.span(i, j)), j

@@ -1,0 +1,112 @@
+"""Explicit lists: "red, yellow, green", "red to yellow to green", "A B C", "first the red one, then ..."."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.labels import label_list
+from rpg.language.meaning import Meaning, Noun, Traits
+from rpg.language.tokens import Token
+
+_NEXT = ("and then", "and", "then", "followed by", "and finally", "finally", "and last", "and lastly", "lastly",
+         "and at last", "at last", "and then finally", "then finally", "and last of all", "and after that",
+         "after that", "and next", "next")  # fmt: skip
+"""What a further thing of a list may come after."""
+
+
+@rule
+def listed(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """An explicit list, at least two long: "red, yellow, green", "red to yellow to green", "A B C", noun phrases."""
+    from rpg.language.grammar.things.nouns import simple
+
+    yield from _colors(p, i)
+    for (labels, more), j in label_list(p, i):
+        if len(labels) > 1 and not more:
+            span = p.span(i, j)
+            yield tuple(Noun(head="any", traits=Traits(labels=(a,)), span=span) for a in labels), j
+    for first, j in simple(p, i):
+        if isinstance(first, Noun):
+            yield from _more(p, (first,), j)
+
+
+@choice
+def _colors(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    items: list[Meaning] = []
+    at, readings = i, []
+    while True:
+        found = next(iter(color(p, at)), None)
+        if found is None:
+            break
+        items.append(Noun(head="any", traits=Traits(colors=(found[0],)), span=p.span(at, found[1])))
+        at = found[1]
+        if len(items) > 1:
+            readings.append((tuple(items), at))
+        at = p.opt(at, ",", "-")
+        at = p.any_of(at, _NEXT) or p.opt(at, "to")
+    yield from reversed(readings)
+
+
+@rule
+def ranks(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
+    """ "a green and two blue blocks in no fixed order, then the white block": places of an order, some shared."""
+    for items, shared, j in _ranks(p, i):
+        if shared:
+            yield items, j
+
+
+def _ranks(p: Parser, i: int) -> Iterator[tuple[tuple[Meaning, ...], bool, int]]:
+    from rpg.language.grammar.things.nouns import noun_phrase
+
+    for item, j in noun_phrase(p, i):
+        shared = p.seq(j, "in no fixed order")
+        if not shared and not isinstance(item, Noun):
+            continue
+        end = shared or j
+        yield (item,), bool(shared), end
+        k = p.any_of(end, (", then", "then"))
+        for rest, also, last in _ranks(p, k) if k else ():
+            yield (item, *rest), bool(shared) or also, last
+
+
+def _more(p: Parser, items: tuple[Meaning, ...], at: int) -> Results[tuple[Meaning, ...]]:
+    from rpg.language.grammar.things.nouns import simple
+
+    j = p.opt(at, ",")
+    j = p.any_of(j, _NEXT) or j
+    if j == at or len(items) > 30:
+        return
+    for item, k in simple(p, j):
+        if isinstance(item, Noun):
+            yield (*items, item), k
+            yield from _more(p, (*items, item), k)
+
+
+_RUN = 3
+"""So many colours one after the other are a list, for nothing has two of them."""
+
+
+def with_commas(tokens: list[Token]) -> list[Token] | None:
+    """ "The red orange yellow and green cubes": the tokens with commas in such lists; None where there is none."""
+    out: list[Token] = []
+    at, found = 0, False
+    while at < len(tokens):
+        end = at
+        while _colored(tokens, end):
+            end += 1
+        closed = end > at and end < len(tokens) and tokens[end].word == "and" and _colored(tokens, end + 1)
+        run = tokens[at : max(end, at + 1)]
+        listed = len(run) + closed >= _RUN and len({token.word for token in run}) == len(run)
+        for n, token in enumerate(run):
+            if n and listed:
+                out.append(Token("punct", ",", ",", token.span))
+                found = True
+            out.append(token)
+        at += len(run)
+    return out if found else None
+
+
+def _colored(tokens: list[Token], at: int) -> bool:
+    return at < len(tokens) and tokens[at].kind == "word" and tokens[at].word in lexicon.COLOR

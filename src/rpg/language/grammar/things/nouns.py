@@ -1,0 +1,399 @@
+"""Noun phrases: any description of blocks, patches or structures, alone, in lists, in parts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.things import amounts
+from rpg.language.grammar.things.adjectives import Marks, adjectives, clash, color, merge, of_quality
+from rpg.language.grammar.things.amounts import Quantity
+from rpg.language.grammar.things.brackets import bracketed
+from rpg.language.grammar.things.edges import of_edges
+from rpg.language.grammar.things.joined import all_but, apposed, more, of_each
+from rpg.language.grammar.things.labels import label_list, literal
+from rpg.language.grammar.things.pronouns import pronoun
+from rpg.language.grammar.things.standby import further_extras
+from rpg.language.grammar.things.strangers import STRANGERS
+from rpg.language.grammar.things.theirs import in_their_colors
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
+
+_APART = frozenset({"own", "separate", "distinct"})
+"""Before patches: none is shared."""
+_OUTLINES = {word + end: (word, bool(end)) for word in ("square", "circle", "rectangle") for end in ("", "s")}
+"""Figures by which a patch is called as well: the word, its shape, whether it is a plural."""
+_SINGLE = Quantity("bare")
+_ONE = ("the", "a", "bare")
+_PRESENT = ("present", "in the scene", "lying around", "around", "in view", "also present")
+"""What may be said of where distractors are, which is nowhere in particular."""
+_EVERYTHING = ("everything", "everything that is", "everything which is", "all that is", "anything that is")
+_LISTING = frozenset({"bare", "the", "all", "both"})
+_EVERY = frozenset({"each", "all", "both"})
+"""These speak of several: "red on blue, both 5 cm" says nothing of the blue one alone."""
+_SYMBOLS = (lexicon.LETTER, lexicon.DIGIT, lexicon.SYMBOL)
+"""Nouns with which symbols are read as what they tell apart, not as blocks of their own."""
+
+
+@rule
+def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
+    """One noun phrase or a list of them."""
+    start = p.one(i, frozenset({"both", "either"})) or i
+    if k := p.one(i, "neither"):
+        for item, j in simple(p, k):
+            yield from (
+                (replace(found, op="nor"), e)
+                for found, e in more(p, i, (item,), j, None)
+                if isinstance(found, Coord) and found.op == "or"
+            )
+    if k := p.one(i, "only"):
+        for item, j in simple(p, k):
+            counted = isinstance(item, Noun) and item.det == "bare" and item.amount is not None
+            if isinstance(item, Noun) and not counted and item.amount in (None, Amount(1, 1)) and item.det in _ONE:
+                yield Coord(op="only", items=(item,), span=p.span(i, j)), j
+    for item, j in simple(p, start) if start > i else ():
+        if isinstance(item, Noun) and item.amount is not None and item.traits == Traits() and item.head == "any":
+            continue  # "either two or three of ..." is one number
+        yield from (
+            (replace(found, cost=0), k) for found, k in more(p, i, (item,), j, None) if isinstance(found, Coord)
+        )
+    for item, j in simple(p, i):
+        yield item, j
+        yield from all_but(p, i, item, j)
+        yield from apposed(p, i, item, j)
+        yield from of_each(p, i, item, j)
+        if not (isinstance(item, Noun) and item.det == "both" and item.head == "any"):
+            yield from more(p, i, (item,), j, None)
+
+
+@rule
+def simple(p: Parser, i: int) -> Results[Meaning]:
+    """A noun phrase that is no list."""
+    if i >= p.end:
+        return
+    yield from pronoun(p, i)
+    yield from _table(p, i)
+    from rpg.language.grammar.structures.structures import structure
+
+    yield from structure(p, i)
+    yield from _part(p, i)
+    if j := p.any_of(i, ("the centers of", "the centres of", "the middles of", "centers of")):
+        yield from noun_phrase(p, j)
+    if j := p.any_of(i, ("the letter on", "the letter of", "the symbol on", "the number on", "the digit on")):
+        yield from ((found, k) for found, k in simple(p, j) if isinstance(found, Noun))
+    yield from _letters_of(p, i)
+    for phrase, j in p.standing(i, _SIGNS):
+        det = "the" if phrase.startswith("the") else "a"
+        sign = Traits(labels=(_SIGNS[phrase],), kind="symbol")
+        yield Noun(head="block", det=det, traits=sign, span=p.span(i, j), cost=phrase.endswith("plus sign") * 2), j
+    if j := p.any_of(i, _EVERYTHING):
+        for marks, k in adjectives(p, j):
+            if marks.keys() & {"colors", "kind", "size"}:
+                yield Noun(head="block", det="all", plural=True, traits=Traits(**marks), span=p.span(i, k)), k
+    for found, j in amounts.quantity(p, i):
+        if found.det == "its" and (own := p.one(j, "own")):
+            yield from (
+                (replace(block, det="a", amount=Amount(1, 1), traits=replace(block.traits, scheme="different")), k)
+                for block, k in _noun(p, i, own, Quantity("a", Amount(1, 1), False))
+                if isinstance(block, Noun) and block.head != "patch" and block.traits.scheme is None
+            )
+        if found.partitive:
+            yield from _partitive(p, i, j, found)
+        else:
+            ended = "or" if p.words[i] == "either" else None
+            yield from ((noun, k) for noun, k in _noun(p, i, j, found) if p.words[k] != ended)
+    yield from _noun(p, i, i, _SINGLE)
+    if of := p.one(i, "of"):
+        yield from _of_these(p, i, of)
+
+
+_SIGNS = {
+    f"{det} {name}": sign
+    for sign, names in {
+        "=": ("equals sign", "equal sign", "= sign", "equality sign"), "-": ("minus sign", "- sign", "minus"),
+        "+": ("plus sign", "+ sign"), "*": ("times sign", "multiplication sign", "* sign"),
+        "/": ("division sign", "/ sign"),
+    }.items()
+    for name in names
+    for det in ("the", "an" if name[0] in "e" else "a", *(("one",) if name.endswith("sign") else ()))
+}  # fmt: skip
+"""Blocks by the signs that they show; a plus sign may be a figure as well."""
+
+
+@choice
+def _letters_of(p: Parser, i: int) -> Results[Meaning]:
+    """ "the letters of the word LAMP": those letters, in no order yet."""
+    j = p.any_of(i, ("the letters of", "letters of", "all letters of", "all the letters of", "the letters in"))
+    k = p.any_of(j, ("the word", "the name", "word")) or j if j else 0
+    text = literal(p, k) if k else None
+    if text is not None and len(text) > 1 and text.isalpha():
+        marks = Traits(labels=tuple(text), kind="letter")
+        yield Noun(head="block", det="the", plural=True, traits=marks, span=p.span(i, k + 1)), k + 1
+
+
+def _of_these(p: Parser, i: int, of: int) -> Results[Meaning]:
+    """ "of the four red blocks, two ..."."""
+    for whole, j in simple(p, of):
+        if isinstance(whole, Noun) and (whole.plural or whole.amount):
+            for found, k in amounts.amount(p, p.opt(j, ",")):
+                yield Noun(head=whole.head, det="some", amount=found, plural=True, part_of=whole, span=p.span(i, k)), k
+
+
+@choice
+def _table(p: Parser, i: int) -> Results[Meaning]:
+    j = p.opt(i, "the", "a", "this", "your", "my")
+    j = p.opt(j, "work", "wooden")
+    if p.lex(j, lexicon.TABLE) is False:
+        end = j + 1
+        end = p.opt(end, "top", "surface")
+        yield TableTop(span=p.span(i, end)), end
+
+
+_PARTS = {
+    "top": "top", "bottom": "bottom", "middle": "middle", "base": "bottom", "foot": "bottom", "center": "middle",
+    "centre": "middle", "left end": "left", "right end": "right", "end": "end", "front": "front", "back": "back",
+}  # fmt: skip
+
+
+@choice
+def _part(p: Parser, i: int) -> Results[Meaning]:
+    """ "the top of the tower", "its top"."""
+    if j := p.one(i, "its"):
+        for phrase, k in p.standing(j, _PARTS):
+            yield PartOf(part=_PARTS[phrase], whole=Pronoun(word="it", span=p.span(i, j)), span=p.span(i, k)), k
+    j = p.one(i, "the")
+    if not j:
+        return
+    for phrase, k in p.standing(j, _PARTS):
+        for whole, end in simple(p, of) if (of := p.one(k, "of")) else ():
+            if isinstance(whole, TableTop):
+                continue
+            yield PartOf(part=_PARTS[phrase], whole=whole, span=p.span(i, end)), end
+
+
+def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
+    """ "two of the four red blocks", "none of them"."""
+    for whole, end in simple(p, j):
+        if isinstance(whole, Noun) and whole.head == "any" and whole.det == "the" and found.det in ("all", "no"):
+            whole = replace(whole, plural=whole.plural or bool(whole.traits.colors))
+        if (
+            isinstance(whole, Noun)
+            and whole.det in ("the", "bare", "its", "other", "all")
+            and (whole.plural or whole.amount)
+        ):
+            plain = whole.det == "bare" and whole.amount is None
+            if plain and found.det != "some":
+                continue
+            if found.det == "all" and whole.det == "the" and whole.amount is not None and whole.part_of is None:
+                yield replace(whole, det="all", span=p.span(i, end)), end
+                continue
+            yield (
+                Noun(
+                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
+                ),
+                end,
+            )
+        elif isinstance(whole, Pronoun) and whole.word in (
+            "them",
+            "these",
+            "those",
+            "the others",
+            "the rest",
+            "others",
+        ):
+            yield (
+                Noun(head="any", det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)),
+                end,
+            )
+
+
+@choice
+def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
+    """The noun itself: (head, plural, traits it brings)."""
+    for table, head in ((lexicon.BLOCK, "block"), (lexicon.LOOSE_BLOCK, "block")):
+        plural = p.lex(i, table)
+        if plural is not None:
+            yield (head, plural, {}), i + 1
+    start = p.one(i, _APART) or i
+    j = start
+    while p.lex(j, lexicon.PATCH) is not None:
+        j += 1
+    if j > start:
+        yield ("patch", bool(p.lex(j - 1, lexicon.PATCH)), {"scheme": "different"} if start > i else {}), j
+    for table, kind in ((lexicon.LETTER, "letter"), (lexicon.DIGIT, "digit"), (lexicon.SYMBOL, "symbol")):
+        plural = p.lex(i, table)
+        if plural is not None:
+            yield ("block", plural, {"kind": kind}), i + 1
+    for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
+        if j := p.one(i, frozenset({words, words + "s"})):
+            yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
+    start = p.one(i, frozenset({"random", "arbitrary", "other"})) or i
+    if j := p.one(start, frozenset({"distractor", "distractors"})):
+        yield ("block", p.words[start] == "distractors", {"extra": True}), j
+    if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS)):
+        yield ("block", p.words[i].endswith("s"), {}), j
+    if j := p.one(i, frozenset({"one", "ones"})):
+        yield ("any", p.words[i] == "ones", {}), j
+    if several := p.peek(i, lexicon.COLOR_PLURAL):
+        yield ("block", True, {"colors": (several,)}), p.reach(i + 1)
+
+
+def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]:
+    for marks, j in adjectives(p, start):
+        for (head, plural, brings), k in _head(p, j):
+            both = merge(marks, brings)
+            if both is not None:
+                yield from _finish(p, i, k, quantity, head, plural, both)
+        if (figure := p.peek(j, _OUTLINES)) and (both := merge(marks, {"shape": figure[0]})) is not None:
+            yield from _finish(p, i, p.reach(j + 1), quantity, "patch", figure[1], both, cost=1)
+        yield from _headless(p, i, start, j, quantity, marks)
+
+
+def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: Marks) -> Results[Meaning]:
+    """ "red on blue", "the other two", "A", "a red and a blue block"."""
+    ranked = quantity.det == "the" and marks.get("rank") not in (None, "top", "bottom", "middle")
+    named = j > start and p.words[j - 1] not in ("target", "goal") and "shape" not in marks
+    looked = marks.get("colors") or marks.get("size") or ranked
+    if named and looked and ("edge" not in marks or p.words[j - 1] in lexicon.COLOR):
+        plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
+        several = len(marks.get("colors", ())) > 1 and not marks.get("either")
+        if (several and _list_goes_on(p, j)) or (quantity.det == "both" and not several and p.words[j] == "and"):
+            return
+        yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1 if several else 0)
+    counted = quantity.amount is not None and quantity.det in ("the", "bare", "other", "another", "both", "some")
+    if counted and quantity.det == "bare" and start > i and p.tokens[start - 1].kind == "number":
+        counted = False
+    if j == start and (counted or quantity.det in ("other", "another")):
+        digit = quantity.det == "the" and p.tokens[start - 1].kind == "number"
+        yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=3 if digit else 2)
+    named = j > start and any(p.words[j - 1] in table for table in _SYMBOLS)
+    if not named and ((quantity.det in _LISTING and quantity.amount is None) or quantity.det == "a"):
+        for (labels, more), k in label_list(p, j):
+            held = merge(marks, {"labels": labels, "open_ended": more})
+            digit = len(labels) == 1 and labels[0].isdigit()
+            if digit and (amounts.makes_number(p, k) or quantity.det == "all"):
+                continue
+            if held is not None and (len(labels) == 1 or quantity.det != "a"):
+                yield from _finish(
+                    p,
+                    i,
+                    k,
+                    quantity,
+                    "block",
+                    len(labels) > 1,
+                    held,
+                    cost=2 if digit or (len(labels) > 1 and "and" not in p.words[j:k] and "," in p.words[j:k]) else 1,
+                )
+
+
+def _list_goes_on(p: Parser, j: int) -> bool:
+    """Whether a list of colours continues behind j."""
+    k = p.opt(p.opt(j, ","), "and", "or", "&")
+    return k > j and k < p.end and p.words[k] in lexicon.COLOR
+
+
+def _finish(
+    p: Parser, i: int, j: int, quantity: Quantity, head: str, plural: bool, marks: Marks, cost: int = 0
+) -> Results[Meaning]:
+    """The noun with what may follow it: labels, "of ...", "that ..."."""
+    low = quantity.amount
+    many = plural or bool(low and low.high != 1)
+    if (quantity.det == "each" and plural) or (quantity.det == "a" and plural and not low):
+        return
+    if low is not None and low == Amount(1, 1) and plural and quantity.det in ("a", "bare"):
+        return
+    if low is not None and low.low > 1 and not plural and head not in ("any",) and quantity.det != "each":
+        cost += 1
+    if len(marks.get("colors", ())) > 1 and not many and not marks.get("either"):
+        cost += 1
+        many = True
+    if head == "block" and quantity.det == "bare" and low is None and not many and not marks:
+        cost += 1
+    noun = Noun(
+        head=head, det=quantity.det, amount=low, plural=many, traits=Traits(**marks), span=p.span(i, j), cost=cost
+    )  # fmt: skip
+    yield from _after(p, i, j, noun)
+
+
+def _numbered(p: Parser, i: int, at: int, noun: Noun) -> Noun | None:
+    """ "red block 2", "the 7 block number 2": a number behind a block that has a look counts those of that look."""
+    token = p.tokens[at]
+    told = bool(noun.traits.colors or noun.traits.labels) and noun.head == "block" and not noun.plural
+    before = p.words[at - 1]
+    if not told or token.kind != "number" or noun.amount is not None:
+        return None
+    if before not in lexicon.BLOCK and before != "number":
+        return None
+    return replace(noun, traits=replace(noun.traits, rank=f"#{p.words[at]}"), span=p.span(i, at + 1))
+
+
+@rule
+def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
+    from rpg.language.grammar.things.relatives import relative
+
+    yield noun, j
+    tried = [(noun, j)]
+    if noun.traits.extra and (k := p.any_of(j, _PRESENT)):
+        yield noun, k
+    k = p.one(j, "number") or j
+    long = k < p.end and (k > j or (p.tokens[k].kind == "number" and len(p.words[k]) > 1))
+    if long and (counted := _numbered(p, i, k, noun)) is not None:
+        yield counted, p.reach(k + 1)
+    if (k := _as_many_colors(p, j, noun)) and (told := _with(noun, {"scheme": "different"}, p.span(i, k))) is not None:
+        yield told, k
+        tried.append((told, k))
+    yield from of_edges(p, i, j, noun)
+    yield from bracketed(p, i, j, noun)
+    for update, k in in_their_colors(p, j) if noun.head == "patch" and not noun.traits.colors else ():
+        if (told := _with(noun, update, p.span(i, k))) is not None:
+            yield told, k
+    for update, k in further_extras(p, j, noun):
+        if (told := _with(noun, update, p.span(i, k))) is not None:
+            yield told, k
+    for update, k in of_quality(p, j, noun.head):
+        if noun.head == "patch" and noun.det == "the" and noun.amount is None and update == {"scheme": "same"}:
+            continue
+        if "edge" in update and not noun.plural and not _EVERY.isdisjoint(p.words[j : j + 2]):
+            continue
+        changed = _numbered(p, i, j, noun) if k == j + 1 else None
+        changed = changed or _with(noun, update, p.span(i, k))
+        if changed is not None:
+            yield changed, k
+            tried.append((changed, k))
+    single = not noun.plural or (noun.amount is not None and noun.det == "bare" and noun.traits == Traits())
+    if noun.head == "block" and single and not noun.traits.colors and not noun.traits.labels:
+        for named, k in color(p, j):
+            if p.words[k] not in lexicon.BLOCK and p.words[k] not in lexicon.COLOR:
+                marked = replace(noun.traits, colors=(named,))
+                yield replace(noun, traits=marked, span=p.span(i, k), cost=noun.cost + 2), k
+    for base, at in tried:
+        for condition, end in relative(p, at, base.head):
+            k = p.opt(end, ",") if p.words[at : at + 1] == [","] else end
+            if isinstance(condition, Traits):
+                more = {n: getattr(condition, n) for n in Traits.__dataclass_fields__}
+                changed = _with(base, {n: v for n, v in more.items() if v != getattr(Traits(), n)}, p.span(i, end))
+                if changed is not None:
+                    yield from ((changed, last) for last in {end: None, k: None})
+            else:
+                told = replace(base, conditions=(*base.conditions, *condition), span=p.span(i, end))
+                yield from ((told, last) for last in {end: None, k: None})
+
+
+def _as_many_colors(p: Parser, j: int, noun: Noun) -> int:
+    """The position after "of five different colours" behind five blocks."""
+    of = p.one(j, frozenset({"of", "in", "with"}))
+    many = p.number(of) if of else None
+    if many is None or noun.amount is None or noun.amount != Amount(many, many, noun.amount.strict) or many < 2:
+        return 0
+    return p.any_of(of + 1, ("different colors", "distinct colors", "colors", "unique colors", "separate colors"))
+
+
+def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun | None:
+    """`noun` with more traits, unless they contradict those it has."""
+    retold = set(update) == {"kind"} and noun.traits.kind is not None
+    if clash(noun.traits, update) or retold:
+        return None
+    plural = noun.plural or len(update.get("labels", ())) > 1
+    return replace(noun, traits=replace(noun.traits, **update), span=span, plural=plural)

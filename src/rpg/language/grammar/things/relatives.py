@@ -1,0 +1,99 @@
+"""Relative clauses and participles after a noun: "that shows letters", "which is on the patch", "stacked on ..."."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
+from rpg.language.grammar.things.labels import label_list
+from rpg.language.grammar.things.standby import NO_ROLE
+from rpg.language.meaning import Loc, Meaning, Noun, Traits
+
+_THAT = frozenset({"that", "which", "who", "what"})
+_SHOW = frozenset(
+    {"show", "shows", "showing", "display", "displays", "bear", "bears", "carry", "carries", "have", "has", "read"}
+)
+_THINGS = {"letters": "letter", "numbers": "digit", "digits": "digit", "symbols": "symbol", "letter": "letter",
+           "number": "digit"}  # fmt: skip
+
+
+_WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the color is", "of which the color is",
+                "with the color", "that has color", "that has the color", "which has the color", "having color",
+                "having the color", "who is", "of the color")  # fmt: skip
+
+
+@rule
+def relative(p: Parser, i: int, head: str) -> Results[Any]:
+    """Traits, or a tuple of conditions (places)."""
+    from rpg.language.grammar.places.relations import loc
+
+    comma = p.opt(i, ",")
+    if j := p.any_of(comma, _WHOSE_COLOR):
+        for named, k in color(p, j):
+            yield Traits(colors=(named,)), k
+    that = p.one(comma, _THAT)
+    that = p.seq(that, "in turn") or that if that else 0
+    if that:
+        if j := max(NO_ROLE.matches(p, that), default=0):
+            yield Traits(extra=True), j
+        if j := p.one(that, _SHOW):
+            yield from _shown(p, j)
+        namely = comma > i and p.words[i + 1 : i + 3] == ["that", "is"]
+        if j := p.one(that, frozenset({"is", "are"})) if not namely else 0:
+            j = p.opt(j, "all", "both", "each") if j else j
+            for marks, k in adjectives(p, j):
+                if marks and head in ("block", "any", "patch"):
+                    yield Traits(**marks), k
+            for marks, k in of_quality(p, j, head):
+                yield Traits(**marks), k
+            j = p.opt(j, "currently", "already", "initially")
+        yield from _carrying(p, that, comma > i)
+        start = that
+        while start < p.end and p.words[start] in lexicon.POSTURE | {"currently", "already", "initially"}:
+            start = p.reach(start + 1)
+        if start > that or p.words[that : that + 1] == ["touches"]:
+            yield from _conditions(p, start, loc, comma > i)
+
+
+_CARRY = (
+    "carries", "carry", "holds up", "hold up", "is carrying", "is holding", "is supporting", "holds", "hold",
+    "supports", "support", "bears", "bear",
+    *(f"{must} {verb}" for must in ("should", "must", "has to", "is to") for verb in ("carry", "hold", "support")),
+)  # fmt: skip
+
+
+@choice
+def _carrying(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]:
+    """ "(the red block) that carries the pink one": what lies on it."""
+    from rpg.language.grammar.things.nouns import simple
+
+    j = p.any_of(i, _CARRY)
+    for theme, k in simple(p, j) if j else ():
+        if isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and not theme.traits.labels:
+            wanted = asserted or p.words[i] in ("should", "must") or p.words[i + 1] == "to"
+            mods = ("directly", "asserted") if wanted else ("directly",)
+            yield (Loc(rel="under", landmark=theme, mods=mods, span=p.span(i, k)),), k
+
+
+def _conditions(p: Parser, i: int, loc: Any, asserted: bool) -> Results[tuple[Meaning, ...]]:
+    """Places; after a comma ("..., which is on the patch") they are said of the goal as well."""
+    for first, j in loc(p, i):
+        yield (
+            ((replace(first, mods=(*first.mods, "asserted")),) if asserted and isinstance(first, Loc) else (first,)),
+            j,
+        )
+
+
+def _shown(p: Parser, i: int) -> Results[Traits]:
+    j = p.opt(i, "the", "a", "an")
+    if j < p.end and p.words[j] in _THINGS:
+        kind = _THINGS[p.words[j]]
+        end = p.reach(j + 1)
+        yield Traits(kind=kind), p.any_of(end, ("on them", "on it")) or end
+        for (labels, more), k in label_list(p, end, True):
+            yield Traits(labels=labels, open_ended=more), k
+    for (labels, more), k in label_list(p, j, True):
+        yield Traits(labels=labels, open_ended=more), k

@@ -1,0 +1,79 @@
+"""Strangers in groups: "with exactly one wrong block in each group", "each group has one odd one out"."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.things import amounts
+from rpg.language.meaning import Clause, Manner
+
+STRANGERS = frozenset({"outlier", "outliers", "stranger", "strangers", "misfit", "misfits", "intruder", "intruders"})
+_STRANGER = Patterns(
+    "|".join(sorted(STRANGERS)),
+    "odd_one_out|odd_ones_out|odd_one|odd_ones",
+    "wrong|foreign|mismatched|wrongly_colored block|blocks|cube|cubes|one|ones",
+    "block|cube|blocks|cubes|one|ones of|in|with the|another|a|some wrong|other|another|different "
+    "color|kind|group|colors",
+    "block|cube that|which does_not_belong there|to_it?",
+)
+_GROUPS = "group|pile|heap|bunch|cluster|one|of_them|of_the_groups|of_the_piles|of_the_two|of_the_three|of_these"
+_IN_EACH = Patterns(
+    f"in|inside|into|for each|every {_GROUPS}?",
+    "per group|pile|heap|bunch|cluster",
+    "each|apiece",
+    "in both groups|piles|heaps?",
+    "is|are in|inside each|every group|pile|heap|bunch|cluster|one|of_them",
+)
+_EACH_HAS = Patterns(
+    f"each|every {_GROUPS}? has|should_have|must_have|contains|should_contain|must_contain|gets|includes|is_to_have|"
+    "has_to_have|has_to_contain|should_get|holds",
+    f"in|inside each|every {_GROUPS}? ,? there_is|there_should_be|there_must_be|there_has_to_be|has_to_be|is|should_be|"
+    "must_be|sits|lies|belongs|there_shall_be|there_are?",
+)
+_LEADS = (
+    "with", "but with", "and with", "each with", "but", "so that each has", "so each has", "but leave", "leaving",
+    "but keep", "keeping", "and leave", "where each has", "such that each has", "including", "each having",
+    "each containing", "and",
+)  # fmt: skip
+_THAT = ("so that", "such that", "so", "where", "in such a way that", "but", "and", "only")
+_ASKED = ("there is", "there should be", "there must be", "leave", "keep", "put", "have", "place", "add", "allow")
+
+
+@rule
+def strangers(p: Parser, i: int) -> Results[Manner]:
+    """As an adjunct: "but with exactly one wrong block in each group", "so that each pile has one outlier"."""
+    comma = p.opt(i, ",", ":")
+    if j := p.any_of(comma, _LEADS):
+        yield from _so_many(p, i, j)
+    that = p.any_of(comma, _THAT)
+    yield from _each_has(p, i, that or comma)
+    if that:
+        yield from _so_many(p, i, that)
+
+
+@rule
+def strangers_told(p: Parser, i: int) -> Results[Clause]:
+    """In a clause of its own: "in each group there is exactly one stranger", "exactly one wrong block per group"."""
+    if not p.rarely(_WORDS):
+        return
+    for found, j in [*_each_has(p, i, i), *_so_many(p, i, p.any_of(i, _ASKED) or i)]:
+        yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j)), j
+
+
+_WORDS = STRANGERS | {"odd", "wrong", "foreign", "mismatched", "wrongly", "different", "another", "other", "belong"}
+
+
+def _so_many(p: Parser, i: int, j: int) -> Results[Manner]:
+    """ "exactly one stranger in each group"."""
+    for many, k in amounts.amount(p, j):
+        for end in _STRANGER.matches(p, k) if many.low == many.high else ():
+            if last := max(_IN_EACH.matches(p, end), default=0):
+                yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last
+
+
+def _each_has(p: Parser, i: int, at: int) -> Results[Manner]:
+    """ "each group has exactly one stranger"."""
+    for j in _EACH_HAS.matches(p, at):
+        for many, k in amounts.amount(p, j):
+            for end in _STRANGER.matches(p, k) if many.low == many.high else ():
+                yield Manner(kind="outliers", value=float(many.low), span=p.span(i, end)), end

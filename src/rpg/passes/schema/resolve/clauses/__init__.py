@@ -1,0 +1,1 @@
+"""What each verb and each sentence asks for, and how they go together."""

@@ -1,0 +1,96 @@
+"""Clauses about how blocks look: "both blocks are blue", "the patch is long"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Clause, Noun, Pronoun, Quality, Traits
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.things.operands import crown
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import give
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, said
+
+
+def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
+    """Let the objects have the looks that the clause gives them; "empty" and "clear" are goals."""
+    if all(q.traits == Traits(empty=True) for q in spec.qualities):
+        return _empty(clause, spec, scene, scope)
+    if clause.negated:
+        raise refuse("misplaced", "looks can be given, not excluded", clause.span, "say which colour they have")
+    if isinstance(clause.theme, Noun) and clause.theme.conditions and clause.mode == "goal":
+        raise refuse("ambiguous", "is this so at the start, or at the end?", clause.theme.conditions[0].span,
+                     "say 'at the start' or 'must be'")  # fmt: skip
+    theme = refer(clause.theme, scene, Scope(given=scope.given)) if clause.theme is not None else Ref()
+    if theme.table:
+        raise refuse("misplaced", "the table has one look", clause.span)
+    if theme.part is not None:
+        raise refuse("no-referent", f"it is not clear which block the {theme.part} is", theme.span, "name the block")
+    if isinstance(clause.theme, Pronoun) and theme.plural and any(q.traits.colors for q in spec.qualities):
+        theme = _all_open(theme, scene)
+    for quality in spec.qualities:
+        _give(theme, quality, clause, scene)
+    spec.qualities = []
+    return []
+
+
+def _all_open(theme: Ref, scene: Scene) -> Ref:
+    """ "Three blocks on the left and two on the right. They are all white": all of which no look was said yet."""
+    things = [t for t in scene.blocks() if t.color is None and t.label is None and t.kind is None and not t.extra]
+    names = tuple(t.name for t in things)
+    return replace(theme, names=names) if set(theme.names) < set(names) else theme
+
+
+def _empty(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]:
+    """ "the patch stays empty", "keep the top of the red block clear"."""
+    theme = refer(clause.theme, scene, scope) if clause.theme is not None else Ref()
+    spec.qualities = []
+    if isinstance(clause.theme, Pronoun) and not theme.patch and any(m.ref.patch for m in scene.mentions):
+        raise refuse("ambiguous", "it is not clear which is to be empty", clause.span, "name the patch or the block")
+    if theme.patch:
+        return [r.Empty(patch=p, span=clause.span) for p in theme.names]
+    if not theme.names:
+        raise refuse(
+            "misplaced", "patches can be empty, and blocks clear on top", clause.span, "name a patch or a block"
+        )
+    return [r.Clear(a=crown(theme), span=clause.span)]
+
+
+def _give(theme: Ref, quality: Quality, clause: Clause, scene: Scene) -> None:
+    traits = quality.traits
+    if traits.rank or traits.target or traits.matching or (traits.labels and len(traits.labels) != 1):
+        raise refuse(
+            "misplaced", "this is understood, but is no look that can be given", quality.span, "say it as a place"
+        )
+    things = [scene.things[n] for n in theme.names]
+    if traits == Traits(scheme="some"):
+        raise refuse("misplaced", "it is not said what colour these have", quality.span, "name the colour")
+    if traits.extra:
+        for thing in things:
+            thing.extra = True
+        return
+    if len(traits.colors) > 1 and len(traits.colors) != len(things):
+        raise refuse(
+            "count-mismatch",
+            f"{len(traits.colors)} colours for {len(things)} objects",
+            quality.span,
+            "name one colour for each",
+        )
+    for index, thing in enumerate(things):
+        color = traits.colors[index if len(traits.colors) > 1 else 0] if traits.colors else None
+        if color and thing.color not in (None, color):
+            raise refuse(
+                "contradiction",
+                f"{said(thing)} is said to be {color} here",
+                quality.span,
+                "name one colour",
+                labels=((theme.span, f"{thing.color} here"),),
+            )
+        give(thing, replace(traits, colors=(color,) if color else ()))
+        if traits.scheme:
+            thing.scheme = traits.scheme
+        if traits.kind and thing.kind is None:
+            thing.kind = traits.kind
+        thing.claims -= 1

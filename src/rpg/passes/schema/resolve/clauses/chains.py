@@ -1,0 +1,298 @@
+"""Chains of clauses: and, or, sequences in time; and what is settled once all are read."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import members
+from rpg.ir.walk import names as names_in
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop
+from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
+from rpg.passes.schema.resolve.clauses.started import and_in_the_end
+from rpg.passes.schema.resolve.goals.conflicts import required, undoes
+from rpg.passes.schema.resolve.goals.logic import conj, disj
+from rpg.passes.schema.resolve.orders.loose import settle
+from rpg.passes.schema.resolve.places.stacking import Towers
+from rpg.passes.schema.resolve.things.world import Scene, refuse
+
+Goals = list[g.Goal]
+
+
+def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
+    """The goals of a chain of clauses; those about the start go to the scene instead."""
+    if timed(chain):
+        return chain_goals(untimed(chain), scene, start)
+    chain = _earlier_first(in_that_order(_told_of_the_end(and_in_the_end(chain))))
+    stages: list[Goals] = [[]]
+    towers = Towers.of(scene)
+    pairs = _given_first(chain)
+    for (link, clause), after in zip(pairs, [*(link for link, _ in pairs[1:]), ""], strict=True):
+        if isinstance(clause, Chain):
+            _append(stages, link, [conj(chain_goals(clause, scene, start))])
+            continue
+        if not isinstance(clause, Clause):
+            continue
+        clause = _begun(clause, _lying(chain))
+        both = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "xor"] if link == "or" else []
+        clause = replace(clause, adjuncts=tuple(a for a in clause.adjuncts if a not in both))
+        starts = start or clause.mode in ("start", "given")
+        towers = Towers.of(scene) if link != "or" else towers
+        if link == "or":
+            towers.after(scene, start=False, denied=True)
+        goals = clause_goals(clause, scene, starts)
+        if link == "or":
+            towers.after(scene, start=False, denied=True)
+        goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+        if clause.mode == "given" and "before" in (link, after):
+            raise refuse("ambiguous", "it is not said what is before what", clause.span, "say where they should be")
+        if after == "or" and len(goals) > 1:
+            goals = [conj(goals, clause.span)]
+        if link == "and" and _restacked(stages[-1], goals, scene):
+            link = "then"
+        _no_exception(clause, link)
+        if link == "or" and not (goals and (stages[-1] or starts)):
+            raise refuse("ambiguous", "it is not clear what 'or' leaves open here", clause.span, "say 'and'")
+        if starts and clause.verb != "exist":
+            scene.start_goals += goals
+            continue
+        _append(stages, link, goals)
+        if both:
+            stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
+    return _sequence(stages, scene, chain)
+
+
+def _no_exception(clause: Clause, link: str) -> None:
+    """Refuse "red is on blue or on green, not on the table": is the last said of one of the two, or of both?"""
+    spots = [a for a in clause.adjuncts if isinstance(a, Loc | In)]
+    if link == "or" and not clause.negated and {a.negated for a in spots} == {False, True}:
+        raise refuse("ambiguous", "it is not clear whether this is said of both alternatives", spots[-1].span,
+                     "say it in a sentence of its own")  # fmt: skip
+
+
+def _told_of_the_end(chain: Chain) -> Chain:
+    """ "A, B and C in a row, and there is a red block on B": what is told beside how it should be is so as well."""
+    told: list[Meaning] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        before = told[-1] if told else None
+        ends = isinstance(before, Clause) and before.mode == "goal" and before.verb not in ("exist", "ignore")
+        here = isinstance(clause, Clause) and (clause.verb, clause.mode, clause.lemma) == ("exist", "given", "")
+        if link == "and" and ends and here and isinstance(clause, Clause) and _placed(clause):
+            clause = replace(clause, verb="be", mode="goal")
+        told.append(clause)
+    return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
+
+
+def _placed(clause: Clause) -> bool:
+    """Whether a clause says where something is, and not that it is so at the start."""
+    spots = [x for x in clause.adjuncts if isinstance(x, Loc | In)]
+    return (
+        bool(spots) and len(spots) == len(clause.adjuncts) and all("start" not in getattr(x, "mods", ()) for x in spots)
+    )
+
+
+def _earlier_first(chain: Chain) -> Chain:
+    """ "A, but first B, and before that C": the clauses in the order in which they are to be done."""
+    if "after" not in chain.links:
+        return chain
+    groups: list[list[tuple[str, Meaning]]] = []
+    at = 0
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        if groups and link in ("and", "or"):
+            groups[at].append((link, clause))
+        else:
+            if link == "after" and at:
+                raise refuse("ambiguous", "it is not clear before which of these this comes", clause.span,
+                             "say what is done in the order in which it is done")  # fmt: skip
+            at = at if link == "after" and groups else len(groups)
+            groups.insert(at, [("then", clause)])
+    pairs = [pair for group in groups for pair in group]
+    return replace(chain, clauses=tuple(c for _, c in pairs), links=("and", *(link for link, _ in pairs[1:])))
+
+
+def _begun(clause: Clause, lying: bool) -> Clause:
+    """ "at the start", "scattered at random": the clause, about the start if it says so."""
+    begun = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind in ("start", "strewn")[: 1 + lying]]
+    if not begun:
+        return clause
+    rest = tuple(m for m in clause.adjuncts if m not in begun)
+    if clause.verb == "be" and _strewn(begun, rest):
+        return replace(clause, verb="exist", lemma="", mode="given", adjuncts=())
+    return replace(clause, mode="given" if clause.verb == "exist" else "start", adjuncts=rest)
+
+
+def _lying(chain: Chain) -> bool:
+    """Whether all of a sentence says what there is, or how it lies about."""
+    clauses = [c for c in chain.clauses if isinstance(c, Clause)]
+    strewn = [c for c in clauses if any(isinstance(m, Manner) and m.kind == "strewn" for m in c.adjuncts)]
+    return all(c.mode in ("given", "start") or (c.lemma == "fact" and c in strewn) for c in clauses)
+
+
+def _strewn(begun: list[Manner], rest: tuple[Meaning, ...]) -> bool:
+    """ "scattered on the table": so they begin anyway."""
+    return begun[0].kind == "strewn" and all(isinstance(getattr(m, "landmark", None), TableTop) for m in rest)
+
+
+def _restacked(before: Goals, after: Goals, scene: Scene) -> bool:
+    """ "unstack the tower and rebuild it": what was taken apart is stacked afterwards, not at the same time."""
+    taken = [x for x in before if isinstance(x, r.OnTable) and scene.unstacked.issuperset(members(x.a))]
+    return bool(taken) and any(undoes(x, y) for x in after for y in taken)
+
+
+def _given_first(chain: Chain) -> list[tuple[str, Meaning]]:
+    """Clauses with their links; those that only say what there is come first."""
+    pairs = list(zip(chain.links, chain.clauses, strict=True))
+    given = [x for x in pairs if isinstance(x[1], Clause) and x[1].mode == "given"]
+    return [*given, *(x for x in pairs if x not in given)]
+
+
+def in_that_order(chain: Chain) -> Chain:
+    """ "..., in that order" behind several clauses with a block each: one after the other."""
+    last = chain.clauses[-1]
+    if len(chain.clauses) < 2 or not isinstance(last, Clause) or not isinstance(last.theme, Noun) or last.theme.plural:
+        return chain
+    orders = [a for a in last.adjuncts if isinstance(a, OrderBy) and a.by in ("given", "temporal") and not a.items]
+    if not orders:
+        return chain
+    bare = replace(last, adjuncts=tuple(a for a in last.adjuncts if a not in orders))
+    return replace(
+        chain, clauses=(*chain.clauses[:-1], bare), links=(chain.links[0], *("then" for _ in chain.links[1:]))
+    )
+
+
+def time_of(clause: object) -> float | None:
+    """When a clause says that it is done: 1 for "first", 99 for "last"."""
+    found = (
+        [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "time"] if isinstance(clause, Clause) else []
+    )
+    return float(found[0].value or 0.0) if found else None
+
+
+def unsaid(times: list[float]) -> float:
+    """When a clause comes that does not say so: after the one before it, unless that one comes last."""
+    before = [time for time in times if time < LAST]
+    return before[-1] + 0.5 if before else 1.5
+
+
+LAST = 99.0
+"""The time of what is done last."""
+
+
+def timed(chain: Chain) -> bool:
+    """Whether clauses say when: "... first and ... second"."""
+    return any(time_of(c) is not None for c in chain.clauses)
+
+
+def untimed(chain: Chain) -> Chain:
+    """The clauses in the order of their times, joined by "then"."""
+    if "or" in chain.links or "after" in chain.links:
+        raise refuse("ambiguous", "it is not clear what comes first here", chain.span, "say it in several sentences")
+    times: list[float] = []
+    for clause in chain.clauses:
+        said = time_of(clause)
+        times.append(said if said is not None else unsaid(times))
+    order = sorted(range(len(times)), key=lambda n: (times[n], n))
+    bare = []
+    for n in order:
+        clause = chain.clauses[n]
+        if isinstance(clause, Clause):
+            kept = tuple(m for m in clause.adjuncts if not (isinstance(m, Manner) and m.kind == "time"))
+            clause = replace(clause, adjuncts=kept)
+        bare.append(clause)
+    links = tuple(
+        "then" if index and times[order[index]] != times[order[index - 1]] else "and" for index in range(len(order))
+    )
+    return replace(chain, clauses=tuple(bare), links=links)
+
+
+def _append(stages: list[Goals], link: str, goals: Goals) -> None:
+    if not goals:
+        return
+    match link:
+        case "then" | "before":
+            if stages[-1]:
+                stages.append([])
+            stages[-1] += goals
+        case "or" if stages[-1]:
+            last = stages[-1].pop()
+            options = list(last.goals) if isinstance(last, g.Any) else [last]
+            stages[-1].append(disj([*options, conj(goals)]))
+        case _:
+            stages[-1] += goals
+
+
+def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
+    stages = [stage for stage in stages if stage]
+    if len(stages) < 2:
+        return stages[0] if stages else []
+    goals = [conj(stage) for stage in stages]
+    _still_later(goals, scene, chain.span)
+    made = []
+    for index, goal in enumerate(goals):
+        later = goals[index + 1 :]
+        undone = any(_undone(after, goal, scene) for after in later)
+        _lasts(goal, undone, chain.span)
+        made.append(g.Stage(goal=goal, undone=undone))
+    return [g.Sequence(stages=tuple(made), span=chain.span)]
+
+
+def _lasts(goal: g.Goal, undone: bool, span: tuple[int, int] | None) -> None:
+    """Refuse what always holds and is undone by what comes then."""
+    if undone and any(isinstance(part, g.Always) for part in (goal.goals if isinstance(goal, g.All) else (goal,))):
+        told, hint = "what always holds cannot end with what comes then", "leave 'always' out, or what comes then"
+        raise refuse("contradiction", told, span, hint)
+
+
+def _still_later(goals: list[g.Goal], scene: Scene, span: tuple[int, int] | None) -> None:
+    """Refuse "build a row, then do not move its blocks": to stay is to be where the episode began."""
+    moved: set[str] = set()
+    for goal in goals:
+        stay = {n for x in required(goal) if isinstance(x, r.Stayed) for n in names_in(x)} - scene.returned
+        if stay & moved:
+            told = "a block that is moved first cannot stay where it was at the start"
+            raise refuse("ambiguous", told, span, "say where it should be at the end")
+        done = [x for x in required(goal) if not isinstance(x, r.Stayed)]
+        moved |= {n for x in done for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
+
+
+def _undone(later: g.Goal, earlier: g.Goal, scene: Scene) -> bool:
+    """Whether `earlier` cannot hold any more: `later` contradicts it, or moves its blocks back to where they were."""
+    back = {n for x in required(later) if isinstance(x, r.Stayed) for n in names_in(x)} & scene.returned
+    gone = {n for x in required(earlier) for n in (names_in(x) if isinstance(x, r.Swapped) else _subjects(x))}
+    return undoes(later, earlier) or bool(back & gone)
+
+
+def _subjects(atom: g.Goal) -> tuple[str, ...]:
+    return members(getattr(atom, "a", ()))
+
+
+def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]) -> g.Goal:
+    """The goals of all sentences; those that begin with "then" follow the ones before in time."""
+    stages: list[g.Stage] = []
+    now: Goals = []
+    for link, goals in sentences:
+        if link == "before" and goals:
+            stages += _stages(goals)
+            continue
+        if goals and (link == "then" or _restacked(now, goals, scene)):
+            stages += _stages(now)
+            now = []
+        now += goals
+    stages += _stages(now)
+    if len(stages) > 1:
+        fixed = []
+        _still_later([stage.goal for stage in stages], scene, span)
+        for index, stage in enumerate(stages):
+            undone = any(_undone(after.goal, stage.goal, scene) for after in stages[index + 1 :])
+            _lasts(stage.goal, undone, span)
+            fixed.append(g.Stage(goal=stage.goal, undone=undone))
+        return settle(g.Sequence(stages=tuple(fixed), span=span), scene)
+    goals = [stages[0].goal] if stages else []
+    return settle(conj(goals, span) if goals else g.All(goals=()), scene)
+
+
+def _stages(goals: Goals) -> list[g.Stage]:
+    if len(goals) == 1 and isinstance(goals[0], g.Sequence):
+        return list(goals[0].stages)
+    return [g.Stage(goal=conj(goals))] if goals else []

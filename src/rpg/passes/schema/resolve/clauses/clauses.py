@@ -1,0 +1,397 @@
+"""Clauses -> goals: what each verb makes of its theme and its adjuncts."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TypeGuard
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.walk import names as names_in
+from rpg.language.grammar.things.retold import universal
+from rpg.language.meaning import (
+    Amount,
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pattern,
+    Pronoun,
+    Structure,
+)
+from rpg.passes.schema.resolve.clauses import turning
+from rpg.passes.schema.resolve.clauses.appearance import appear
+from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
+from rpg.passes.schema.resolve.clauses.denials import denied, denied_once
+from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
+from rpg.passes.schema.resolve.clauses.shaped import shaped
+from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
+from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.clauses.spelled import spell
+from rpg.passes.schema.resolve.clauses.started import laid_down, was_so
+from rpg.passes.schema.resolve.clauses.throughout import of_the_rest
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.orders.rebuilt import once_more
+from rpg.passes.schema.resolve.orders.reordered import reverse
+from rpg.passes.schema.resolve.places.alone import told_alone
+from rpg.passes.schema.resolve.places.between import by_sandwiching
+from rpg.passes.schema.resolve.places.centred import by_centring, centred
+from rpg.passes.schema.resolve.places.corners import one_for_each_corner
+from rpg.passes.schema.resolve.places.moved import is_moved
+from rpg.passes.schema.resolve.places.moved import moved as far_moved
+from rpg.passes.schema.resolve.places.placing import Goals, distractors, is_shape, parts_alone, places
+from rpg.passes.schema.resolve.places.relations import place
+from rpg.passes.schema.resolve.places.stacking import Towers
+from rpg.passes.schema.resolve.structures.heaps import heaped_up
+from rpg.passes.schema.resolve.structures.structures import make
+from rpg.passes.schema.resolve.structures.towers import on_matching_patches
+from rpg.passes.schema.resolve.things.alike import by_likeness, counterparts
+from rpg.passes.schema.resolve.things.inventory import blocks_and_patches, tally, told_apart
+from rpg.passes.schema.resolve.things.operands import spread
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.spare import ignore
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+
+def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
+    """The goals that a clause states; structures that its noun phrases bring up come first."""
+    scene.clause += 1
+    number = scene.clause
+    scope = Scope(start=start, given=clause.mode == "given" or start)
+    clause = of_the_rest(denied_once(clause))
+    spec = sort_adjuncts(clause.adjuncts)
+    if distractors(clause, spec, scene):
+        nothing_left(spec, clause)
+        return []
+    if clause.theme is not None:
+        _first_thats(clause.theme, spec, scene)
+        for one in (p for p in spec.places if universal(clause.theme) and "besides" in getattr(p, "mods", ())):
+            raise refuse("ambiguous", "all but this one, or all away from it?", one.span, "say 'except' or 'away from'")
+    loose = len(scene.loose)
+    towers = Towers.of(scene)
+    scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"
+    scene.denying = clause.negated
+    goals = _dispatch(clause, spec, scene, scope)
+    scene.denying = False
+    towers.after(scene, start=start, denied=clause.negated)
+    if clause.negated and len(scene.loose) > loose:
+        _deny(loose, goals, scene, clause.span)
+    was_so(goals, clause, spec, scene)
+    built = scene.goals.pop(number, [])
+    if not clause.negated:
+        built, goals = [], [*built, *goals]
+    later = _thats(clause, spec, scene, start)
+    if spec.manner("xor") is not None:
+        goals = not_both(goals, clause.span)
+    if spec.manner("allowed") is not None and not clause.negated and not all(_forbids(x) for x in goals):
+        raise refuse("no-goal", "this is allowed, but not asked for", clause.span, "say 'must' or 'should'")
+    for name in [n for goal in goals for n in names_in(goal)]:
+        scene.held.pop(name, None)
+    always = spec.manner("always") is not None
+    if spec.manner("only") is not None:
+        moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
+        scene.only += [n for names in moved for n in names]
+    together = spec.manner("not all") is not None
+    nothing_left(spec, clause)
+    if clause.negated:
+        goals = denied(goals, clause, scene, together)
+    if always and not start:
+        goals = held_throughout(goals, scene, clause.span)
+    return [*built, *goals, *later]
+
+
+def _forbids(goal: g.Goal) -> bool:
+    """ "no two may touch", "at most one may be on the patch": what limits the end, so that "may" is no mere leave."""
+    if isinstance(goal, g.All):
+        return all(_forbids(x) for x in goal.goals)
+    return isinstance(goal, g.Not | r.Clear | r.Empty) or (isinstance(goal, g.Count) and goal.at_least == 0)
+
+
+def _deny(loose: int, goals: Goals, scene: Scene, span: Span) -> None:
+    """ "the red one is not at the top": what is settled later is denied then."""
+    if len(scene.loose) > loose + 1 or any(not isinstance(x, g.All) or x.goals for x in goals):
+        raise refuse("ambiguous", "it is not clear how much of this is denied", span, "say it in two sentences")
+    scene.denied += scene.loose[loose:]
+    del scene.loose[loose:]
+
+
+def _first_thats(theme: Meaning, spec: Spec, scene: Scene) -> None:
+    """ "without moving the blue block, place ... to its left": what stands in front is spoken of first."""
+    for that in list(spec.thats):
+        if that.kind == "without" and any(
+            isinstance(p, Loc) and p.rel == "off" and p.span[0] >= that.span[1] for p in spec.places
+        ):
+            raise refuse("misplaced", "it is not clear what is off what", that.span, "say it in a sentence of its own")
+        if that.kind == "without" and that.span[1] <= theme.span[0]:
+            scene.goals.setdefault(scene.clause, []).extend(turning.without(that, scene))
+            spec.thats.remove(that)
+
+
+def not_both(goals: Goals, span: Span) -> Goals:
+    """ "either ... or ..., but not both"."""
+    if len(goals) != 1 or not isinstance(goals[0], g.Any):
+        hint = "say 'either ... or ..., but not both'"
+        raise refuse("misplaced", "'but not both' needs two alternatives", span, hint)
+    parts = goals[0].goals
+    return [g.All(goals=(goals[0], g.Not(goal=g.All(goals=parts, span=span), span=span)), span=span)]
+
+
+def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
+    """ "at all times": true from the start on, so that it is arranged at the start too."""
+    goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+    scene.start_goals += [
+        x for x in goals if not isinstance(x, g.Not | g.Always | r.OnTable) and x not in scene.start_goals
+    ]
+    return [g.Always(goal=conj(goals, span), span=span)] if goals else []
+
+
+LEAVING = {"get", "take", "move", "bring", "transfer", "relocate", "pull", "drag", "carry", "shift", "slide", "shove"}
+"""Verbs of moving: what they move off something is on it at the start."""
+
+
+_ORDERING = {"alphabetize": "label", "alternate": "alternating"}
+"""Verbs that say in which order."""
+
+
+def _is_off(place: Meaning) -> TypeGuard[Loc]:
+    return isinstance(place, Loc) and place.rel == "off" and not place.negated
+
+
+def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    by_centring(clause, spec)
+    clause = heaped_up(clause, spec)
+    clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)
+    if clause.lemma in LEAVING and clause.verb in ("place", "use") and not clause.negated:
+        spec.places = [replace(x, mods=(*x.mods, "leaving")) if _is_off(x) else x for x in spec.places]
+    if clause.mode != "given" and (pairs := counterparts(clause, spec, scene, scope)) is not None:
+        return pairs
+    if (again := once_more(clause, spec, scene, scope)) is not None:
+        return again
+    if clause.verb == "stack":
+        scene.last_landmark_patch = False
+    if clause.negated and is_shape(clause.theme) and clause.theme is not None and spec.places:
+        if clause.verb not in ("be", "place"):
+            raise refuse("ambiguous", "it is not clear what of this is denied", clause.span, "use two sentences")
+        return places(refer(clause.theme, scene, scope), spec, scene, scope, clause.span)
+    if laid_down(clause, spec):
+        return _exist(replace(clause, verb="exist", lemma="", mode="given"), Spec(), scene, scope)
+    match clause.verb:
+        case "exist":
+            return _exist(clause, spec, scene, scope)
+        case "ignore":
+            return ignore(clause, scene, scope)
+        case "keep" | "touch" | "pick" | "unstack" | "remove" | "swap" | "turn" | "use" | "reverse":
+            return _special(clause, spec, scene, scope)
+        case "sort":
+            return sort(clause, spec, scene, scope)
+        case "spell" | "read":
+            return spell(clause, spec, scene, scope)
+        case "part":
+            return parts_alone(spec, scene, scope, clause.span)
+        case "offset":
+            return centred(spec, scene, clause.span)
+    if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
+        return goals
+    if is_shape(clause.theme) or (clause.theme is None and spec.intos):
+        return shaped(clause, spec, scene, scope)
+    if clause.theme is None:
+        return _themeless(clause, spec, scene, scope)
+    if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
+        return turning.turn(clause, spec, scene, scope)
+    if clause.lemma == "balance" and any(isinstance(x, In) for x in spec.places):
+        raise refuse("misplaced", "blocks lie flat: none is balanced on an edge or a corner", clause.span, "say 'on'")
+    return _arranged(clause, clause.theme, spec, scene, scope)
+
+
+def _at_a_distance(spec: Spec) -> None:
+    """ "far from the gray block, at least 20 cm": a measure of that, rather than of how far something moves."""
+    far = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("apart", "near") and p.landmark and p.low is None]
+    measured = [p for p in spec.places if isinstance(p, Loc) and p.rel == "moved" and p.cost and not p.mods]
+    if len(far) == len(measured) == 1:
+        told = replace(far[0], rel="distance", mods=(), low=measured[0].low, high=measured[0].high)
+        spec.places = [told if p is far[0] else p for p in spec.places if p is not measured[0]]
+
+
+def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """What the manner of a clause settles before its theme is looked at: looks, staying, moving; else None."""
+    if spec.manner("partial") is not None:
+        return _partly(clause, scene, scope)
+    if spec.qualities and clause.verb in ("be", "keep"):
+        return appear(clause, spec, scene, scope)
+    if any(m.kind == "stay" for m in spec.manners):
+        return turning.keep(clause, spec, scene, scope)
+    _at_a_distance(spec)
+    moved = [p for p in spec.places if isinstance(p, Loc) and p.rel == "moved"]
+    if clause.verb == "place" and clause.negated and moved and "here" in moved[0].mods and len(spec.places) == 1:
+        spec.places = []
+        return turning.stay(clause, spec, scene, scope, stays=True)
+    if is_moved(clause, moved):
+        return far_moved(clause, spec, scene, scope)
+    if (
+        clause.verb == "place"
+        and clause.lemma in ("move", "shift", "nudge", "relocate", "push", "drag")
+        and not clause.adjuncts
+        and not clause.negated
+    ):
+        if clause.theme is not None and clause.span[1] > clause.theme.span[1]:
+            raise refuse("no-goal", "it is not said where to", clause.span, "say where the block should be")
+        theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+        scene.assume("moved: at least 5 cm away from where it started")
+        return [spread(theme, lambda a: r.Moved(a=a, span=clause.span), clause.span, together=True)]
+    if clause.negated and clause.verb == "place" and all(getattr(a, "kind", "") == "always" for a in clause.adjuncts):
+        return turning.stay(clause, spec, scene, scope, stays=True)
+    return None
+
+
+def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """Blocks that a verb arranges, with what the verb itself says of their order and their places."""
+    if clause.lemma == "line" and not spec.intos:
+        spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
+    if clause.lemma in _ORDERING:
+        spec.orders.append(OrderBy(by=_ORDERING[clause.lemma], span=clause.word or clause.span))
+    if clause.verb == "stack" and not _kind_of_shape(spec) and any(map(on_matching_patches, spec.places)):
+        spec.patterns.append(Pattern(unit="stack", span=clause.span))
+    shape = _kind_of_shape(spec)
+    if clause.lemma in ("spread", "distribute") and not (
+        spec.orders or spec.intos or spec.toward or spec.spacings or spec.places or spec.thats
+    ):
+        each = Pronoun(word="each other", span=clause.span)
+        spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
+    said = one_for_each_corner(said, spec.places, scene)
+    theme = refer(counted(said, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
+    by_sandwiching(clause, spec)
+    in_sequence(clause, theme, spec, scene)
+    return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
+
+
+def _partly(clause: Clause, scene: Scene, scope: Scope) -> Goals:
+    """ "start partially stacked": two of the blocks, in a way that the goal does not ask for."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    pairs = [(a, b) for a in theme.names for b in theme.names if a != b and scene.on_top.get(a) != b]
+    pairs.sort(
+        key=lambda two: (scene.on_top.get(two[1]) == two[0], theme.names.index(two[0]) < theme.names.index(two[1]))
+    )
+    if clause.mode != "start" or not pairs:
+        raise refuse("misplaced", "only a start can be partial", clause.span, "say which block goes on which")
+    scene.assume("partially stacked at the start: one block lies on another")
+    return [r.On(a=(pairs[0][0],), b=(pairs[0][1],), span=clause.span)]
+
+
+def _kind_of_shape(spec: Spec) -> str:
+    """Whether the adjuncts speak of several towers."""
+    towers = any(p.unit in ("stack", "pile") for p in spec.patterns)
+    towers = towers or any(
+        isinstance(i.structure, Structure) and i.structure.kind == "stack" and i.structure.plural for i in spec.intos
+    )
+    return "towers" if towers or any(o.by == "attribute" for o in spec.orders) else ""
+
+
+def _themeless(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "align in a row", "sort by colour": the blocks spoken of before."""
+    listed = next((o for o in spec.orders if o.items and o.by in ("given", "named", "run", "read")), None)
+    unnamed = any(t.color is None and t.label is None for t in scene.blocks())
+    if listed is not None and not spec.usings and not unnamed:
+        upright = clause.verb == "stack" or listed.first in ("top", "bottom") or any(t.axis == "z" for t in spec.toward)
+        kind = "stack" if upright else "line"
+        built, goals = make(Structure(kind=kind, span=clause.span), spec, None, scene, scope)
+        spec.orders = []
+        return [*goals, *places(Ref(names=built[0].members, built=tuple(built)), spec, scene, scope, clause.span)]
+    if not any(True for _ in scene.blocks()) and not spec.usings:
+        raise refuse("no-goal", "it is not said which blocks", clause.word or clause.span, "name the blocks")
+    source = spec.usings.pop(0).members if spec.usings else Pronoun(word="everything", span=clause.span)
+    theme = refer(source, scene, scope)
+    return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
+
+
+def _only(theme: Meaning | None) -> Meaning | None:
+    """ "there is only one red block": just as many."""
+    if isinstance(theme, Coord) and theme.op == "only" and isinstance(item := theme.items[0], Noun) and item.amount:
+        return replace(item, amount=item.amount._replace(strict=True))
+    return theme
+
+
+def _exist(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "there are three red blocks": objects; with a place in a goal: a condition."""
+    if clause.lemma in ("tally", "stock"):
+        return tally(clause, spec, scene, scope)
+    if clause.mode == "given":
+        if (kinds := blocks_and_patches(clause)) is not None:
+            return [goal for one in kinds for goal in _exist(one, Spec(), scene, scope)]
+        clause = replace(clause, theme=told_apart(_only(clause.theme)))
+        if is_shape(clause.theme) and (spec.toward or spec.orders or spec.ats or spec.absolutes or spec.sizes):
+            return _there_already(clause, spec, scene, scope)
+        theme = refer(clause.theme, scene, replace(scope, given=True, start=True)) if clause.theme else Ref()
+        scene.mentions[-1].role = "given"
+        for name in theme.names:
+            scene.things[name].declared = True
+        amount: Amount | None = getattr(clause.theme, "amount", None)
+        exact = amount is not None and amount.strict and amount.low == amount.high
+        if exact and amount is not None and isinstance(clause.theme, Noun) and not clause.theme.traits.extra:
+            scene.closed.append((clause.theme.traits, amount.low, clause.span))
+        starting = replace(scope, start=True)
+        if spec.intos:
+            goals = arrange_blocks(replace(theme, det="the"), "be", spec, scene, starting, clause.span)
+        else:
+            goals = [goal for item in spec.places for goal in place(theme, item, scene, starting, clause.span)]
+        spec.places = []
+        scene.start_goals += [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+        return []
+    if is_shape(clause.theme):
+        return shaped(clause, spec, scene, scope)
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    goals = places(theme, spec, scene, scope, clause.span)
+    if not goals:
+        raise refuse("no-goal", "it is not said where", clause.span, "say where the blocks should be")
+    return goals
+
+
+def _there_already(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "there is a row of A, B and C from left to right": a structure of the start with all that is said of it."""
+    goals = shaped(clause, spec, scene, replace(scope, given=True, start=True))
+    for name in scene.mentions[-1].ref.names:
+        scene.things[name].declared = True
+    scene.start_goals += [x for x in goals if not (isinstance(x, g.All) and not x.goals) and x not in scene.start_goals]
+    return []
+
+
+def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    match clause.verb:
+        case "keep":
+            return turning.keep(clause, spec, scene, scope)
+        case "touch":
+            return turning.stay(clause, spec, scene, scope, stays=clause.negated)
+        case "pick":
+            return turning.pick(clause, spec, scene, scope)
+        case "unstack" | "remove":
+            return turning.remove(clause, spec, scene, scope)
+        case "swap":
+            return turning.swap(clause, spec, scene, scope)
+        case "turn":
+            return turning.turn(clause, spec, scene, scope)
+        case "reverse":
+            return reverse(refer(clause.theme, scene, scope) if clause.theme else Ref(), scene, clause.span)
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
+
+
+def _thats(clause: Clause, spec: Spec, scene: Scene, start: bool) -> Goals:
+    """ "so that ...", "without ...": the clauses inside."""
+    from rpg.passes.schema.resolve.clauses.chains import chain_goals
+
+    goals: Goals = []
+    for that in spec.thats:
+        if that.kind == "until" and (clause.negated or clause.verb in ("keep", "be", "touch")):
+            raise refuse("misplaced", "it is not said what holds after that", that.span, "say 'first ..., then ...'")
+        if that.kind == "without":
+            goals += turning.without(that, scene)
+        else:
+            theme = next((m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"), Ref())
+            scene.told.update(theme.names)
+            goals += chain_goals(that.clauses, scene, start)  # type: ignore[arg-type]
+    spec.thats = []
+    return goals

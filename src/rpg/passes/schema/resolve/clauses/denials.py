@@ -1,0 +1,75 @@
+"""What "not" denies of a clause."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun
+from rpg.passes.schema.resolve.goals.logic import Atoms, conj, negation
+from rpg.passes.schema.resolve.things.operands import DIRECTIONS
+from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes
+
+
+def denied_once(clause: Clause) -> Clause:
+    """ "is not on red and not on blue": both are denied, and neither twice."""
+    if clause.negated or getattr(clause.theme, "det", "") == "no":
+        _said_in_one(clause)
+    _not_in_pairs(clause)
+    for far in clause.adjuncts if clause.negated else ():
+        if isinstance(far, Loc) and far.rel in DIRECTIONS and (far.low is not None or far.high is not None):
+            raise refuse("ambiguous", "it is not clear whether the side is denied, or how far it is", far.span,
+                         "say 'at most 10 cm to the left of', or 'not to the left of'")  # fmt: skip
+    again = [a for a in clause.adjuncts if isinstance(a, Loc | In) and a.negated]
+    if not clause.negated or not again:
+        return clause
+    if len(again) == len(clause.adjuncts):
+        raise refuse("ambiguous", "it is not clear what is denied here", clause.span, "say 'not' once")
+    placed = tuple(replace(a, negated=False) for a in clause.adjuncts if isinstance(a, Loc | In))
+    rest = (a for a in clause.adjuncts if not isinstance(a, Loc | In))
+    return replace(clause, adjuncts=(Coord(op="and", items=placed, span=clause.span), *rest))
+
+
+def _not_in_pairs(clause: Clause) -> None:
+    """Refuse "in a row: red, blue on green, yellow": two of them on two, or one on one, and all of it in a row?"""
+    listed = _told_in_a_row(clause.theme) and any(isinstance(a, Into) for a in clause.adjuncts)
+    for spot in clause.adjuncts if listed else ():
+        if isinstance(spot, Loc) and spot.rel == "on" and _told_in_a_row(spot.landmark):
+            raise refuse("ambiguous", "it is not clear which block is on which", spot.span, "say it block by block")
+
+
+def _told_in_a_row(meaning: Meaning | None) -> bool:
+    return isinstance(meaning, Noun) and meaning.cost > 0 and meaning.head == "any" and len(meaning.traits.colors) > 1
+
+
+def _said_in_one(clause: Clause) -> None:
+    """Refuse "is not on blue nor green on yellow", "not next to each other and green": who is meant besides?"""
+    places = [place for place in clause.adjuncts if isinstance(place, Loc) and not place.negated]
+    for place, before in zip(places, [None, *places], strict=False):
+        twice = before is not None and before.rel == place.rel and place.rel in ("on", "beside", "touching")
+        if twice or _beyond_each_other(place.landmark):
+            raise refuse("ambiguous", "it is not clear what is denied of which block", place.span,
+                         "say it in two sentences")  # fmt: skip
+
+
+def _beyond_each_other(mark: Meaning | None) -> bool:
+    items = mark.items if isinstance(mark, Coord) else ()
+    return any(isinstance(item, Pronoun) and item.word == "each other" for item in items)
+
+
+def of_the_same(clause: Clause) -> bool:
+    """ "are not on the same patch": one of them may be there."""
+    marks = (a.landmark for a in clause.adjuncts if isinstance(a, Loc))
+    return any(isinstance(mark, Noun) and mark.traits.scheme == "same" for mark in marks)
+
+
+def denied(goals: Atoms, clause: Clause, scene: Scene, together: bool) -> Atoms:
+    """The opposite of what a clause states. `together`: "not both", "not all", where some of it may be so."""
+    if together or of_the_same(clause):
+        return [g.Not(goal=conj(goals, clause.span), span=clause.span)] if goals else []
+    places = [place for place in clause.adjuncts if isinstance(place, Loc | In) and not place.negated]
+    open_ = any(isinstance(place, Loc) and isinstance(place.landmark, Coord) for place in places)
+    if len(places) > 1 and not open_:
+        raise refuse("ambiguous", "it is not clear whether each of these is denied, or both together", places[1].span,
+                     "say 'neither ... nor', or 'not both'")  # fmt: skip
+    return negation(goals, clause.span, wholes(scene))

@@ -1,0 +1,227 @@
+"""Clauses whose theme is a structure."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
+from rpg.passes.schema.resolve.clauses.fitting import uses_orders
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.places.placing import Goals, absolutes, is_extra, loose_ats, places
+from rpg.passes.schema.resolve.places.relations import related
+from rpg.passes.schema.resolve.structures.boards import by_corners, by_layers
+from rpg.passes.schema.resolve.structures.figures import check_built
+from rpg.passes.schema.resolve.structures.lined_towers import line_of, lined_up
+from rpg.passes.schema.resolve.structures.structures import make
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.spoken import known_ones
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+
+def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """A structure as the theme ("build a tower of ..."), or what the clause is to form ("arrange in a circle")."""
+    if (goals := _remade(clause, spec, scene, scope)) is not None:
+        return goals
+    _of_them_all(clause, spec)
+    clause = _where_all_of_it_is(clause, spec, scope)
+    shapes: list[Meaning]
+    if clause.theme is None:
+        shapes = [spec.intos.pop(0).structure]
+    else:
+        shapes = list(clause.theme.items) if isinstance(clause.theme, Coord) else [clause.theme]
+    parts: list[Ref] = []
+    goals = []
+    of_each = [replace(z, what="size") for z in spec.sizes if z.what == "columns"] if len(shapes) > 1 else []
+    for shape in shapes:
+        if of_each:
+            spec.sizes = [*(z for z in spec.sizes if z.what not in ("columns", "size")), *of_each]
+        if is_extra(shape) and len(shapes) > 1:
+            refer(shape, scene, Scope())
+            scene.mentions.pop()
+            continue
+        part, atoms = _part(shape, clause, spec, scene, scope)
+        parts.append(part)
+        goals += atoms
+    built = [b for part in parts for b in part.built]
+    ref = Ref(
+        names=tuple(dict.fromkeys(n for p in parts for n in p.names)),
+        built=tuple(built),
+        plural=len(built) > 1,
+        parts=tuple(parts) if len(parts) > 1 else (),
+        span=clause.span,
+    )
+    scene.mention(ref, "theme")
+    if spec.intos:
+        raise refuse(
+            "order-conflict", "two structures are named for the same blocks", spec.intos[0].span, "keep one of them"
+        )
+    used = list(goals)
+    goals += _beside_the_other(parts, spec, scene, clause)
+    if uses_orders(built):
+        spec.orders = []
+    goals += places(ref, spec, scene, scope, clause.span)
+    if len(built) == 1 and built[0].kind == "stack" and not scope.start and _sided(spec):
+        goals += loose_ats(ref, spec, scene, clause.span)
+    if spec.absolutes:
+        goals += absolutes(ref, spec, scene, scope)
+    if scope.start and any(b.kind == "pile" for b in built):
+        return goals
+    if not used and not goals:
+        raise refuse("no-goal", "it is not said what to do with it", clause.span)
+    return goals
+
+
+def _sided(spec: Spec) -> bool:
+    """ "A tower of two on the left": a side of the table, or of what else is there, and no place in the tower."""
+    plain = [at for at in spec.ats if at.index is None and not at.whole and not at.own]
+    return len(spec.ats) == len(plain) == 1 and plain[0].side in ("left", "right", "front", "back")
+
+
+def _where_all_of_it_is(clause: Clause, spec: Spec, scope: Scope) -> Clause:
+    """ "Build a tower of red and blue that is on the mat": of the tower, as it should be, and not of the blue block."""
+    shape = clause.theme
+    higher = [x for x in spec.places if isinstance(x, Loc) and x.rel == "above" and "somewhere" in x.mods]
+    if isinstance(shape, Structure) and shape.kind == "stack" and higher:
+        raise refuse("ambiguous", "on top of it, or of more blocks?", higher[0].span, "say how many blocks each has")
+    if not isinstance(shape, Structure) or shape.det not in ("a", "bare", "some") or scope.given:
+        return clause
+    items = shape.members.items if isinstance(shape.members, Coord) else (shape.members,)
+    last = items[-1]
+    if not isinstance(last, Noun) or last.det != "bare" or last.amount or not last.conditions:
+        return clause
+    if last.head != "any" and not last.traits.labels:
+        return clause
+    if not all(isinstance(x, Loc | In) for x in last.conditions):
+        return clause
+    spec.places += last.conditions
+    kept = replace(last, conditions=())
+    members = replace(shape.members, items=(*items[:-1], kept)) if isinstance(shape.members, Coord) else kept
+    return replace(clause, theme=replace(shape, members=members))
+
+
+def _of_them_all(clause: Clause, spec: Spec) -> None:
+    """ "a tower of red and blue, a green block and a yellow one: all of them in the left half": where all of it is."""
+    for told in list(spec.absolutes) if isinstance(clause.theme, Coord) else ():
+        whose = told.theme.part_of if isinstance(told.theme, Noun) and told.theme.det == "all" else told.theme
+        all_ = isinstance(whose, Pronoun) and whose.word in ("them", "all of them", "everything", "all")
+        if all_ and told.adjuncts and all(isinstance(a, Loc | In) for a in told.adjuncts):
+            spec.absolutes.remove(told)
+            spec.places += told.adjuncts
+
+
+def _remade(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """ "the blocks: a circle", "turn the row into a tower", "alphabetize the row D, B, A": of blocks that are there."""
+    theme = clause.theme
+    if isinstance(theme, Coord) and len(theme.items) == 2 and isinstance(theme.items[0], Noun):
+        last = theme.items[1]
+        if isinstance(last, Structure) and last.members is None and theme.cost:
+            blocks = refer(theme.items[0], scene, scope)
+            spec.intos.append(Into(structure=last, span=last.span))
+            return arrange_blocks(blocks, "arrange", spec, scene, scope, clause.span)
+    if clause.lemma == "alphabetize":
+        spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
+        if isinstance(theme, Structure) and theme.det == "the":
+            again = Structure(kind=theme.kind, span=theme.span)
+            spec.intos.append(Into(structure=again, span=theme.span))
+    known = _known_already(clause, scene)
+    if (line := _lined_already(clause, spec, scene, scope)) is not None:
+        return line
+    if isinstance(theme, Structure) and spec.intos and (known or clause.lemma in ("turn into", "alphabetize")):
+        there = refer(theme, scene, scope if known else replace(scope, start=True, given=True))
+        return arrange_blocks(Ref(names=there.names, plural=True), "arrange", spec, scene, scope, clause.span)
+    return None
+
+
+def _lined_already(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """ "Stack each colour. The towers stand in a row", "... form a row": of the towers, and never of all blocks."""
+    towers, line = clause.theme, spec.intos[0].structure if len(spec.intos) == 1 else None
+    if clause.lemma == "form" and len(spec.usings) == 1:
+        towers, line = spec.usings[0].members, clause.theme
+    if not isinstance(towers, Structure) or towers.kind != "stack" or not towers.plural or clause.negated:
+        return None
+    if not isinstance(line, Structure) or line.kind not in ("row", "line") or line.plural or line.members is not None:
+        return None
+    told = line.details or line.sizes or spec.orders or spec.ats or spec.absolutes
+    if told or clause.lemma == "turn into" or not _spoken_of(towers, clause, scene):
+        return None
+    spec.intos, spec.usings = [], []
+    there = refer(towers, scene, scope)
+    return [line_of(list(there.built), scene, clause.span), *places(there, spec, scene, scope, clause.span)]
+
+
+def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:
+    """One of the structures that a clause speaks of: built, or known already."""
+    if isinstance(shape, Structure) and not _spoken_of(shape, clause, scene):
+        if shape.kind == "pile" and spec.places and clause.verb == "stack":
+            raise refuse("misplaced", "piles lie on the table", shape.span)
+        if shape.det == "the" and clause.verb not in ("build", "arrange"):
+            check_built(shape)
+        shape = by_layers(by_corners(lined_up(_laid_in(shape, spec), spec), spec), spec)
+        built, atoms = make(shape, spec, None, scene, scope)
+        atoms = [*atoms, line_of(built, scene, shape.span)] if spec.lined else atoms
+        spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
+        return Ref(names=tuple(n for b in built for n in b.members), built=tuple(built), span=shape.span), atoms
+    if isinstance(shape, Noun) and shape.det == "each" and shape.head == "any" and shape.traits.colors:
+        raise refuse("ambiguous", "it is not clear of what this is each one", shape.span, "say it in two sentences")
+    ref = refer(shape, scene, scope)
+    if not ref.built and not spec.places:
+        raise refuse("no-goal", "it is not said where these blocks should be", shape.span, "say where they should be")
+    return ref, []
+
+
+def _laid_in(shape: Structure, spec: Spec) -> Structure:
+    """ "a gradient in one row", "a countdown in a tower", "a line in a column": a line, and how it lies."""
+    into = spec.intos[0].structure if len(spec.intos) == 1 else None
+    if isinstance(into, Structure) and into.kind == "grid" and shape.kind == "checkerboard":
+        return _sized_in(shape, into, spec)
+    if shape.kind not in ("line", "gradient") or not isinstance(into, Structure) or into.kind not in _LINES:
+        return shape
+    single = not (shape.plural or into.plural) and into.traits == Traits() and into.det in ("a", "bare")
+    if not single or (shape.members and into.members) or (shape.sizes and into.sizes):
+        return shape
+    spec.intos = []
+    rainbow = (OrderBy(by="rainbow", span=shape.span),) if shape.kind == "gradient" else ()
+    return replace(
+        shape,
+        kind=into.kind,
+        members=shape.members or into.members,
+        sizes=shape.sizes or into.sizes,
+        details=(*rainbow, *shape.details, *into.details),
+        upright=into.upright,
+    )
+
+
+def _sized_in(board: Structure, into: Structure, spec: Spec) -> Structure:
+    """ "a checkerboard of four red and five black cubes in a 3x3 grid": how large it is."""
+    plain = not (into.plural or into.members or into.details) and into.traits == Traits() and into.det in ("a", "bare")
+    if not plain or board.dims or board.sizes or not (into.dims or into.sizes):
+        return board
+    spec.intos = []
+    return replace(board, dims=into.dims, sizes=into.sizes)
+
+
+_LINES = ("row", "column", "line", "stack")
+
+
+def _beside_the_other(parts: list[Ref], spec: Spec, scene: Scene, clause: Clause) -> Goals:
+    """ "a red tower and a blue tower next to it": the last one next to the one before."""
+    own = [p for p in spec.places if isinstance(p, Loc) and isinstance(p.landmark, Pronoun) and p.landmark.word == "it"]
+    if len(parts) < 2 or not own:
+        return []
+    if len(parts) > 2:
+        raise refuse("ambiguous", "it is not clear what 'it' is", own[0].span, "name what you mean")
+    spec.places = [p for p in spec.places if p not in own]
+    return [x for place in own for x in related(parts[-1], parts[-2], place, scene, clause.span)]
+
+
+def _known_already(clause: Clause, scene: Scene) -> bool:
+    return isinstance(clause.theme, Structure) and _spoken_of(clause.theme, clause, scene)
+
+
+def _spoken_of(shape: Structure, clause: Clause, scene: Scene) -> bool:
+    if clause.verb in ("build", "spell") and shape.det in ("a", "bare", "some"):
+        return False
+    groups = shape.kind == "pile" and shape.det == "bare" and shape.plural and clause.verb == "be"
+    again = groups and shape.amount is None and shape.members is None
+    return (again or shape.det in ("the", "its", "each", "all", "both")) and bool(known_ones(shape, scene))

@@ -1,0 +1,52 @@
+"""What a clause about the end says of the start besides."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, TableTop
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.things.world import Scene, refuse
+
+
+def was_so(goals: list[g.Goal], clause: Clause, spec: Spec, scene: Scene) -> None:
+    """ "the red block is no longer on the patch", "... on the patch, where it starts": it is so at the start."""
+    gone, begun = spec.manner("gone"), spec.manner("begun")
+    if gone is not None and not clause.negated:
+        raise refuse("misplaced", "this goes with 'not'", gone.span, "say 'no longer'")
+    if gone is not None or begun is not None:
+        parts = [part for goal in goals for part in (goal.goals if isinstance(goal, g.All) else (goal,))]
+        facts = [part.goal if isinstance(part, g.Not) else part for part in parts]
+        placed = [fact for fact in facts if isinstance(fact, r.On | r.OnPatch)]
+        if begun is not None and not placed:
+            raise refuse("ambiguous", "it is not clear what is so at the start", begun.span, "say it in two sentences")
+        scene.start_goals += [fact for fact in placed if fact not in scene.start_goals]
+
+
+def laid_down(clause: Clause, spec: Spec) -> bool:
+    """ "put a long blue patch on the table": patches are there from the start."""
+    theme = clause.theme
+    new = isinstance(theme, Noun) and theme.head == "patch" and theme.det in ("a", "bare") and theme.amount is not None
+    table = [p for p in spec.places if isinstance(p, Loc) and p.rel == "on" and isinstance(p.landmark, TableTop)]
+    if not new or clause.verb != "place" or clause.negated or len(table) != 1 or len(clause.adjuncts) != 1:
+        return False
+    spec.places = []
+    return True
+
+
+def and_in_the_end(chain: Chain) -> Chain:
+    """ "They start touching, at the end 20 cm apart": what stands behind "at the end" is no longer of the start."""
+    links: list[str] = []
+    clauses: list[Meaning] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        parts = [clause]
+        if isinstance(clause, Clause) and clause.mode in ("start", "given"):
+            whens = [n for n, a in enumerate(clause.adjuncts) if isinstance(a, Manner) and a.kind == "finally"]
+            if whens and 0 < whens[0] < len(clause.adjuncts) - 1:
+                start = replace(clause, adjuncts=clause.adjuncts[: whens[0]])
+                parts = [start, replace(clause, mode="goal", adjuncts=clause.adjuncts[whens[0] + 1 :])]
+        links += [link, "and"][: len(parts)]
+        clauses += parts
+    return replace(chain, links=tuple(links), clauses=tuple(clauses)) if len(clauses) > len(chain.clauses) else chain

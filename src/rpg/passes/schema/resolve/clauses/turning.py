@@ -1,0 +1,396 @@
+"""Verbs about the start and about orientation: keep, take off, swap, pick up, turn."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, TableTop, That, Using
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.clauses.spun import spun
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.places.relations import place
+from rpg.passes.schema.resolve.things.finish import label_of
+from rpg.passes.schema.resolve.things.operands import crown, spread
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import Premise
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+Goals = list[g.Goal]
+
+
+def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "leave the red block where it is", "keep the blue block on the table"."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    stays = [m for m in spec.manners if m.kind == "stay"]
+    ever = any(m.kind == "always" for m in spec.manners)
+    spec.manners = [m for m in spec.manners if m.kind not in ("stay", "always")]
+    if spec.places and not stays:
+        goals: Goals = []
+        for item in spec.places:
+            goals += place(theme, item, scene, scope, clause.span)
+        spec.places = []
+        if clause.lemma == "keep" or ever:
+            from rpg.passes.schema.resolve.clauses.clauses import held_throughout
+
+            there = len(scene.start_goals)
+            found = held_throughout(goals, scene, clause.span)
+            scene.kept += [] if ever else [(always, scene.start_goals[there:]) for always in found]
+            return found
+        return goals
+    more = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
+    spec.places = []
+    if clause.verb == "place":
+        scene.returned.update(theme.names)
+    stayed = _stayed(theme, clause.span)
+    return [g.Always(goal=stayed, span=clause.span) if ever else stayed, *more]
+
+
+def _stayed(theme: Ref, span: Span) -> g.Goal:
+    if theme.patch or theme.table:
+        raise refuse("fixed-patch", "patches and the table never move", theme.span, "name blocks")
+    if not theme.names:
+        raise refuse("no-referent", "there is no such block", theme.span)
+    if theme.op == "only":
+        raise refuse("ambiguous", "it is not said what becomes of the others", theme.span, "say where they should be")
+    if theme.quant is not None or theme.mixed:
+        return spread(theme, lambda a: r.Stayed(a=a, span=span), span, together=True)
+    return r.Stayed(a=theme.names, span=span)
+
+
+def stay(clause: Clause, spec: Spec, scene: Scene, scope: Scope, stays: bool) -> Goals:
+    """ "do not move the red block" (the negation is in the verb's meaning), "move ..." alone: moved."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    if not stays:
+        raise refuse(
+            "no-goal", "touching a block leaves nothing to check", clause.span, "say where the block should be"
+        )
+    return [g.Not(goal=_stayed(theme, clause.span), span=clause.span)]
+
+
+def without(that: That, scene: Scene) -> Goals:
+    """ "without moving the red block", "without touching it"."""
+    goals: Goals = []
+    chain = that.clauses
+    for clause in chain.clauses if isinstance(chain, Chain) else ():
+        if not isinstance(clause, Clause):
+            continue
+        manners = [m for m in clause.adjuncts if isinstance(m, Manner)]
+        lasting = any(m.kind == "always" for m in manners)
+        if any(m.kind == "time" for m in manners):
+            raise refuse("ambiguous", "it is not clear when this is forbidden", that.span, "say 'without ever ...'")
+        if clause.verb in ("place", "touch", "turn", "swap", "pick") and len(clause.adjuncts) == lasting:
+            before = len(scene.goals.get(scene.clause, []))
+            theme = refer(_moved_theme(clause), scene, Scope(role="landmark"))
+            scene.start_goals += scene.goals.get(scene.clause, [])[before:]
+            del scene.goals.get(scene.clause, [])[before:]
+            still = _untouched(clause, theme, scene, that.span)
+            goals.append(g.Always(goal=still, span=that.span) if lasting else still)
+        elif clause.verb in ("place", "stack", "use"):
+            from rpg.passes.schema.resolve.clauses.clauses import clause_goals
+
+            if clause.verb == "use":
+                raise refuse("misplaced", "only blocks that are called for are used", that.span, "leave this out")
+            goals += clause_goals(replace(clause, negated=not clause.negated), scene, False)
+        else:
+            raise refuse("misplaced", "this cannot be forbidden here", clause.span, "say 'without moving ...'")
+    return goals
+
+
+def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
+    """ "next to the red block without touching it" is about the two blocks; else the block stays where it is."""
+    now = [m for m in scene.mentions if m.clause == scene.clause]
+    placed = next((m.ref for m in now if m.role == "theme" and m.ref.names), None)
+    marks = {n for m in now if m.role == "landmark" for n in m.ref.names}
+    if (
+        clause.verb == "touch"
+        and placed is not None
+        and isinstance(clause.theme, Pronoun)
+        and set(theme.names) <= marks
+    ):
+        return g.Not(goal=r.Touching(a=placed.names, b=theme.names, span=span), span=span)
+    return _stayed(theme, span)
+
+
+def _moved_theme(clause: Clause) -> Meaning:
+    if isinstance(clause.theme, Noun) and clause.theme.det == "any" and clause.theme.amount is None:
+        return replace(clause.theme, det="all", plural=True)
+    return clause.theme or Pronoun(word="everything", span=clause.span)
+
+
+def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "pick up the red block" (and put it ...): on its own it is no goal that can be checked at rest."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    off = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
+    if clause.negated:
+        return _unlifted(theme, spec, clause)
+    if clause.lemma == "take" and off:
+        return remove(clause, spec, scene, scope, theme)
+    if spec.places and (clause.lemma == "take" or _laid_on(spec)):
+        goals = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
+        spec.places = []
+        return goals
+    scene.picked = clause.span
+    scene.held.update(dict.fromkeys(theme.names, clause.span))
+    if len(spec.usings) == 1 and spec.usings[0].lead == "from":
+        picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
+    return []
+
+
+def _laid_on(spec: Spec) -> bool:
+    """ "lift the orange block onto the gray one": where it comes to lie."""
+    told = all(isinstance(p, In) or (isinstance(p, Loc) and p.rel == "on" and not p.negated) for p in spec.places)
+    return told and not spec.usings
+
+
+def _unlifted(theme: Ref, spec: Spec, clause: Clause) -> Goals:
+    """ "never lift the red block off the table": it lies there all the time."""
+    places = spec.places
+    table = len(places) == 1 and isinstance(places[0], Loc) and isinstance(places[0].landmark, TableTop)
+    if not table or not theme.names or theme.quant is not None:
+        raise refuse("no-goal", "picking a block up leaves nothing to check", clause.span, "say 'do not move ...'")
+    spec.places = []
+    if not any(m.kind == "always" for m in spec.manners):
+        spec.manners.append(Manner(kind="always", span=clause.span))
+    return [g.Not(goal=r.OnTable(a=theme.names, span=clause.span), span=clause.span)]
+
+
+def moved_from(theme: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> None:
+    """ "move the red block from the blue patch to the green one": where it starts."""
+    for using in [using for using in spec.usings if using.lead == "from"]:
+        late = any(place.span[0] < using.span[0] for place in spec.places)
+        if isinstance(using.members, Noun) and using.members.det == "the" and not using.members.plural and not late:
+            spec.usings.remove(using)
+            picked_from(theme, using, scene, scope, span)
+
+
+def picked_from(theme: Ref, using: Using, scene: Scene, scope: Scope, span: Span) -> None:
+    """ "pick up the red block from the blue patch": where it starts."""
+    loc = Loc(rel="on", landmark=using.members, span=using.span)
+    scene.start_goals += place(theme, loc, scene, replace(scope, start=True), span)
+
+
+def remove(clause: Clause, spec: Spec, scene: Scene, scope: Scope, theme: Ref | None = None) -> Goals:
+    """ "take the red block off the blue one", "unstack the blocks", "clear the patch"."""
+    theme = theme or (refer(clause.theme, scene, scope) if clause.theme else Ref())
+    if theme.patch:
+        return [r.Empty(patch=p, span=clause.span) for p in theme.names]
+    if theme.part == "top" and clause.lemma in ("clear", "empty") and not spec.places:
+        return [r.Clear(a=crown(theme), span=clause.span)]
+    if theme.table:
+        raise refuse("out-of-reach", "blocks cannot leave the table", clause.span, "say where the blocks should go")
+    sources: list[Meaning] = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("off", "apart")]
+    rest = [p for p in spec.places if p not in sources]
+    landmarks = [p.landmark for p in sources if isinstance(p, Loc)] + [u.members for u in spec.usings]
+    spec.places, spec.usings = rest, []
+    goals: Goals = []
+    for landmark in landmarks:
+        if landmark is None:
+            continue
+        mark = refer(landmark, scene, replace(scope, role="landmark"))
+        goals += _off(theme, mark, scene, clause.span)
+    if rest:
+        for item in rest:
+            goals += place(theme, item, scene, scope, clause.span)
+        spec.places = []
+        return goals
+    names = theme.names
+    if clause.negated:
+        if not goals:
+            raise refuse("misplaced", "it is not clear what must not be taken away", clause.span, "say 'do not move'")
+        return [conj(goals, clause.span)]
+    if clause.verb == "unstack":
+        scene.unstacked.update(names)
+    if theme.built and clause.verb == "unstack":
+        scene.start_goals += scene.goals.pop(scene.clause, [])
+    if not landmarks and clause.lemma in ("remove", "clear"):
+        raise refuse(
+            "no-goal",
+            "blocks cannot leave the table; it is not said where they should go",
+            clause.span,
+            "say 'take the red block off the blue block'",
+        )
+    if len(names) > 1 and not landmarks and not _stacked_at_start(names, scene) and not _built_before(theme, scene):
+        from rpg.ir import structures as s
+
+        scene.start_goals.append(s.Stack(blocks=names, span=clause.span))
+        scene.assume("what is unstacked starts as a stack")
+    goals.append(r.OnTable(a=names, span=clause.span))
+    return goals
+
+
+def _built_before(theme: Ref, scene: Scene) -> bool:
+    """ "Build a tower, then take it apart": it is there by then, and not at the start."""
+    earlier = [built for m in scene.mentions if m.clause < scene.clause for built in m.ref.built]
+    piled = any(scene.on_top.get(name) in theme.names for name in theme.names)
+    return piled or (bool(theme.built) and all(built in earlier for built in theme.built))
+
+
+def _stacked_at_start(names: tuple[str, ...], scene: Scene) -> bool:
+    return any(getattr(goal, "kind", "") in ("stack", "on", "towers") for goal in scene.start_goals)
+
+
+def _off(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Goals:
+    """Off a patch or a block: it starts there and is not there at the end."""
+    if mark.table:
+        raise refuse("out-of-reach", "blocks cannot leave the table", span, "say where on the table, or on which block")
+    loc_goals: Goals = []
+    for a in theme.names:
+        for b in mark.names:
+            there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
+            if there not in scene.start_goals:
+                scene.start_goals.append(there)
+            loc_goals.append(g.Not(goal=there, span=span))
+    return loc_goals
+
+
+def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "swap the red and the blue block", "swap A with B"."""
+    told = len(scene.premises)
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    parts: tuple[Ref, ...] = theme.parts
+    if spec.usings:
+        other = refer(spec.usings.pop(0).members, scene, replace(scope, role="landmark"))
+        parts = (theme, other)
+    elif len(theme.names) == 2:
+        parts = tuple(Ref(names=(n,)) for n in theme.names)
+    scene.premises[told:] = [_as_it_begins(premise) for premise in scene.premises[told:]]
+    spec.manners = [m for m in spec.manners if m.kind != "idle"]
+    if len(parts) != 2 or len(parts[0].names) != len(parts[1].names):
+        raise refuse(
+            "count-mismatch",
+            "two blocks are swapped with each other",
+            clause.span,
+            "say 'swap the red block and the blue block'",
+        )
+    if any(p.patch for p in parts):
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
+    return [r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)]
+
+
+def _as_it_begins(premise: Meaning) -> Meaning:
+    """ "swap A, which is on the mat, with B": what changes its place is told of as it begins."""
+    if isinstance(premise, Premise) and isinstance(premise.condition, Loc):
+        return replace(premise, condition=replace(premise.condition, mods=()))
+    return premise
+
+
+def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "turn the A upside down", "rotate the red block by 90 degrees", "face the letter A left"."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    if theme.patch or theme.table:
+        raise refuse("fixed-patch", "patches and the table cannot be turned", theme.span, "name a block")
+    if len(theme.names) > 1 and theme.built:
+        raise refuse("misplaced", "a structure is not turned as a whole", theme.span, "say which blocks to turn")
+    goals: Goals = []
+    used: list[Manner] = []
+    degrees = next((m for m in spec.manners if m.kind in ("by", "by?")), None)
+    facing = next((m for m in spec.manners if m.kind == "facing"), None)
+    flat = next((m for m in spec.manners if m.kind == "turn"), None)
+    if (pointed := _pointed(theme, facing, spec)) is not None:
+        return _upward(theme, pointed, flat, spec, scene, clause.span)
+    for name in theme.names:
+        if degrees is not None:
+            value = float(degrees.value or 0)
+            if not 0 < abs(value) <= 360:
+                raise refuse("misplaced", "a turn is by 1 to 360 degrees", degrees.span)
+            read = spun(name, degrees, clause.mode == "goal", scene, clause.span)
+            came = r.Turned(block=name, degrees=value, either_way=degrees.kind == "by?", span=clause.span)
+            goals.append(read or came)
+            used.append(degrees)
+        if facing is not None or flat is not None:
+            goals.append(turn_of(name, facing, flat, scene, clause.span))
+            used += [m for m in (facing, flat) if m]
+    spec.manners = [m for m in spec.manners if m not in used]
+    if not goals and _target(clause, spec):
+        return _target_letter(theme, spec, scene, clause.span)
+    if not goals:
+        if clause.lemma == "flip" and not spec.places:
+            goals = [
+                _facing(n, None, Manner(kind="turn", value=180.0, span=clause.span), scene, clause.span)
+                for n in theme.names
+            ]
+        elif not spec.places and not spec.thats:
+            raise refuse(
+                "no-goal",
+                "it is not said how far or which way to turn it",
+                clause.span,
+                "say 'by 90 degrees' or 'upside down'",
+            )
+    for item in spec.places:
+        goals += place(theme, item, scene, scope, clause.span)
+    spec.places = []
+    return goals
+
+
+_ROUND = {"back": 0.0, "left": 90.0, "front": 180.0, "viewer": 180.0, "right": -90.0}
+"""How far a symbol that is read from above is turned where its top points to a side."""
+
+
+def _pointed(theme: Ref, facing: Manner | None, spec: Spec) -> Manner | None:
+    """ "its top points left", "with its top to the right": where the top of a symbol is."""
+    if facing is not None and theme.part == "top":
+        return facing
+    return next((m for m in spec.manners if m.kind == "pointing:top"), None)
+
+
+def _upward(theme: Ref, pointed: Manner, flat: Manner | None, spec: Spec, scene: Scene, span: Span) -> Goals:
+    """A symbol that lies with its top to a side, wherever it is put."""
+    goals = pointing(theme, pointed, flat, scene, span)
+    used = (pointed, flat)
+    spec.manners = [m for m in spec.manners if not any(m is x for x in used)]
+    for item in spec.places:
+        goals += place(theme, item, scene, Scope(), span)
+    spec.places = []
+    return goals
+
+
+def pointing(theme: Ref, pointed: Manner, flat: Manner | None, scene: Scene, span: Span) -> Goals:
+    """Symbols with their tops to a side; "on its side" says so once more."""
+    degrees = _ROUND.get(str(pointed.value))
+    if degrees is None:
+        raise refuse("ambiguous", "the symbol could be turned round, or its block tipped over", pointed.span,
+                     "say 'upside down', 'to the left' or 'facing up'")  # fmt: skip
+    if flat is not None and abs(degrees) != flat.value:
+        raise refuse("contradiction", "this says two ways to turn it", pointed.span, "keep one of them")
+    exact = Manner(kind="turn", value=degrees, span=span)
+    return [_facing(name, None, exact, scene, span) for name in theme.names]
+
+
+def turn_of(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
+    """How a block is to be turned; "sideways" is a quarter turn either way."""
+    found = _facing(name, facing, flat, scene, span)
+    if flat is None or flat.value != 90.0 or not isinstance(found, r.Facing):
+        return found
+    return g.Any(goals=(found, found.model_copy(update={"turn": -90.0})), span=span)
+
+
+def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene, span: Span) -> g.Goal:
+    thing = scene.things[name]
+    if thing.kind is None and thing.label is None:
+        raise refuse(
+            "order-misfit",
+            "a plain block looks the same on every side",
+            span,
+            "use a letter block, or say 'by 90 degrees'",
+        )
+    toward = str(facing.value) if facing is not None else "up"
+    label = label_of(thing, scene)
+    turned = float(flat.value or 0.0) if flat is not None else None
+    if flat is None and thing.faces is None:
+        thing.faces = {"front": label}
+        scene.assume(f"{label} shows on one face of its block; the other faces are blank")
+    if facing is None:
+        scene.assume("the letter is read from above")
+    return r.Facing(block=name, label=label, toward=toward, turn=turned, span=span)  # type: ignore[arg-type]
+
+
+def _target(clause: Clause, spec: Spec) -> bool:
+    return bool(spec.thats) and clause.theme is not None
+
+
+def _target_letter(theme: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
+    """ "so that the target letter is in the target orientation": the letter is chosen."""
+    return []

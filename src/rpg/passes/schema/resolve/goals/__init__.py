@@ -1,0 +1,1 @@
+"""Goals as a whole: joined and denied, contradictions among them, put in order."""

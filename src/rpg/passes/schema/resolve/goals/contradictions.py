@@ -1,0 +1,149 @@
+"""Goals that contradict themselves, found from names alone: support cycles, two places at once, opposite sides."""
+
+from __future__ import annotations
+
+import itertools
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import Highest, Lowest, members
+from rpg.ir.walk import atoms
+from rpg.passes.schema.resolve.goals.conflicts import clash, required
+from rpg.passes.schema.resolve.things.world import Scene, refuse
+
+
+def check(goal: g.Goal, scene: Scene) -> None:
+    """Refuse a goal that cannot hold."""
+    for stage in _stages(goal):
+        check(stage, scene)
+    parts = list(required(goal))
+    _to_themselves(goal)
+    _cycles(parts)
+    for index, a in enumerate(parts):
+        for b in parts[index + 1 :]:
+            if clash(a, b):
+                raise _clash(a, b)
+    _direction_cycles(parts)
+    _turned_in_words(parts)
+    _between_neighbours(parts)
+
+
+def _between_neighbours(parts: list[g.Goal]) -> None:
+    """Nothing is between two blocks that lie right on each other."""
+    direct: list[g.Goal] = [part for part in parts if not isinstance(part, r.Above)]
+    touching = {frozenset((a, b)) for a, b, _ in _supports(direct)}
+    for part in parts:
+        if not isinstance(part, r.Between) or not isinstance(part.b, tuple) or not isinstance(part.c, tuple):
+            continue
+        if len(part.b) == len(part.c) == 1 and frozenset((*part.b, *part.c)) in touching:
+            raise refuse("contradiction", "nothing is between two blocks of which one lies on the other", part.span,
+                         "say which block lies on which")  # fmt: skip
+
+
+def _stages(goal: g.Goal) -> list[g.Goal]:
+    """The stages of every sequence in a conjunction: each must hold at some time."""
+    if isinstance(goal, g.Sequence):
+        return [stage.goal for stage in goal.stages]
+    return [x for part in goal.goals for x in _stages(part)] if isinstance(goal, g.All) else []
+
+
+def _to_themselves(goal: g.Goal) -> None:
+    """A relation of a tower to one of its own blocks says nothing that could be meant."""
+    for atom in atoms(goal):
+        a, b = getattr(atom, "a", ()), getattr(atom, "b", ())
+        towers = isinstance(a, Lowest | Highest) or isinstance(b, Lowest | Highest)
+        if towers and set(members(a)) & set(members(b)):
+            raise refuse(
+                "self-reference", "a tower cannot be placed relative to its own blocks", atom.span, "name another block"
+            )
+
+
+def _turned_in_words(parts: list[g.Goal]) -> None:
+    """A word is read from one side: none of its cubes can face another one at the same time."""
+    read = {n: _read_from(x) for x in parts if _is_read(x) for n in x.blocks}  # type: ignore[union-attr]
+    for part in parts:
+        if isinstance(part, r.Facing) and part.block in read and part.toward != read[part.block]:
+            raise refuse(
+                "contradiction",
+                "a block of a word is read from one side, and cannot face another one as well",
+                part.span,
+                "leave the direction out",
+            )
+
+
+def _is_read(part: g.Goal) -> bool:
+    return isinstance(part, s.Spells) or (isinstance(part, s.Row | s.Stack) and part.readable)
+
+
+def _read_from(part: g.Goal) -> str:
+    """Where the cubes of a word or of an order are read from."""
+    upright = isinstance(part, s.Stack) or (isinstance(part, s.Spells) and part.along == "stack")
+    return "viewer" if upright else "up"
+
+
+def _clash(a: g.Goal, b: g.Goal) -> Exception:
+    first, second = a.span or (0, 0), b.span or (0, 0)
+    labels = ((first, "this"),) if first != second else ()
+    return refuse(
+        "contradiction", "two parts of this cannot both hold at the end", second,
+        "leave one of them out, or say 'then' if one comes after the other", labels=labels,
+    )  # fmt: skip
+
+
+def _supports(parts: list[g.Goal]) -> list[tuple[str, str, Span | None]]:
+    edges: list[tuple[str, str, Span | None]] = []
+    for part in parts:
+        if isinstance(part, r.On | r.Above) and isinstance(part.a, tuple) and isinstance(part.b, tuple):
+            edges += [(a, b, part.span) for a in part.a for b in part.b]
+        elif isinstance(part, s.Stack) and part.order.by == "given":
+            ranks = part.order.ranks if part.order.first != "top" else part.order.ranks[::-1]
+            for lower, upper in itertools.pairwise(ranks):
+                edges += [(a, b, part.span) for a in upper for b in lower]
+    return edges
+
+
+def _cycles(parts: list[g.Goal]) -> None:
+    cycle = _find_cycle(_supports(parts))
+    if cycle:
+        spans = [span for span in cycle if span]
+        raise refuse(
+            "support-cycle", "these blocks would have to lie on each other in a circle", spans[-1] if spans else None,
+            "let one of them lie on the table",
+            labels=tuple((span, "this") for span in dict.fromkeys(spans[:-1]) if span != spans[-1]),
+        )  # fmt: skip
+
+
+def _direction_cycles(parts: list[g.Goal]) -> None:
+    for kinds in (("left_of", "right_of"), ("in_front_of", "behind")):
+        edges: list[tuple[str, str, Span | None]] = []
+        for part in parts:
+            if getattr(part, "kind", "") in kinds and isinstance(part.a, tuple) and isinstance(part.b, tuple):  # type: ignore[union-attr]
+                pairs = [(a, b) for a in part.a for b in part.b]  # type: ignore[union-attr]
+                edges += [(a, b, part.span) if part.kind == kinds[0] else (b, a, part.span) for a, b in pairs]
+        cycle = _find_cycle(edges)
+        if cycle:
+            spans = [span for span in cycle if span]
+            raise refuse("contradiction", "these places contradict each other", spans[-1] if spans else None,
+                "leave one of them out",
+                         labels=tuple((s_, "this") for s_ in dict.fromkeys(spans[:-1]) if s_ != spans[-1]))  # fmt: skip
+
+
+def _find_cycle(edges: list[tuple[str, str, Span | None]]) -> list[Span | None]:
+    """The spans along a cycle of edges, or nothing."""
+    out: dict[str, list[tuple[str, Span | None]]] = {}
+    for a, b, span in edges:
+        out.setdefault(a, []).append((b, span))
+    for start in out:
+        stack: list[tuple[str, list[Span | None]]] = [(start, [])]
+        seen: set[str] = set()
+        while stack:
+            node, path = stack.pop()
+            for nxt, span in out.get(node, ()):
+                if nxt == start:
+                    return [*path, span]
+                if nxt not in seen:
+                    seen.add(nxt)
+                    stack.append((nxt, [*path, span]))
+    return []

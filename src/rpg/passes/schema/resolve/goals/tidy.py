@@ -1,0 +1,87 @@
+"""The goal put in order: towers that something goes on are not exact, stacks put on patches carry the patch."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import members
+from rpg.ir.walk import atoms, transform
+from rpg.passes.schema.resolve.things.world import Scene
+
+
+def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
+    """Rewrites that keep the meaning of the whole."""
+    return _open_tops(_stack_patches(goal))
+
+
+def once(goals: Iterable[g.Goal]) -> tuple[g.Goal, ...]:
+    """`goals` without those that say the same as an earlier one, in whatever words."""
+    kept: dict[g.Goal, g.Goal] = {}
+    for goal in goals:
+        kept.setdefault(transform(goal, lambda node: node.model_copy(update={"span": None})), goal)
+    return tuple(kept.values())
+
+
+def _stack_patches(goal: g.Goal) -> g.Goal:
+    """all(stack(b...), on_patch(b..., p)) is stack(b..., patch=p)."""
+
+    def change(node: g.Goal) -> g.Goal:
+        if not isinstance(node, g.All):
+            return node
+        goals = list(once(node.goals))
+        for stack in [x for x in goals if isinstance(x, s.Stack)]:
+            for on in [x for x in goals if isinstance(x, r.OnPatch)]:
+                if stack.patch is None and isinstance(on.a, tuple) and set(on.a) == set(stack.blocks):
+                    goals[goals.index(stack)] = stack.model_copy(update={"patch": on.patch})
+                    goals.remove(on)
+                    break
+        goals = _one_grouping(_tower_patches(_without_implied(goals)))
+        return goals[0] if len(goals) == 1 else node.model_copy(update={"goals": tuple(goals)})
+
+    return transform(goal, change)
+
+
+def _without_implied(goals: list[g.Goal]) -> list[g.Goal]:
+    """ "All in one tower" adds nothing to a stack of the same blocks in an order."""
+    stacks = [x for x in goals if isinstance(x, s.Stack)]
+    plain = [x for x in stacks if x == s.Stack(blocks=x.blocks, span=x.span)]
+    implied = [x for x in plain if any(y not in plain and set(y.blocks) == set(x.blocks) for y in stacks)]
+    return [x for x in goals if x not in implied]
+
+
+def _one_grouping(goals: list[g.Goal]) -> list[g.Goal]:
+    """Piles named one by one are groups that lie apart."""
+    piles = [x for x in goals if isinstance(x, s.GroupBy) and len(x.groups) == 1 and x.inner_edges == 2.0]
+    named = [n for x in piles for n in x.groups[0]]
+    if len(piles) < 2 or len(set(named)) < len(named):
+        return goals
+    whole = piles[0].model_copy(update={"groups": tuple(x.groups[0] for x in piles)})
+    return [whole if x is piles[0] else x for x in goals if x is piles[0] or x not in piles]
+
+
+def _tower_patches(goals: list[g.Goal]) -> list[g.Goal]:
+    """all(towers(...), on_patch of every colour) is towers(..., matching=patches)."""
+    for towers in [x for x in goals if isinstance(x, s.Towers)]:
+        patched = [
+            x for x in goals if isinstance(x, r.OnPatch) and isinstance(x.a, tuple) and set(x.a) <= set(towers.blocks)
+        ]
+        covered = {n for x in patched for n in members(x.a)}
+        if towers.each == "color" and len(patched) > 1 and covered == set(towers.blocks) and towers.matching is None:
+            new = towers.model_copy(update={"matching": tuple(x.patch for x in patched)})
+            return [new if x is towers else x for x in goals if x not in patched]
+    return goals
+
+
+def _open_tops(goal: g.Goal) -> g.Goal:
+    """A counted tower that something else goes on is not exact any more."""
+    on = [{*members(atom.a), *members(atom.b)} for atom in atoms(goal) if isinstance(atom, r.On | r.Above)]
+
+    def change(node: g.Goal) -> g.Goal:
+        if isinstance(node, s.Stack) and node.exact and any(x & set(node.blocks) and x - set(node.blocks) for x in on):
+            return node.model_copy(update={"exact": False})
+        return node
+
+    return transform(goal, change)

@@ -1,0 +1,1 @@
+"""Which block stands where within a structure: orders, ranks, ends, parts."""

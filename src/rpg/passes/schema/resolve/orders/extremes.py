@@ -1,0 +1,100 @@
+""" "The smallest number at the left": what is said of an end of a line sorts it, where no other order is given."""
+
+from __future__ import annotations
+
+from rpg.ir.order import Order
+from rpg.language.meaning import Absolute, At, Noun, OrderBy
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, forget_side, key
+from rpg.passes.schema.resolve.orders.positions import SIDES, Placed
+from rpg.passes.schema.resolve.things.world import Scene, refuse
+
+
+def sorted_from(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> list[OrderBy]:
+    """The order that an extreme at an end stands for; what said so is taken out of `spec`."""
+    found: OrderBy | None = None
+    for item in list(spec.absolutes):
+        order = _order(item, names, kind, scene)
+        if order is None:
+            continue
+        spec.absolutes.remove(item)
+        if found is not None and not _agree(found, order):
+            raise refuse("contradiction", "these ends do not fit one order", order.span, "keep one of them")
+        found = found or order
+    if found is None:
+        return []
+    scene.assume("what is said of one end is read as the order of all of them")
+    return [found]
+
+
+def _order(item: Absolute, names: tuple[str, ...], kind: str, scene: Scene) -> OrderBy | None:
+    theme, place = item.theme, item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    if not isinstance(theme, Noun) or theme.traits.rank not in ("smallest", "largest") or theme.traits.colors:
+        return None
+    if not isinstance(place, At) or (place.side, place.index) not in [("first", 1), *((s, None) for s in SIDES[kind])]:
+        return None
+    kinds = {scene.things[n].kind for n in names}
+    if theme.traits.kind == "letter" or "letter" in kinds:
+        return None
+    first = None if place.side == "first" else place.side
+    by = "number" if theme.traits.kind == "digit" or kinds == {"digit"} else "size"
+    return OrderBy(by=by, first=first, descending=theme.traits.rank == "largest", span=item.span)
+
+
+def _agree(one: OrderBy, two: OrderBy) -> bool:
+    """Whether the same order is said from both ends."""
+    return one.by == two.by and one.descending != two.descending and two.first == OPPOSITE.get(one.first or "")
+
+
+def directed(
+    order: Order, placed: Placed, names: tuple[str, ...], kind: str, scene: Scene, first: str | None, starts: bool
+) -> Order | None:
+    """ "in numeric order with 1 at the bottom": a place that fits the order one way round says which end is first.
+
+    What descends along a line is read from its usual side. `first`: the side where it begins, where that was said.
+    `starts`: the place is the beginning, from which a rainbow runs either way.
+    """
+    if first is None and order.by == "mirrored" and _in_the_middle(order, placed, names, scene):
+        return order
+    listed = [n for rank in order.ranks for n in rank] if order.by == "given" else []
+    ranked = [(k, n) for k, n in enumerate(listed)] if listed else [(key(order, scene.things[n]), n) for n in names]
+    first = order.first if listed else first
+    keys = [one for one, _ in ranked if one is not None]
+    if len(keys) < len(names) or len(set(keys)) < len(keys):
+        return None
+    row = [n for _, n in sorted(ranked, key=lambda pair: (pair[0] is None, pair[0]), reverse=order.descending)]
+    free = scene.free_runs.pop(placed.ranks, ())
+    side = placed.first or SIDES[kind][0]
+    if first is not None:
+        ahead = row if first == side else row[::-1]
+        turned = [(ahead[::-1], True)] if starts and order.by == "rainbow" and not order.descending else []
+        for way, descending in [(ahead, order.descending), *turned]:
+            if _fits(way, placed, free):
+                return order.model_copy(update={"first": first, "descending": descending})
+        return None
+    ways = [(side, row), (OPPOSITE[side], row[::-1])]
+    for begin, way in ways[:1] if order.descending and kind != "stack" else ways:
+        if _fits(way, placed, free):
+            forget_side(scene)
+            return order.model_copy(update={"first": begin})
+    return None
+
+
+def _in_the_middle(order: Order, placed: Placed, names: tuple[str, ...], scene: Scene) -> bool:
+    """Whether the one block that has a place is the one that a mirrored line has in its middle anyway."""
+    if order.attribute != "color" or [len(rank) == 1 for rank in placed.ranks[1:2]] != [True]:
+        return False
+    colors = [scene.things[n].color for n in names]
+    odd = [color for color in dict.fromkeys(colors) if colors.count(color) % 2]
+    outside = [len(placed.ranks[n]) for n in scene.free_runs.get(placed.ranks, ())]
+    return outside == [len(names) // 2] * 2 and odd == [scene.things[placed.ranks[1][0]].color]
+
+
+def _fits(row: list[str], placed: Placed, free: tuple[int, ...]) -> bool:
+    """Whether every block that has a place stands there."""
+    at = 0
+    for index, rank in enumerate(placed.ranks):
+        if index not in free and set(row[at : at + len(rank)]) != set(rank):
+            return False
+        at += len(rank)
+    return True

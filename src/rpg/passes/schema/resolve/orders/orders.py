@@ -1,0 +1,380 @@
+"""Orders of lines and stacks: from what was said to `Order`, with looks for members where they were left open."""
+
+from __future__ import annotations
+
+import string
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir.order import Order
+from rpg.language.lexicon import RAINBOW
+from rpg.language.meaning import Noun, OrderBy, Toward
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, agreed, one_way
+from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
+from rpg.passes.schema.resolve.orders.parts import place_of
+from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, positions
+from rpg.passes.schema.resolve.orders.reading import reading_begins
+from rpg.passes.schema.resolve.things.items import by_look, claimed, claims
+from rpg.passes.schema.resolve.things.things import quality_fits
+from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse
+
+
+def implied_kind(spec: Spec) -> str | None:
+    """The kind of block that an order takes for granted: letters for alphabetical, digits for numeric."""
+    for order in spec.orders:
+        if order.by in ("label", "vowel_first", "consonant_first"):
+            return "letter"
+        if order.by in ("number", "even_first", "odd_first"):
+            return "digit"
+    return None
+
+
+def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, span: Span) -> Order:
+    """The order of `names` in a line or stack of `kind`."""
+    sides = SIDES[kind]
+    if any(o.by == "any" for o in spec.orders):
+        spec.orders = [o for o in spec.orders if not (o.items and o.by in ("named", "given"))]
+    spec.orders += sorted_from(spec, names, kind, scene)
+    pointed = [o for o in spec.orders if o.first in sides and o.by in _FROM_AN_END]
+    first = spec.first(*sides) or next((o.first for o in spec.orders if o.first in sides and o not in pointed), None)
+    wrong: Toward | OrderBy | None = next((t for t in spec.toward if t.first and t.first not in sides), None)
+    wrong = wrong or next((o for o in spec.orders if o.first and o.first not in sides and o.by in _FROM_AN_END), None)
+    if wrong is not None:
+        raise refuse(
+            "misplaced", f"this direction does not fit a {kind}", wrong.span, f"say from {sides[0]} to {sides[1]}"
+        )
+    found = Order()
+    for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "paged", "reverse")):
+        merged = _merge(found, order, names, kind, scene, scope, order.first if order in pointed else first)
+        if found.by == merged.by != "any" and not scene.lenient:
+            merged = one_way(found, merged, order in pointed, first) or _two_orders(order.span)
+        if found.by not in ("any", merged.by) and order.by not in ("in_order", "paged", "reverse", "either", "any"):
+            if scene.lenient:
+                continue
+            merged = agreed(found, merged, first is not None, scene) or _two_orders(order.span)
+        found = merged
+    reverse = any(o.by == "reverse" for o in spec.orders)
+    if reverse:
+        if found.by == "any":
+            raise refuse(
+                "ambiguous",
+                "it is not said which order is to be reversed",
+                span,
+                "name the order, such as 'in reverse alphabetical order'",
+            )
+        found = found.model_copy(update={"descending": not found.descending})
+    looks = [(scene.things[n].color, scene.things[n].label) for n in names]
+    if found.by == "mirrored" and spec.listed and looks == looks[::-1]:
+        found = Order()
+        spec.orders = [o for o in spec.orders if o.by != "mirrored"]
+    if found.by == "any" and not spec.orders and spec.listed and (first or _doubled(names, scene)):
+        found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
+    starts = all(place.side == "first" for item in spec.absolutes if (place := place_of(item)) is not None)
+    placed = positions(spec, names, kind, scene)
+    if placed is not None and found.by == "alternating":
+        return _begun(found, placed, names, kind, scene, span)
+    if placed is not None and (way := directed(found, placed, names, kind, scene, first, starts)) is not None:
+        return way
+    if placed is not None and not (scene.lenient and found.by != "any"):
+        if found.by != "any":
+            return _two_orders(span)
+        if first is not None and placed.first not in (None, first):
+            raise refuse("order-conflict", "the places are counted from two sides", span, "keep one of them")
+        found = Order(by="given", ranks=placed.ranks, first=placed.first)  # type: ignore[arg-type]
+    if found.by != "any" and first and found.first is None:
+        found = found.model_copy(update={"first": first})
+    return _either_way(found, spec, kind, first)
+
+
+def _two_orders(span: Span) -> Order:
+    raise refuse("order-conflict", "two orders are given for the same blocks", span, "keep one of them")
+
+
+_FROM_AN_END = ("number", "extreme")
+"""Orders that may be told by what stands at an end."""
+
+
+def _either_way(found: Order, spec: Spec, kind: str, first: str | None) -> Order:
+    """ "in either direction": no end of a line is its beginning."""
+    said = next((o for o in spec.orders if o.by == "either"), None)
+    if said is None:
+        return found
+    if kind == "stack" or first is not None:
+        raise refuse("order-conflict", "this has one direction, and either is asked for", said.span, "leave one out")
+    if found.by == "any":
+        raise refuse("ambiguous", "it is not said which order may go either way", said.span, "name the order")
+    return found.model_copy(update={"first": None})
+
+
+def _begun(found: Order, placed: Placed, names: tuple[str, ...], kind: str, scene: Scene, span: Span) -> Order:
+    """ "alternating red and blue, blue at the bottom": of the two alternations the one that fits."""
+    looks = {n: scene.things[n].color for n in names}
+    for begin in sorted({look for look in looks.values() if look}):
+        one = [n for n in names if looks[n] == begin]
+        two = [n for n in names if looks[n] != begin]
+        row = [(one if k % 2 == 0 else two)[k // 2 : k // 2 + 1] for k in range(len(names))]
+        said = [n for rank in placed.ranks for n in (rank if len(rank) == 1 else (None,) * len(rank))]
+        fits = all(a is None or (b and looks[a] == looks[b[0]]) for a, b in zip(said, row, strict=True))
+        if fits and all(row) and len({looks[n] for n in two}) == 1 and abs(len(one) - len(two)) < 2:
+            return Order(by="given", ranks=tuple(map(tuple, row)), first=placed.first)  # type: ignore[arg-type]
+    return _two_orders(span)
+
+
+def _doubled(names: tuple[str, ...], scene: Scene) -> bool:
+    """ "black, white, white, black": a list that names a look twice, not side by side, is meant as an order."""
+    looks = [(scene.things[n].color, scene.things[n].label) for n in names]
+    runs = [look for i, look in enumerate(looks) if i == 0 or looks[i - 1] != look]
+    return len(set(runs)) < len(runs)
+
+
+def _read_from(begin: str, scene: Scene) -> None:
+    scene.assume(f"the order is read from {begin} to {OPPOSITE[begin]}")
+
+
+def _default_side(kind: str) -> str:
+    return "bottom" if kind == "stack" else "front" if kind == "column" else "left"
+
+
+def _merge(
+    found: Order, order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, first: str | None
+) -> Order:
+    things = [scene.things[n] for n in names]
+    match order.by:
+        case "any" | "reverse" | "either":
+            return found
+        case "read":
+            begin = order.first or first or reading_begins(order, names, kind, scene)
+            return _given(order, names, kind, scene, scope, begin)
+        case "given" | "named" | "run" if order.items:
+            return _given(order, names, kind, scene, scope, first)
+        case "given":
+            begin = first or _default_side(kind)
+            scene.assume(f"in the order in which the blocks are named, from {begin} to {OPPOSITE.get(begin, 'last')}")
+            return Order(by="given", ranks=tuple((n,) for n in names), first=first or _default_side(kind))  # type: ignore[arg-type]
+        case "in_order":
+            return _in_order(found, things, names, kind, scene, order, first)
+        case "paged":
+            return _paged(found, order, things, names, kind, scene, first)
+        case "label" | "number" | "ascending":
+            return _symbolic(order, things, kind, scene, first)
+        case "countdown" | "count_up" | "number_up" | "number_down":
+            return _counted(order, things, kind, scene, first)
+        case "rainbow":
+            _paint(things, scene)
+            return Order(by="rainbow", descending=order.descending, first=first)  # type: ignore[arg-type]
+        case "extreme" if any(t.kind == "letter" for t in things):
+            raise refuse("misplaced", "letters are not ordered by size", order.span, "say 'in alphabetical order'")
+        case "extreme":
+            by = "number" if {t.kind for t in things} <= {"digit"} else "size"
+            return _merge(found, replace(order, by=by), names, kind, scene, scope, first)
+        case "size_down" | "size_up" if {t.kind for t in things} == {"digit"}:
+            by = "number_down" if order.by == "size_down" else "number_up"
+            return _merge(found, replace(order, by=by), names, kind, scene, scope, first)
+        case "size" | "size_down" | "size_up":
+            return _by_size(order, things, kind, scene, first)
+        case "alternating" if order.items:
+            _alternate(order, things, scene)
+            return Order(by="alternating", attribute="color")
+        case "alternating" | "mirrored":
+            if (attribute := _telling(things)) == "color":
+                _two_colors(things, order.by, scene)
+            return Order(by=order.by, attribute=attribute)  # type: ignore[arg-type]
+        case "even_first" | "odd_first" | "vowel_first" | "consonant_first":
+            return _quality_first(order, things, kind, scene, first)
+        case "by_color" | "grouped":
+            return Order(by="together", attribute="color")
+        case "by_label":
+            return Order(by="together", attribute="label")
+        case "attribute":
+            if order.attribute == "size":
+                return _by_size(order, things, kind, scene, first)
+            if order.attribute == "label":
+                return _symbolic(order, things, kind, scene, first)
+            return Order(by="together", attribute=order.attribute)  # type: ignore[arg-type]
+        case _:
+            raise refuse("misplaced", "this order does not fit here", order.span)
+
+
+def _paged(
+    found: Order,
+    order: OrderBy,
+    things: list[Thing],
+    names: tuple[str, ...],
+    kind: str,
+    scene: Scene,
+    first: str | None,
+) -> Order:
+    """ "from left to right and top to bottom": symbols in their order, other blocks as they are listed."""
+    if len({t.kind for t in things}) == 1 and {t.kind for t in things} <= {"letter", "digit"}:
+        labels = [t.label or "" for t in things]
+        if all(labels) and labels != sorted(labels):
+            raise refuse("ambiguous", "these could be sorted, or stand as they are listed", order.span,
+                         "say 'in alphabetical order', or 'in the order' with all of them")  # fmt: skip
+        return _in_order(found, things, names, kind, scene, order, first)
+    listed = Order(by="given", ranks=tuple((n,) for n in names), first=_default_side(kind))  # type: ignore[arg-type]
+    return found if found.by != "any" else listed
+
+
+def _counted(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    """Numbers that count up or down, along a line or a tower."""
+    number = replace(order, by="number")
+    if order.by in ("number_up", "number_down"):
+        made = _symbolic(number, things, kind, scene, "bottom")
+        return made.model_copy(update={"descending": order.by == "number_down"})
+    if order.by == "count_up":
+        return _symbolic(number, things, kind, scene, first or ("bottom" if kind == "stack" else None))
+    if kind == "stack" and first is None:
+        raise refuse("ambiguous", "it is not said from which end this counts down", order.span,
+                     "say 'from top to bottom' or 'from bottom to top'")  # fmt: skip
+    return _symbolic(number, things, kind, scene, first)
+
+
+def _given(order: OrderBy, names: tuple[str, ...], kind: str, scene: Scene, scope: Scope, first: str | None) -> Order:
+    ranks: list[tuple[str, ...]] = []
+    told = claims(order.items, names, scene)
+    for item in order.items:
+        had = {name for rank in ranks for name in rank}
+        ranks.append(claimed(item, names, scene) if told else by_look(item, names, had, scene))
+    listed = [n for rank in ranks for n in rank]
+    missing = [n for n in names if n not in listed]
+    if missing or len(set(listed)) != len(listed) or not set(listed) <= set(names):
+        raise refuse(
+            "count-mismatch", f"the order lists {len(set(listed))} of {len(names)} blocks", order.span,
+            "list every block once",
+            listed=len(set(listed)), blocks=len(names),
+        )  # fmt: skip
+    if first is None:
+        _read_from(_default_side(kind), scene)
+    return Order(by="given", ranks=tuple(ranks), first=first or _default_side(kind))  # type: ignore[arg-type]
+
+
+def _in_order(
+    found: Order,
+    things: list[Thing],
+    names: tuple[str, ...],
+    kind: str,
+    scene: Scene,
+    order: OrderBy,
+    first: str | None,
+) -> Order:
+    if found.by != "any":
+        return found
+    kinds = {t.kind for t in things}
+    if kinds == {"letter"}:
+        return _symbolic(OrderBy(by="label", span=order.span), things, kind, scene, first)
+    if kinds == {"digit"}:
+        return _symbolic(OrderBy(by="number", span=order.span), things, kind, scene, first)
+    raise refuse(
+        "ambiguous",
+        "it is not said in which order",
+        order.span,
+        "say 'in the order red, green, blue' or 'in rainbow order'",
+    )
+
+
+def _symbolic(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    kinds = {t.kind for t in things}
+    if order.by == "ascending" and None in kinds and len({t.size or t.edge for t in things}) > 1:
+        return _by_size(order, things, kind, scene, first)
+    by = "number" if order.by == "number" or (order.by != "label" and kinds <= {"digit", None}) else "label"
+    want = "digit" if by == "number" else "letter"
+    for thing in things:
+        if thing.kind == "symbol" or (thing.kind is None and not thing.color):
+            thing.kind = want
+    if first is None:
+        first = "top" if kind == "stack" else _default_side(kind)
+        _read_from("top" if kind == "stack" else _default_side(kind), scene)
+    return Order(by=by, descending=order.descending, first=first)  # type: ignore[arg-type]
+
+
+def _telling(things: list[Thing]) -> str:
+    """What tells blocks apart that take turns: their colours; of those in one colour, their kinds or their symbols."""
+    if len({t.color for t in things}) > 1 or not any(t.kind for t in things):
+        return "color"
+    if len({t.kind for t in things}) == 2:
+        return "kind"
+    labels = {t.label for t in things}
+    return "label" if None not in labels and 1 < len(labels) < len(things) else "color"
+
+
+def _by_size(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    if len({t.size or t.edge for t in things}) < 2 and len(things) > 1:
+        edges = [round(0.03 + 0.02 * i / max(1, len(things) - 1), 4) for i in range(len(things))]
+        for thing, edge in zip(things, edges, strict=True):
+            thing.edge = edge
+        scene.assume("the sizes are not said: edges from 3 to 5 cm")
+    if order.by in ("size_down", "size_up"):
+        if kind != "stack":
+            raise refuse(
+                "misplaced", "a line on the table has no top and bottom", order.span, "say 'from left to right'"
+            )
+        return Order(by="size", first="bottom", descending=order.by == "size_down")
+    return Order(by="size", descending=order.descending, first=first or _default_side(kind))  # type: ignore[arg-type]
+
+
+def _paint(things: list[Thing], scene: Scene) -> None:
+    """A gradient wants different colours: give those that are open a run of the rainbow."""
+    known = {t.color for t in things if t.color}
+    spare = iter(c for c in RAINBOW if c not in known)
+    for thing in things:
+        if thing.color is None and thing.kind is None:
+            thing.color = next(spare, RAINBOW[-1])
+            scene.assume("the colours are not said: a run of the rainbow from red on")
+
+
+def _two_colors(things: list[Thing], by: str, scene: Scene) -> None:
+    """Colours for an alternation or a mirrored line where none were said."""
+    if any(t.color or t.label for t in things) or not things:
+        return
+    half = (len(things) + 1) // 2
+    for index, thing in enumerate(things):
+        place = index % 2 if by == "alternating" else min(index, len(things) - 1 - index) % max(1, half)
+        thing.color = (
+            RAINBOW[0]
+            if by == "alternating" and place == 0
+            else "blue"
+            if by == "alternating"
+            else RAINBOW[place % len(RAINBOW)]
+        )
+    scene.assume(
+        "the colours are not said: red and blue"
+        if by == "alternating"
+        else "the colours are not said: pairs of equal colours"
+    )
+
+
+def _alternate(order: OrderBy, things: list[Thing], scene: Scene) -> None:
+    """Two colours said with the alternation."""
+    colors = [i.traits.colors[0] for i in order.items if isinstance(i, Noun) and len(i.traits.colors) == 1]
+    if len(colors) != 2 or len(order.items) != 2:
+        raise refuse("misplaced", "an alternation is of two colours", order.span, "say 'alternating red and blue'")
+    for index, thing in enumerate(things):
+        if thing.color is None and thing.kind is None:
+            thing.color = colors[index % 2]
+    if {t.color for t in things} != set(colors):
+        raise refuse("contradiction", "the blocks have other colours", order.span, "name two colours that they have")
+
+
+def _quality_first(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    letters = order.by.startswith(("vowel", "consonant"))
+    row = string.ascii_uppercase if letters else "123456789"
+    taken = {t.label for t in things}
+    for thing in things:
+        if thing.label is None:
+            thing.label = next(x for x in row if x not in taken)
+            thing.kind = "letter" if letters else "digit"
+            taken.add(thing.label)
+    head = order.by.split("_")[0]
+    one = tuple(t.name for t in things if quality_fits(t, head))
+    two = tuple(t.name for t in things if t.name not in one)
+    if not one or not two:
+        raise refuse(
+            "order-misfit",
+            "all the blocks are of one sort, so that none comes before the other",
+            order.span,
+            "use blocks of both sorts",
+        )
+    if first is None:
+        _read_from("top" if kind == "stack" else _default_side(kind), scene)
+    return Order(by="given", ranks=(one, two), first=first or ("top" if kind == "stack" else "left"))  # type: ignore[arg-type]

@@ -1,0 +1,388 @@
+"""Places inside a line or a stack: ranks from "with the red block at the bottom"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+from rpg.ir.order import Order
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Size, Structure
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.mirrored import mirrored
+from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import amount_of, matching, open_to
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
+
+SIDES = {"stack": ("bottom", "top"), "row": ("left", "right", "front", "back"),
+    "line": ("left", "right", "front", "back"),
+         "column": ("front", "back", "left", "right")}  # fmt: skip
+
+
+MAX_ALTERNATIVES = 60
+SYMMETRIC = ("ends", "outer", "inner", "middle")
+"""Parts that are the same from either end of a line."""
+
+
+def alternatives(order: Order, scene: Scene, *, line: bool = False) -> list[Order]:
+    """The orders that stand for one whose free places are not all next to each other.
+
+    `ranks` ties the blocks of each free run to that run; unless the free blocks look alike, every way to share them out
+    is an order of its own. `line`: one on the table, which may begin at either end.
+    """
+    free = scene.free_runs.pop(order.ranks, ()) if order.by == "given" else ()
+    if len(free) < 2:
+        return [order]
+    pool = [n for index in free for n in order.ranks[index]]
+    if len({looks(scene.things[n]) for n in pool}) == 1 and scene.things[pool[0]].color:
+        return [order]
+    found: list[Order] = []
+    for shares in _share_out(tuple(pool), [len(order.ranks[index]) for index in free]):
+        ranks = list(order.ranks)
+        for index, share in zip(free, shares, strict=True):
+            ranks[index] = share
+        if not (line and order.first is None and any(o.ranks == tuple(reversed(ranks)) for o in found)):
+            found.append(order.model_copy(update={"ranks": tuple(ranks)}))
+    if len(found) > MAX_ALTERNATIVES:
+        raise refuse("ambiguous", "too many places of this order are left open", None, "name the order of all blocks")
+    return found
+
+
+def _share_out(pool: tuple[str, ...], sizes: list[int]) -> Iterator[tuple[tuple[str, ...], ...]]:
+    if not sizes:
+        yield ()
+        return
+    for some in combinations(pool, sizes[0]):
+        rest = tuple(n for n in pool if n not in some)
+        yield from ((some, *more) for more in _share_out(rest, sizes[1:]))
+
+
+@dataclass(frozen=True)
+class Placed:
+    """Ranks from places; `first`: the side that they are counted from, None where either end may be the beginning."""
+
+    ranks: tuple[tuple[str, ...], ...]
+    first: str | None
+
+
+def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Placed | None:
+    """ "with the red block at the bottom", "white at both ends, red in between": ranks from places in the line."""
+    held: dict[int, tuple[str, ...]] = {}
+    rest: list[Absolute] = []
+    parts: list[At | Places] = []
+    bunches: list[tuple[str, ...]] = []
+    last: int | None = None
+    way = 1
+    sides = [place.side for item in spec.absolutes if (place := place_of(item)) is not None]
+    ends = "rest" not in sides and ("ends" in sides or "outer" in sides)
+    for item in list(spec.absolutes):
+        place = place_of(item)
+        if place is None or not _belongs(item.theme, names, scene):
+            continue
+        if place.side == "rest" or (place.side == "middle" and ends and _whole(item, place)):
+            rest.append(item)
+            continue
+        groups = _following(item, last, way, scene) if place.side == "next" and last is not None else None
+        found, last = _put(item, place, groups, held, names, kind, scene)
+        if place.side != "next":
+            way = -1 if place.side in FAR_ENDS else 1
+        last = last + 1 - len(found) if way < 0 else last
+        alike_ = len({looks(scene.things[n]) for n in found}) == 1
+        bunches += [found] if alike_ or (isinstance(item.theme, Noun) and not item.theme.traits.labels) else []
+        parts.append(place)
+        spec.absolutes.remove(item)
+    for item in rest:
+        _fill(item, held, names, scene)
+        spec.absolutes.remove(item)
+    if not held:
+        return None
+    symmetric = all(p.side in SYMMETRIC for p in parts)
+    first = None if symmetric else _side_of(parts, kind)
+    return Placed(tuple(ranks_from(held, names, scene, bunches)), first)
+
+
+def _side_of(parts: list[At | Places], kind: str) -> str:
+    """The side that places are counted from: a line has its own where one was said."""
+    sides = {p.side for p in parts}
+    if kind == "line" and sides & {"front", "back"}:
+        return "front"
+    return {"stack": "bottom", "column": "front"}.get(kind, "left")
+
+
+FAR_ENDS = ("top", "right", "back")
+"""Ends from which on what comes next stands nearer to the beginning of the places."""
+
+
+def _following(item: Absolute, last: int, way: int, scene: Scene) -> Groups:
+    """ "then green": the places after the last one, or before it where the far end was told first."""
+    known = item.theme.word[1:].split() if isinstance(item.theme, Pronoun) and item.theme.word[:1] == "=" else []
+    count = amount_of(item.theme) or max(1, len(getattr(item.theme, "items", known)))
+    alike = len({looks(scene.things[n]) for n in known}) == 1 and getattr(item.adjuncts[0], "whole", None)
+    if way < 0 and count > 1 and not alike:
+        raise refuse("ambiguous", "it is not clear in which order these follow", item.span, "name them one by one")
+    return [[last + way + way * k] for k in range(count)]
+
+
+def _put(
+    item: Absolute,
+    place: At | Places,
+    groups: Groups | None,
+    held: dict[int, tuple[str, ...]],
+    names: tuple[str, ...],
+    kind: str,
+    scene: Scene,
+) -> tuple[tuple[str, ...], int]:
+    """Note which blocks stand in a part of the line: the blocks, and its last place."""
+    total = len(names)
+    theme = item.theme
+    if groups is None and isinstance(place, At):
+        found = _refer(_single(theme), names, held, item, scene)
+        indices = places_of(place, total, len(found), SIDES[kind], kind)
+    else:
+        groups = groups if groups is not None else line_groups(place, total, kind)
+        if not groups:
+            raise refuse(
+                "count-mismatch", f"{total} blocks in a {kind} have no such part", place.span, "name the blocks"
+            )
+        indices = [k for group in groups for k in group]
+        found = _refer(counted(theme, groups, place), names, held, item, scene)
+    if isinstance(theme, Coord) and len(theme.items) > 2 and isinstance(place, At) and place.index is None:
+        told, hint = "this could be the place of all of them or of the last one", "say the order from end to end"
+        raise refuse("ambiguous", told, item.span, hint)
+    if len({looks(scene.things[n]) for n in found}) == 1 or isinstance(theme, Noun):
+        indices = sorted(indices)
+    if set(found) >= set(names) or len(found) != len(indices) or any(not 0 <= i < total for i in indices):
+        raise refuse("contradiction", "so many blocks have no room there", item.span, "name fewer blocks", blocks=total)
+    for index, name in zip(indices, found, strict=True):
+        if index in held and held[index] != (name,):
+            raise refuse(
+                "contradiction", "two blocks are given the same place", item.span, "give each a place of its own"
+            )
+        held[index] = (name,)
+    return found, max(indices)
+
+
+def _whole(item: Absolute, place: At | Places) -> bool:
+    """ "white in the middle": all of it, however many."""
+    return (
+        getattr(place, "several", None) is None
+        and isinstance(item.theme, Noun)
+        and item.theme.det == "bare"
+        and item.theme.amount is None
+    )
+
+
+def looks(thing: Thing) -> tuple[object, ...]:
+    """What a block is told by."""
+    return thing.color, thing.label, thing.size, thing.kind
+
+
+def _single(theme: Meaning) -> Meaning:
+    """ "red at the bottom" is one red block."""
+    if isinstance(theme, Noun) and theme.det == "bare" and theme.amount is None and not theme.plural:
+        return replace(theme, amount=Amount(1, 1))
+    return theme
+
+
+def _refer(
+    theme: Meaning, names: tuple[str, ...], held: dict[int, tuple[str, ...]], item: Absolute, scene: Scene
+) -> tuple[str, ...]:
+    free = tuple(n for n in names if (n,) not in held.values())
+    if inside := so_many(theme, free, scene):
+        return inside
+    ref = refer(theme, scene, Scope(pool=names))
+    if ref.op != "and" or ref.quant is not None:
+        raise refuse("ambiguous", "it is not clear which block is here", item.span, "name one block for each place")
+    if not set(ref.names) <= set(names):
+        raise refuse("misplaced", "this is none of the structure's blocks", item.span, "name it among them")
+    scene.mentions.pop()
+    return ref.names
+
+
+def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene) -> None:
+    """ "and red in between": all the places that are left."""
+    left = [k for k in range(len(names)) if k not in held]
+    if not left or not held:
+        raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")
+    free = tuple(n for n in names if (n,) not in held.values())
+    place = Places(side="rest", unit="block", span=item.span)
+    found = standing(item, place, [left], free, scene)
+    if len(found) != len(left):
+        raise refuse("count-mismatch", f"{len(left)} places are left for this", item.span, f"say {len(left)}")
+    held.update({k: (name,) for k, name in zip(left, found, strict=True)})
+
+
+def lengthened(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[Structure, Ref | None]:
+    """ "three red blocks in a row with a white one at each end": further blocks in the line."""
+    source = shape.members
+    if theme is None and mirrored(shape, spec):
+        return replace(shape, members=None, sizes=()), None
+    if (told := _told_through(shape, spec, theme)) is not None:
+        return told, theme
+    counted_ = theme is not None or amount_of(source) is not None
+    if shape.sizes or not counted_ or (theme is None and not isinstance(source, Noun)) or (theme and theme.quant):
+        return shape, theme
+    own = source.traits.colors if isinstance(source, Noun) else tuple({scene.things[n].color for n in theme.names})  # type: ignore[union-attr]
+    if not own or None in own or any(scene.things[n].elastic for n in (theme.names if theme else ())):
+        return shape, theme
+    more = [m for item in spec.absolutes if (m := _further(item, shape.kind, own)) is not None]
+    if not more:
+        return shape, theme
+    if theme is None:
+        return replace(shape, members=Coord(op="and", items=(source, *more), span=shape.span)), None  # type: ignore[arg-type]
+    names = theme.names
+    for noun in more:
+        names += refer(noun, scene, Scope(role="member")).names
+        scene.mentions.pop()
+    return shape, replace(theme, names=names, listed=False)
+
+
+def _told_through(shape: Structure, spec: Spec, theme: Ref | None) -> Structure | None:
+    """ "a column of numbers: 1 is nearest, then 2, then 3": as many as are told from one end on."""
+    source = shape.members
+    bare = isinstance(source, Noun) and source.det == "bare" and not source.traits.labels
+    if theme is not None or shape.sizes or not (source is None or (bare and amount_of(source) is None)):
+        return None
+    places = [place_of(item) for item in spec.absolutes]
+    if (total := _ends_and_rest(spec, places)) is not None:
+        return replace(shape, sizes=(Size(what="size", amount=Amount(total, total), span=shape.span),))
+    sides = [place.side if place is not None and place.index in (None, 1) else "" for place in places]
+    told = "next" in sides[1:] and sides[0] != "next" and set(sides[1:-1]) <= {"next"}
+    single = all(isinstance(x.theme, Noun) and x.theme.amount in (None, Amount(1, 1)) for x in spec.absolutes)
+    named = all(isinstance(x.theme, Noun) and len(x.theme.traits.colors + x.theme.traits.labels) == 1
+                for x in spec.absolutes)  # fmt: skip
+    if not (told and single and named):
+        return None
+    size = Size(what="size", amount=Amount(len(places), len(places)), span=shape.span)
+    return replace(shape, sizes=(size,))
+
+
+def _ends_and_rest(spec: Spec, places: list[At | Places | None]) -> int | None:
+    """ "red at both ends and three blue ones between them": how many these are, where it is said of all."""
+    sides = [place.side if place is not None and place.index is None else "" for place in places]
+    counts = [
+        amount_of(item.theme) or (None if side in ("rest", "middle") else 1)
+        for item, side in zip(spec.absolutes, sides, strict=True)
+    ]
+    ends = [side for side in sides if side not in ("rest", "middle")]
+    if len(sides) - len(ends) != 1 or not (ends in (["ends"], ["outer"]) or set(ends) in _BOTH) or None in counts:
+        return None
+    total = sum(n or 0 for n in counts)
+    if len(ends) > 1:
+        return total
+    at = sides.index(ends[0])
+    each = counts[at] == 1 or getattr(places[at], "each", False)
+    return total + (counts[at] or 0) if each else total
+
+
+_BOTH = ({"left", "right"}, {"top", "bottom"}, {"front", "back"})
+
+
+def _further(item: Absolute, kind: str, own: Sequence[str | None]) -> Noun | None:
+    """The blocks that a part brings into the line: those of another colour, where it is said how many they are."""
+    place, theme = place_of(item), item.theme
+    if place is None or not isinstance(theme, Noun) or not theme.traits.colors or set(theme.traits.colors) & set(own):
+        return None
+    ends = isinstance(place, Places) and place.side in ("ends", "outer")
+    if theme.det not in ("a", "bare") or (not ends and (theme.amount is None or amount_of(theme) is None)):
+        return None
+    if ends and (theme.det, theme.head, theme.amount, theme.plural) == ("bare", "any", None, False):
+        return None
+    if place.side in ("rest", "next") or (kind == "stack" and isinstance(place, At) and place.side != "middle"):
+        return None
+    count = 2 if ends else amount_of(theme) or 1
+    return replace(theme, det="bare", amount=Amount(count, count), plural=count > 1)
+
+
+def ranks_from(
+    places: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene, bunches: Sequence[tuple[str, ...]] = ()
+) -> list[tuple[str, ...]]:
+    """Ranks from the fixed places of some of `names`; the others fill what is between them. `bunches`: blocks whose
+    order among themselves is free."""
+    bunch_of = {n: bunch for bunch in bunches for n in bunch}
+    taken = {n for rank in places.values() for n in rank}
+    remaining = iter([n for n in names if n not in taken])
+    ranks: list[tuple[str, ...]] = []
+    run: list[str] = []
+    for index in range(len(names)):
+        if index in places:
+            ranks += [tuple(run)] if run else []
+            run = []
+            bunch = bunch_of.get(places[index][0])
+            if bunch and index - 1 in places and places[index - 1][0] in bunch:
+                ranks[-1] += places[index]
+            else:
+                ranks.append(places[index])
+        else:
+            run.append(next(remaining))
+    ranks += [tuple(run)] if run else []
+    return _free_runs(ranks, places, scene)
+
+
+def _belongs(theme: Meaning, names: tuple[str, ...], scene: Scene) -> bool:
+    """Whether a description can be one of the members: it fits one, or one whose looks are open could take it on."""
+    if isinstance(theme, Coord):
+        return all(_belongs(item, names, scene) for item in theme.items)
+    if isinstance(theme, Pronoun):
+        return not theme.word.startswith("=") or set(theme.word[1:].split()) <= set(names)
+    if not isinstance(theme, Noun):
+        return False
+    plain = replace(theme.traits, rank=None, scheme=None)
+    if any(t.name in names for t in matching(plain, scene, False)):
+        return True
+    return any(open_to(scene.things[n], theme.traits) for n in names)
+
+
+def _free_runs(ranks: list[tuple[str, ...]], places: dict[int, tuple[str, ...]], scene: Scene) -> list[tuple[str, ...]]:
+    """Remember which ranks are free, so that `alternatives` can share their blocks out."""
+    fixed = {n for rank in places.values() for n in rank}
+    scene.free_runs[tuple(ranks)] = tuple(i for i, r in enumerate(ranks) if r[0] not in fixed)
+    return ranks
+
+
+def line_groups(place: At | Places, total: int, kind: str) -> Groups:
+    """The places of a line or a tower that a part names; none where it has no such part."""
+    sides = ("front", "back") if place.side in ("front", "back") else SIDES[kind][:2]
+    unit = getattr(place, "unit", "block")
+    several, index = getattr(place, "several", None), place.index
+    if (kind == "row" and place.side in ("front", "back")) or (kind == "column" and place.side in ("left", "right")):
+        raise refuse("misplaced", f"a {kind} has no {place.side}", place.span,
+                     f"say '{SIDES[kind][0]}' or '{SIDES[kind][1]}', or which block is first")  # fmt: skip
+    if unit in ("half", "third"):
+        share, left = divmod(total, 2 if unit == "half" else 3)
+        if left or several not in (None, 1):
+            raise refuse(
+                "count-mismatch", f"{total} blocks have no such {unit}", place.span, "say how many blocks it has"
+            )
+        several = share
+        index = None if place.index is None else 1 + (place.index - 1) * share
+    elif getattr(place, "each", False) and index is not None and 2 * index <= total:
+        raise refuse("ambiguous", "one block, or each one that comes so many places after another?", place.span,
+                     "name each of their places, or say 'alternating'")  # fmt: skip
+    elif unit not in ("block", "layer" if kind == "stack" else "block"):
+        return []
+    return [[k] for k in chosen(place.side, index, several, total, (sides[0], sides[1]))]
+
+
+def places_of(at_: At, total: int, several: int, sides: tuple[str, ...], kind: str) -> list[int]:
+    """Places counted from the first side (bottom, left or front)."""
+    if at_.side == "middle" and (total - several) % 2:
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks have no single middle one",
+            at_.span,
+            "use an odd number of blocks",
+            blocks=total,
+        )
+    if at_.side not in (*sides, "middle", "first"):
+        raise refuse("misplaced", f"a {kind} has no {at_.side}", at_.span, f"say {sides[0]} or {sides[1]}")
+    if at_.side in ("right", "top", "back"):
+        return [total - (at_.index or 1) - k for k in range(several)]
+    if at_.side == "first" and at_.index == -1:
+        return [total - 1]
+    return [k for (k,) in line_groups(_spread(at_, several), total, kind)]
+
+
+def _spread(at_: At, several: int) -> Places:
+    return Places(side=at_.side, unit="block", index=at_.index, several=several, span=at_.span)

@@ -1,0 +1,179 @@
+"""Blocks by their place or rank: "the top block", "the leftmost cube", "the second block from the left"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import At, Noun, Traits
+from rpg.passes.schema.resolve.orders.positions import SIDES
+from rpg.passes.schema.resolve.orders.reordered import begun_in_order
+from rpg.passes.schema.resolve.things.things import alike, matching
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
+
+_FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front", "word": "left"}
+
+
+def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    """The block at a place of the structure spoken of last, or the extreme in size."""
+
+    rank = noun.traits.rank or ""
+    if rank.startswith("#"):
+        return _numbered(noun, rank[1:], scene)
+    if rank in ("largest", "smallest", "larger", "smaller"):
+        those = matching(replace(noun.traits, rank=None), scene, False)
+        sized = sorted(
+            ((t.edge or {"small": 0.03, "big": 0.05}.get(t.size or "", 0.04), t.name) for t in those),
+            reverse=rank.startswith("large"),
+        )
+        if rank.endswith("er") and len(sized) > 2:
+            raise refuse("ambiguous", f"of more than two blocks none is the {rank} one", noun.span, "name its colour")
+        if len(sized) > 1 and sized[0][0] != sized[1][0]:
+            return Ref(names=(sized[0][1],))
+        raise refuse("no-referent", f"no block is the {rank}", noun.span, "name its colour")
+    if (left := _left_of_so_many(noun, rank, scene)) is not None:
+        return left
+    there = () if noun.head == "patch" else _candidates(noun, rank, scene)
+    if len(set(there)) > 1:
+        raise refuse("ambiguous", "this could be a block of several structures", noun.span, "name its colour or label")
+    if there:
+        return Ref(names=there[:1])
+    if (found_ := _among_alike(noun, rank, scene)) is not None:
+        return found_
+    if rank.isdigit() or rank == "last":
+        raise refuse(
+            "no-referent",
+            "it is not clear in which order the blocks are counted",
+            noun.span,
+            "name its colour or its label",
+        )
+    raise refuse(
+        "no-referent", f"it is not clear which block is the {rank} one", noun.span, "name its colour or its label"
+    )
+
+
+def _left_of_so_many(noun: Noun, rank: str, scene: Scene) -> Ref | None:
+    """ "the third one" where two of three were spoken of: the one that is left."""
+    left = [name for name in scene.whole if name not in scene.parted]
+    plain = noun.head == "any" and noun.det == "the" and noun.traits == Traits(rank=rank)
+    if not plain or len(left) != 1 or rank not in (str(len(scene.whole)), "last"):
+        return None
+    scene.parted.add(left[0])
+    scene.used.add(left[0])
+    return Ref(names=(left[0],))
+
+
+def _candidates(noun: Noun, rank: str, scene: Scene) -> tuple[str, ...]:
+    """The blocks at such a place of the structures spoken of, the last one first."""
+    found: list[str] = []
+    for built in reversed(scene.built):
+        known = built if built.ordered else begun_in_order(built, scene)
+        if known is None or (_counts(rank) and known.kind == "stack" and len(known.members) == 2):
+            continue
+        name = _in(_such(known, noun, scene), rank)
+        if name is not None:
+            _told_apart(known, name, noun, scene)
+            found.append(name)
+    return tuple(found)
+
+
+def _counts(rank: str) -> bool:
+    """Whether a place is counted along a structure, be it upright or not: two blocks on each other have no such."""
+    return rank.isdigit() or rank in ("first", "last")
+
+
+def _such(built: Built, noun: Noun, scene: Scene) -> Built:
+    """The members that a place is counted among: "the second red block" of a row is the second of the red ones."""
+    if noun.traits == Traits(rank=noun.traits.rank):
+        return built
+    such = {t.name for t in matching(replace(noun.traits, rank=None), scene, False)}
+    return replace(built, members=tuple(name for name in built.members if name in such))
+
+
+def _told_apart(built: Built, name: str, noun: Noun, scene: Scene) -> None:
+    """Refuse one of the letters of a word that show the same: any of them may stand in its place."""
+    labels = [scene.things[n].label for n in built.members]
+    if built.kind in ("word", "equation") and labels.count(scene.things[name].label) > 1:
+        raise refuse("ambiguous", "this stands several times in the word, and any of them may stand at each place",
+                     noun.span, "speak of a letter that stands there once")  # fmt: skip
+
+
+def _numbered(noun: Noun, number: str, scene: Scene) -> Ref:
+    """ "red block 2", where several red blocks were spoken of."""
+    there = [t for t in matching(replace(noun.traits, rank=None), scene, False) if t.declared]
+    if len(there) < 2 or not alike(there) or not 1 <= int(number) <= len(there):
+        raise refuse(
+            "ambiguous",
+            f"this could be a block with a {number} on it, or one of several blocks that look alike",
+            noun.span,
+            f"say 'labelled {number}', or say first how many such blocks there are",
+        )
+    return Ref(names=(there[int(number) - 1].name,))
+
+
+def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
+    """ "the middle one" of a row of blocks that look alike: any of them, which is then said to stand there."""
+    built = scene.built[-1] if scene.built else None
+    if len(scene.built) > 1 and noun.head == "any" and rank.isdigit():
+        return _of_structures(noun, int(rank), scene)
+    if (
+        built is None
+        or built.ordered
+        or len(scene.built) > 1
+        or built.kind not in SIDES
+        or noun.head == "patch"
+        or scene.loose
+    ):
+        return None
+    things = [scene.things[n] for n in built.members]
+    looks = {(t.color, t.label, t.kind, t.size) for t in things}
+    colors = noun.traits.colors
+    if len(looks) > 1 or not things[0].color or any(n in scene.on_top for n in built.members):
+        return None
+    if colors and things[0].color not in colors:
+        return None
+    side = {"last": "first"}.get(rank, "first" if rank.isdigit() else rank)
+    if side not in ("first", "middle", *SIDES[built.kind][:2]):
+        return None
+    if side == "middle" and len(built.members) % 2 == 0:
+        return None
+    index = int(rank) if rank.isdigit() else -1 if rank == "last" else None
+    if index is not None and not -1 <= index <= len(built.members):
+        return None
+    name = built.members[0]
+    place = At(side=side, index=index, span=noun.span)
+    scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))
+    return Ref(names=(name,))
+
+
+def _of_structures(noun: Noun, index: int, scene: Scene) -> Ref:
+    """ "the first" where two towers were built: the first of them."""
+    of_one = any(m.clause == scene.clause and m.role == "theme" and m.ref.built for m in scene.mentions)
+    unsaid = not of_one and any(n in scene.on_clause for b in scene.built for n in b.members)
+    if noun.traits.colors or unsaid or len({b.kind for b in scene.built}) > 1 or index > len(scene.built):
+        raise refuse("ambiguous", "it is not clear which block or structure this is", noun.span, "name it")
+    built = scene.built[index - 1]
+    return Ref(names=built.members, built=(built,), span=noun.span)
+
+
+def _in(built: Built, rank: str) -> str | None:
+    first = built.side or _FIRST.get(built.kind, "")
+    opposite = {
+        "bottom": "top",
+        "top": "bottom",
+        "left": "right",
+        "right": "left",
+        "front": "back",
+        "back": "front",
+    }.get(first)
+    members = built.members
+    if not members:
+        return None
+    if rank == first:
+        return members[0]
+    if rank == opposite or rank == "last":
+        return members[-1]
+    if rank == "middle" and len(members) % 2:
+        return members[len(members) // 2]
+    if rank.isdigit() and int(rank) <= len(members):
+        return members[int(rank) - 1]
+    return None

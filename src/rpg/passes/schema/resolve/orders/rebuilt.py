@@ -1,0 +1,86 @@
+""" "Rebuild it with blue at the bottom", "restack it so that red is on top": the same blocks in another order."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Absolute, At, Chain, Clause, Into, Meaning, Pronoun, Structure, That
+from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.reordered import reverse
+from rpg.passes.schema.resolve.places.placing import Goals, places
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.spoken import known_ones
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope
+
+_LINES = ("stack", "row", "line", "column")
+
+
+def once_more(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """A structure that is there, built again the other way round or otherwise; None for other clauses."""
+    turned = _the_other_way(clause, spec, scene, scope)
+    return turned if turned is not None else _rebuilt(clause, spec, scene, scope)
+
+
+def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """ "rebuild it in reverse", "put the row in reverse order": a structure that is there, the other way round."""
+    orders = spec.orders and all(o.by == "reverse" for o in spec.orders)
+    backwards = any(m.kind == "backwards" for m in spec.manners)
+    known = isinstance(clause.theme, Pronoun) or (isinstance(clause.theme, Structure) and clause.theme.det == "the")
+    if (
+        not (orders or backwards)
+        or not known
+        or spec.intos
+        or clause.verb not in ("build", "stack", "arrange", "place")
+    ):
+        return None
+    spec.orders, spec.manners = [], [m for m in spec.manners if m.kind != "backwards"]
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    return [*reverse(theme, scene, clause.span), *places(theme, spec, scene, scope, clause.span)]
+
+
+def _rebuilt(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
+    """A tower or row of the start, built again as its parts or an order say; None for other clauses."""
+    theme = clause.theme
+    it = isinstance(theme, Pronoun) and theme.word in ("it", "that", "this")
+    the = isinstance(theme, Structure) and theme.det == "the" and theme.members is None and not theme.details
+    the = the and isinstance(theme, Structure) and len(known_ones(theme, scene)) == 1
+    if (
+        clause.verb not in ("build", "stack", "arrange")
+        or clause.negated
+        or not (it or the)
+        or spec.intos
+        or theme is None
+    ):
+        return None
+    ats = [part for that in spec.thats for part in _parts(that)]
+    if not (ats or spec.absolutes or spec.orders or spec.toward) or spec.places:
+        return None
+    known = refer(theme, scene, scope)
+    shapes = [b for b in known.built if b.kind in _LINES]
+    if len(shapes) != 1 or len(known.built) != 1:
+        scene.mentions.pop()
+        return None
+    spec.thats = [that for that in spec.thats if not _parts(that)]
+    spec.absolutes += ats
+    if shapes[0].kind != "stack":
+        spec.intos.append(Into(structure=Structure(kind=shapes[0].kind, span=theme.span), span=theme.span))
+    blocks = Ref(names=shapes[0].members, plural=True, span=known.span)
+    verb = "stack" if shapes[0].kind == "stack" else "arrange"
+    return arrange_blocks(blocks, verb, spec, scene, scope, clause.span)
+
+
+def _parts(that: That) -> list[Absolute]:
+    """ "so that blue is at the bottom and red on top": what is where; nothing if it says anything else."""
+    clauses = that.clauses.clauses if isinstance(that.clauses, Chain) else ()
+    if that.kind != "so" or not isinstance(that.clauses, Chain) or set(that.clauses.links) != {"and"}:
+        return []
+    found = [_part(clause) for clause in clauses]
+    return [part for part in found if part is not None] if None not in found else []
+
+
+def _part(clause: Meaning) -> Absolute | None:
+    if not isinstance(clause, Clause) or clause.verb != "be" or clause.negated or clause.theme is None:
+        return None
+    places = clause.adjuncts
+    if len(places) != 1 or not isinstance(places[0], At):
+        return None
+    return Absolute(theme=clause.theme, adjuncts=places, span=clause.span)

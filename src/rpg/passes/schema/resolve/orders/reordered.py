@@ -1,0 +1,130 @@
+"""Structures that are there already, put into another order: reversed, or one block of them moved to an end."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.order import Order
+from rpg.language.meaning import At
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.goals.logic import Atoms
+from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
+
+FIRST = {"stack": "bottom", "row": "left", "line": "left", "column": "front"}
+LAST = {"bottom": "top", "left": "right", "front": "back", "top": "bottom", "right": "left", "back": "front"}
+
+
+def reverse(theme: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "reverse the tower": the same blocks, the other way round."""
+    built = _ordered(theme, scene, span)
+    looks = [(scene.things[n].color, scene.things[n].label, scene.things[n].size) for n in built.members]
+    if looks == looks[::-1] and None not in {c or x for c, x, _ in looks}:
+        raise refuse("no-goal", "this looks the same the other way round", span, "use blocks that differ")
+    return [_again(built, built.members[::-1], scene, span)]
+
+
+def within(theme: Ref, verb: str, spec: Spec, scene: Scene, span: Span) -> Atoms | None:
+    """A block put at an end of the structure that it is part of, or on top of the one spoken of last."""
+    if len(spec.ats) != 1:
+        return None
+    again = moved_within(theme, spec.ats[0], scene, span) if verb != "be" else None
+    if again is None and verb in ("place", "be") and not spec.intos:
+        again = topped(theme, spec.ats[0], scene, span)
+    return again
+
+
+def moved_within(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
+    """ "move the red block to the top" of the tower that is there: the others keep their order."""
+    home = [b for b in scene.built if b.kind in FIRST and set(theme.names) < set(b.members)]
+    if len(home) != 1 or len(theme.names) != 1 or at_.index is not None or _begun(home[0], scene) is None:
+        return None
+    built = _ordered(Ref(names=home[0].members, built=(home[0],), span=theme.span), scene, span)
+    first = built.side or FIRST[built.kind]
+    rest = tuple(n for n in built.members if n not in theme.names)
+    if at_.side not in (first, LAST[first]):
+        return None
+    return [_again(built, (*theme.names, *rest) if at_.side == first else (*rest, *theme.names), scene, span)]
+
+
+def topped(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
+    """ "put D on top": of the tower or the block spoken of last, where it is no part of that."""
+    if at_.side != "top" or at_.index is not None or at_.whole or len(theme.names) != 1 or theme.quant is not None:
+        return None
+    latest = [b for b in scene.built if b.kind in UPRIGHT]
+    if latest and not set(theme.names) & set(latest[-1].members):
+        together = [b for b in latest if b.span == latest[-1].span]
+        if len(together) > 1:
+            raise refuse("ambiguous", "it is not clear on which of these", at_.span, "name the one you mean")
+        base = crown(Ref(names=latest[-1].members, built=(latest[-1],)))
+    else:
+        said = [m for m in scene.mentions if m.role == "theme" and m.clause < scene.clause and len(m.ref.names) == 1]
+        if latest or scene.built or not said or said[-1].ref.patch or said[-1].ref.names == theme.names:
+            return None
+        base = said[-1].ref.names
+    if isinstance(base, tuple) and len(base) == 1:
+        scene.stacked(theme.names[0], base[0], span)
+    return [r.On(a=theme.names, b=base, span=span)]
+
+
+def _again(built: Built, names: tuple[str, ...], scene: Scene, span: Span) -> g.Goal:
+    """The structure with its blocks in the order of `names`."""
+    first = built.side or FIRST[built.kind]
+    order = Order(by="given", ranks=tuple((n,) for n in names), first=first)  # type: ignore[arg-type]
+    scene.add_built(built.kind, names, True, span, built.side)
+    if built.kind == "stack":
+        for upper, lower in zip(names[1:], names[:-1], strict=True):
+            scene.on_top[upper] = lower
+        scene.on_top.pop(names[0], None)
+        return s.Stack(blocks=names, order=order, exact=True, span=span)
+    return s.Row(blocks=names, axis="y" if first in ("left", "right") else "x", order=order, span=span)
+
+
+def begun_in_order(built: Built, scene: Scene) -> Built | None:
+    """A structure of the start whose blocks differ, in the order in which they were named; None for others."""
+    looks = {(t.color, t.label) for t in (scene.things[n] for n in built.members)}
+    node = _begun(built, scene)
+    if node is None or node.order.by != "any" or built.kind not in FIRST:
+        return None
+    if len(looks) < len(built.members) and looks != {(None, None)}:
+        return None
+    return _ordered(Ref(names=built.members, built=(built,), span=built.span), scene, built.span)
+
+
+def _begun(built: Built, scene: Scene) -> s.Stack | s.Row | None:
+    """The structure as the start has it."""
+    for goal in scene.start_goals:
+        if isinstance(goal, s.Stack | s.Row) and set(goal.blocks) == set(built.members):
+            return goal
+    return None
+
+
+def _ordered(theme: Ref, scene: Scene, span: Span) -> Built:
+    """The structure with its order; one that the start leaves open is taken as its blocks were named."""
+    built = (
+        theme.built[-1]
+        if theme.built
+        else next((b for b in reversed(scene.built) if set(b.members) == set(theme.names)), None)
+    )
+    if built is None and len(scene.built) == 1 and set(theme.names) <= set(scene.built[0].members):
+        built = scene.built[0]
+    if built is None or built.kind not in FIRST or len(theme.built) > 1:
+        raise refuse(
+            "no-referent", "it is not clear which row or tower this is about", span, "name its blocks in order"
+        )
+    if built.ordered:
+        return built
+    node = _begun(built, scene)
+    if node is None or node.order.by != "any":
+        raise refuse("ambiguous", "the order of these blocks is not said in full", span, "name its blocks one by one")
+    first = FIRST[built.kind]
+    order = Order(by="given", ranks=tuple((n,) for n in built.members), first=first)  # type: ignore[arg-type]
+    fixed = (
+        {"order": order} if isinstance(node, s.Stack) else {"order": order, "axis": "x" if first == "front" else "y"}
+    )
+    scene.start_goals[scene.start_goals.index(node)] = node.model_copy(update=fixed)
+    scene.assume(f"at the start, from {first} to {LAST[first]} in the order in which the blocks are named")
+    scene.built.remove(built)
+    return scene.add_built(built.kind, built.members, True, built.span, first if built.kind != "stack" else None)

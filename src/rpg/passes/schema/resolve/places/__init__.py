@@ -1,0 +1,1 @@
+"""Where blocks are to each other, to patches and to the table."""

@@ -1,0 +1,98 @@
+""" "Only the red block is on the mat", "it stands alone there": what no other block of the task does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, TableTop, Traits
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.places.mutual import Relate
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.world import Exclusive, Ref, Scene, Scope, refuse
+
+
+def told_alone(clause: Clause, spec: Spec) -> Clause:
+    """ "leave it alone" is leaving it where it is; "it is alone on the mat" is that only it is there."""
+    alone = spec.manner("alone")
+    if alone is None:
+        return clause
+    if clause.lemma == "leave" and not spec.places:
+        spec.manners.append(replace(alone, kind="stay"))
+        return clause
+    there = spec.places[0] if len(spec.places) == 1 else None
+    on = isinstance(there, Loc) and there.rel in ("on", "in") and not isinstance(there.landmark, TableTop)
+    if clause.theme is None or clause.negated or not (on or isinstance(there, In)):
+        raise refuse("ambiguous", "it is not clear from what this is apart", alone.span,
+                     "say where no other block should be")  # fmt: skip
+    return replace(clause, theme=Coord(op="only", items=(clause.theme,), span=clause.theme.span))
+
+
+def only_here(theme: Ref, region: In, scene: Scene) -> Ref:
+    """ "only the red block is in the left half": it is, and no other block that the task has."""
+    if region.negated or theme.quant is not None:
+        raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
+    scene.exclusive.append(Exclusive(theme.names, _in(region), region.span, Traits()))
+    return replace(theme, op="and")
+
+
+def only_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
+    """ "only the red block is on the patch": it is, and no other block that the task has."""
+    if not mark.patch or loc.rel not in ("on", "in") or loc.negated or theme.quant is not None:
+        raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
+    for patch in mark.names:
+        scene.exclusive.append(Exclusive(theme.names, _on(patch, loc), loc.span, Traits()))
+    return replace(theme, op="and")
+
+
+def none_beyond(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, relate: Relate) -> g.Goal:
+    """ "Red is on the mat, and nothing else is": no block but those of which the clause before said it."""
+    before = [m for m in scene.mentions if m.role == "theme" and m.clause < scene.clause and m.ref.names]
+    if not before or before[-1].ref.quant is not None or before[-1].ref.patch or theme.beyond is None:
+        raise refuse("no-referent", "it is not clear besides what", theme.span, "say which blocks may be there")
+    spoken = {n: None for m in scene.mentions if m.clause == before[-1].clause for n in m.ref.names}
+    names = tuple(spoken)
+    found: list[Exclusive] = []
+    if isinstance(meaning, In) and not meaning.negated:
+        found.append(Exclusive(names, _in(meaning), meaning.span, theme.beyond))
+    elif not isinstance(meaning, Loc) or meaning.landmark is None or meaning.negated:
+        raise refuse("misplaced", "this does not fit here", theme.span, "say which blocks may be there")
+    else:
+        mark = refer(meaning.landmark, scene, replace(scope, role="landmark", rel=f"not {meaning.rel}"))
+        if mark.quant is not None or not spoken.keys() >= set(mark.names) or not mark.names or mark.op == "nor":
+            raise refuse("ambiguous", "it is not clear where nothing else is", meaning.span, "name the block or patch")
+        patched = mark.patch and meaning.rel in ("on", "in", "above")
+        for other in mark.names:
+            alone = replace(mark, names=(other,), built=(), parts=(), op="and")
+            there = _on(other, meaning) if patched else _related(alone, meaning, scene, relate)
+            found.append(Exclusive((*names, *mark.names), there, meaning.span, theme.beyond))
+    scene.exclusive += found
+    return conj([g.Not(goal=x.there(n), span=x.span) for x in found for n in beyond(x, scene)])
+
+
+def none_there(region: In, scene: Scene) -> g.Goal:
+    """ "no block is in the right half": none of those that the task has in the end."""
+    alone = Exclusive((), _in(region), region.span, Traits())
+    scene.exclusive.append(alone)
+    return conj([g.Not(goal=alone.there(n), span=alone.span) for n in beyond(alone, scene)])
+
+
+def beyond(alone: Exclusive, scene: Scene) -> list[str]:
+    """The blocks of which it does not hold."""
+    return [t.name for t in matching(alone.traits, scene, False) if t.name not in alone.names]
+
+
+def _related(mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> Callable[[str], g.Goal]:
+    return lambda n: relate(Ref(names=(n,)), mark, loc, scene, loc.span)
+
+
+def _in(region: In) -> Callable[[str], g.Goal]:
+    return lambda n: r.InRegion(a=(n,), region=region.region, span=region.span)  # type: ignore[arg-type]
+
+
+def _on(patch: str, loc: Loc) -> Callable[[str], g.Goal]:
+    return lambda n: r.OnPatch(a=(n,), patch=patch, span=loc.span)

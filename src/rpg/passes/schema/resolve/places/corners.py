@@ -1,0 +1,71 @@
+"""Blocks in each of the four corners of the table."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import EACH
+from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
+from rpg.passes.schema.resolve.goals.logic import Atoms
+from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
+from rpg.passes.schema.resolve.things.things import alike
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+
+CORNERS = ("far_left_corner", "far_right_corner", "near_left_corner", "near_right_corner")
+
+
+def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
+    """ "a red block in each corner": as many again for every corner; "four blocks in the four corners": one in each."""
+    names = theme.names
+    if theme.quant is not None or theme.op != "and" or theme.built or theme.patch or meaning.negated or not names:
+        raise refuse("ambiguous", "it is not clear which blocks go into the corners", span, "say what each corner gets")
+    if meaning.region.endswith("?") and (scene.built or any(t.patch for t in scene.things.values())):
+        raise refuse("ambiguous", "it is not clear of what these are the corners", meaning.span, "say 'of the table'")
+    if len(names) == len(CORNERS):
+        things = [scene.things[n] for n in names]
+        if all(t.color is None and t.label is None and t.kind is None for t in things):
+            if any(thing.scheme not in (None, "same") for thing in things):
+                return [_some_in(names, where, span) for where in CORNERS]
+            for thing in things:
+                thing.scheme = "same"
+        elif not alike(things):
+            return [_some_in(names, where, span) for where in CORNERS]
+        lots: list[tuple[str, ...]] = [(n,) for n in names]
+    elif indefinite(theme):
+        lots = one_lot_each(theme, len(CORNERS), scene)
+        for thing in (scene.things[n] for lot in lots for n in lot):
+            if thing.color is None and thing.label is None and thing.kind is None:
+                thing.scheme = thing.scheme or "same"
+    else:
+        raise refuse("count-mismatch", f"{len(names)} blocks cannot be in each of four corners", span,
+                     "name four blocks, or say 'a red block in each corner'")  # fmt: skip
+    return [r.InRegion(a=lot, region=where, span=span) for lot, where in zip(lots, CORNERS, strict=True)]  # type: ignore[arg-type]
+
+
+def _some_in(names: tuple[str, ...], where: str, span: Span) -> g.Goal:
+    """One of the blocks is in this corner; as there are four, each has a corner of its own."""
+    there = r.InRegion(a=(EACH,), region=where, span=span)  # type: ignore[arg-type]
+    return g.Count(over=names, at_least=1, at_most=1, goal=there, span=span)
+
+
+def one_for_each_corner(theme: Meaning, places: list[Meaning], scene: Scene) -> Meaning:
+    """ "one block in each corner: red, green, blue and white": the four blocks that there are."""
+    corner = any(isinstance(p, In) and p.region.startswith("each_corner") and not p.negated for p in places)
+    one = (
+        isinstance(theme, Noun) and theme.amount == Amount(1, 1) and theme.traits == Traits() and theme.head == "block"
+    )
+    there = [t for t in scene.blocks() if t.declared and not t.extra]
+    if corner and one and len(there) == len(CORNERS):
+        return Pronoun(word="everything", span=theme.span)
+    return theme
+
+
+_OPPOSITE = {"left_half": "right_half", "right_half": "left_half", "near_half": "far_half", "far_half": "near_half"}
+
+
+def the_other_half(scene: Scene, span: Span) -> str:
+    """ "red in the left half and blue in the other half": opposite the half that was spoken of last."""
+    if scene.region not in _OPPOSITE:
+        raise refuse("no-referent", "it is not said which half the other one is", span, "say 'the left half'")
+    return _OPPOSITE[scene.region]

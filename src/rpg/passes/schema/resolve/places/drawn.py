@@ -1,0 +1,44 @@
+"""Blocks on a figure of which nothing says that it is a patch: "arrange eight cubes on a circle" lays them along it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Amount, Clause, Coord, Into, Loc, Meaning, Noun, Structure, Traits
+from rpg.passes.schema.resolve.things.world import refuse
+
+_FIGURES = ("circle", "triangle", "line", "square", "rectangle")
+_FEW = 3
+
+
+def drawn(clause: Clause) -> Clause:
+    """The clause, with a figure that several blocks are arranged "on" as what they form.
+
+    A circle that they are merely put on could be a round patch, too, and so could any square.
+    """
+    for place in clause.adjuncts:
+        shape = place.landmark if isinstance(place, Loc) and place.rel == "on" and not place.negated else None
+        if not isinstance(shape, Structure) or not _bare(shape) or not _several(clause.theme):
+            continue
+        if clause.verb == "arrange" and shape.kind not in ("square", "rectangle"):
+            into = Into(structure=replace(shape, det="a"), span=place.span)
+            return replace(clause, adjuncts=tuple(into if a is place else a for a in clause.adjuncts))
+        told = f"this could be a {shape.kind} that the blocks form, or a patch that they lie on"
+        raise refuse("ambiguous", told, place.span, f"say 'in a {shape.kind}', or 'on a {shape.kind} patch'")
+    return clause
+
+
+def _bare(shape: Structure) -> bool:
+    """A figure of which nothing is said."""
+    said = shape.members or shape.sizes or shape.dims or shape.details or shape.letter or shape.filled is not None
+    one = shape.kind in _FIGURES and shape.det in ("a", "bare") and not shape.plural
+    return one and not said and shape.traits == Traits()
+
+
+def _several(theme: Meaning | None) -> bool:
+    """More blocks than would lie on a patch just so."""
+    if isinstance(theme, Coord):
+        return len(theme.items) >= _FEW
+    if not isinstance(theme, Noun) or theme.head == "patch":
+        return False
+    return theme.amount.low >= _FEW if isinstance(theme.amount, Amount) else theme.plural

@@ -1,0 +1,40 @@
+"""The two ends of "between": two blocks, two towers, a tower and a block."""
+
+from __future__ import annotations
+
+from rpg.ir import structures as s
+from rpg.language.meaning import Loc
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+
+
+def two_ends(mark: Ref, loc: Loc, scene: Scene) -> tuple[Ref, ...]:
+    """What something is between."""
+    ends = mark.parts if len(mark.parts) == 2 else tuple(Ref(names=(n,)) for n in mark.names)
+    if len(mark.built) == 2 and len(mark.parts) != 2:
+        ends = tuple(Ref(names=b.members, built=(b,)) for b in mark.built)
+    elif len(mark.built) == 1 and mark.built[0].kind == "towers":
+        ends = _two_towers(mark, scene)
+    if mark.op == "or" or len(ends) != 2:
+        raise refuse(
+            "between-two",
+            "'between' wants two ends",
+            loc.span,
+            "say 'between the red block and the blue block'",
+            ends=len(ends),
+        )
+    return ends
+
+
+def _two_towers(mark: Ref, scene: Scene) -> tuple[Ref, ...]:
+    """Two towers of look-alike blocks, told apart by fixing which block is in which."""
+    names = mark.names
+    looks = {(scene.things[n].color, scene.things[n].label) for n in names}
+    if len(looks) > 1 or len(names) % 2 or None in {c for c, _ in looks}:
+        return (mark,)
+    half = len(names) // 2
+    ends = []
+    for part in (names[:half], names[half:]):
+        built = scene.add_built("stack", part, False, mark.span)
+        scene.goals.setdefault(scene.clause, []).append(s.Stack(blocks=part, exact=True, span=mark.span))
+        ends.append(Ref(names=part, built=(built,)))
+    return tuple(ends)

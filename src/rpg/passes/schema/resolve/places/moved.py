@@ -1,0 +1,41 @@
+"""How far a block moves: "by at least 10 cm", "somewhere else"."""
+
+from __future__ import annotations
+
+from typing import TypeGuard
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Clause, Loc
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+Goals = list[g.Goal]
+
+
+def is_moved(clause: Clause, moves: list[Loc]) -> bool:
+    """Whether a clause says that something is to be moved so far, or to be "somewhere else"."""
+    if clause.verb == "be" and clause.mode == "goal" and any("else" in p.mods for p in moves):
+        if clause.negated or clause.lemma == "fact":
+            hint = "say 'move ... somewhere else'"
+            raise refuse("misplaced", "it is not clear where else this is", clause.span, hint)
+        return True
+    return clause.verb == "place" and bool(moves)
+
+
+def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "move the red block by at least 10 cm"; "somewhere else" is also off what it starts on."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    far = next(p for p in spec.places if isinstance(p, Loc) and p.rel == "moved")
+    spec.places.remove(far)
+    if far.low is None:
+        raise refuse("misplaced", "a move is at least so far", far.span, "say 'by at least 10 cm'")
+    begun = scene.start_goals if "else" in far.mods else []
+    left = [g.Not(goal=x, span=clause.span) for x in begun if _lies_there(x) and set(x.a) <= {*theme.names}]
+    return [r.Moved(a=theme.names, at_least=far.low, span=clause.span), *left]
+
+
+def _lies_there(fact: g.Goal) -> TypeGuard[r.On | r.OnPatch]:
+    """A fact of the start of what something lies on."""
+    return isinstance(fact, r.On | r.OnPatch)

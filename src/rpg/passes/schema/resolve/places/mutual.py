@@ -1,0 +1,147 @@
+"""Relations of blocks to each other: "next to each other", "5 cm apart"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import combinations, pairwise, permutations
+from typing import Any
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import Operand
+from rpg.language.meaning import Loc, Noun
+from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
+from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL, foot
+from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+
+Relate = Callable[[Ref, Ref, Loc, Scene, Span], g.Goal]
+
+MOST_CHAINED = 4
+"""Structures that may stand side by side in any order."""
+
+
+def reciprocal(theme: Ref, loc: Loc, span: Span, *, denied: bool = False) -> Atoms:
+    """ "next to each other", "5 cm apart", "on top of each other". `denied`: what comes of it is denied."""
+    names = theme.names
+    if theme.patch:
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if theme.quant is not None and theme.quant.low == 0 and theme.quant.high in (0, 1) and len(names) > 1:
+        return _none_of_them(theme, loc, span)
+    if len(names) < 2:
+        raise refuse("no-referent", "one block alone has no other to relate to", loc.span, "name at least two blocks")
+    if any(b.kind == "towers" for b in theme.built):
+        raise refuse(
+            "ambiguous", "it is not clear which block is in which tower", loc.span, "name the towers one by one"
+        )
+    if denied and loc.rel not in ("together", "one_behind") and theme.quant is None and len(theme.built) < 2:
+        return of_every_two(names, loc, span)
+    units = _units(theme)
+    if loc.rel == "distance":
+        return _distances(theme, units, loc, span)
+    if loc.rel in ("near", "apart"):
+        return [LEVEL[loc.rel](a=a, b=b, span=span) for a, b in combinations(units, 2)]
+    return [_close(names, units, loc, span)]
+
+
+def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate) -> Atoms | None:
+    """ "no blue block touches another block": no blue block and any block besides it that there is."""
+    mark, denied = loc.landmark, theme.quant is not None and theme.quant.high == 0
+    if not denied or not isinstance(mark, Noun) or mark.det not in ("another", "other") or mark.head == "patch":
+        return None
+    there = [thing.name for thing in matching(mark.traits, scene, False) if not thing.extra]
+    pairs = dict.fromkeys((a, b) for a in theme.names for b in there if a != b)
+    both_ways = loc.rel in ("on", "above", "under", *DIRECTIONS)
+    kept = [(a, b) for a, b in pairs if both_ways or a < b or (b, a) not in pairs]
+    if not kept:
+        raise refuse("no-referent", "there is no other block", loc.span, "say which blocks there are")
+    related = [relate(Ref(names=(a,)), Ref(names=(b,)), loc, scene, span) for a, b in kept]
+    return [g.Not(goal=goal, span=span) for goal in related]
+
+
+def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:
+    """No two of the blocks are so related; where these are all there are, nothing is on any of them."""
+    if theme.everything and loc.rel in ("on", "above", "heaped"):
+        return [r.Clear(a=theme.names, span=span)]
+    return negation(of_every_two(theme.names, loc, span), span)
+
+
+def of_every_two(names: tuple[str, ...], loc: Loc, span: Span) -> Atoms:
+    """The relation of every two of the blocks, by itself: what "not next to each other" denies is each of these."""
+    if loc.rel in ("on", "above", "heaped", "under"):
+        return [r.Above(a=(a,), b=(b,), span=span) for a in names for b in names if a != b]
+    return [goal for two in combinations(names, 2) for goal in reciprocal(Ref(names=two), loc, span)]
+
+
+def _units(theme: Ref) -> list[Operand]:
+    """What stands to each other: towers, groups, or single blocks."""
+    if len(theme.built) > 1 and len({n for b in theme.built for n in b.members}) == len(theme.names):
+        return [foot(Ref(names=b.members, built=(b,))) for b in theme.built]
+    if len(theme.parts) > 1 and any(len(p.names) > 1 for p in theme.parts):
+        _of_a_kind(theme)
+        return [foot(p) for p in theme.parts]
+    return [(n,) for n in theme.names]
+
+
+def _of_a_kind(theme: Ref) -> None:
+    """Refuse "a tower of two and the black ones side by side": it could be said of the black ones alone."""
+    loose = any(len(p.names) > 1 and not p.built for p in theme.parts)
+    if loose and any(p.built for p in theme.parts):
+        raise refuse("misplaced", "this could be said of all of these, or of the last ones", theme.span,
+                     "say it in a sentence of its own")  # fmt: skip
+
+
+def _distances(theme: Ref, units: list[Operand], loc: Loc, span: Span) -> Atoms:
+    """Distances of every two; of more than two blocks "5 cm apart" is the spacing of a row."""
+    if len(units) == 2 or loc.low is None or loc.high is None:
+        if len(units) > 2 and loc.high is not None and any(b.kind in ("row", "line", "column") for b in theme.built):
+            raise refuse("ambiguous", "of neighbours, or of every two of the line?", loc.span, "say 'with gaps of ...'")
+        options: dict[str, Any] = {"minimum": loc.low, "maximum": loc.high, "measure": loc.measure}
+        return [r.Distance(a=a, b=b, span=span, **options) for a, b in combinations(units, 2)]
+    key = "gap" if loc.measure == "faces" else "spacing"
+    spaced: dict[str, Any] = {
+        key: round((loc.low + loc.high) / 2, 6),
+        "tolerance": round((loc.high - loc.low) / 2, 6),
+    }
+    return [s.Row(blocks=theme.names, span=span, **spaced)]
+
+
+def _chained(units: list[Operand], loc: Loc, span: Span) -> g.Goal:
+    """ "three towers side by side": each beside the next one, whichever comes first."""
+    node = {"side_by_side": r.Beside, "beside": r.Beside, "adjacent": r.Adjacent, "touching": r.Touching}.get(loc.rel)
+    if node is None or len(units) > MOST_CHAINED:
+        raise refuse("misplaced", "this is not understood of so many structures", loc.span, "say it of every two")
+    rows = [row for row in permutations(units) if units.index(row[0]) < units.index(row[-1])]
+    chains = [conj([node(a=a, b=b, span=span) for a, b in pairwise(row)], span) for row in rows]
+    return disj(chains, span)
+
+
+def _close(names: tuple[str, ...], units: list[Operand], loc: Loc, span: Span) -> g.Goal:
+    """Side by side, touching, together: of two a relation, of more a row or a group."""
+    two = len(units) == 2
+    if not two and len(names) > len(units):
+        return _chained(units, loc, span)
+    match loc.rel:
+        case "side_by_side" | "beside":
+            return r.Beside(a=units[0], b=units[1], span=span) if two else s.Row(blocks=names, gap_edges=1.0, span=span)
+        case "adjacent" if two:
+            return r.Adjacent(a=units[0], b=units[1], span=span)
+        case "adjacent":
+            return s.Row(blocks=names, gap_edges=0.5, span=span)
+        case "touching" if two:
+            return r.Touching(a=units[0], b=units[1], span=span)
+        case "touching":
+            return s.GroupBy(groups=(names,), inner_edges=0.05, span=span)
+        case "together":
+            return s.GroupBy(groups=(names,), span=span)
+        case "one_behind" if two and len(names) > 2:
+            return g.Any(goals=tuple(r.Behind(a=a, b=b, span=span) for a, b in (units, units[::-1])), span=span)
+        case "one_behind" if len(units) == len(names):
+            return s.Row(blocks=names, axis="x", span=span)
+        case "off":
+            apart = [r.Above(a=(a,), b=(b,), span=span) for a in names for b in names if a != b]
+            return g.All(goals=tuple(g.Not(goal=x, span=span) for x in apart), span=span)
+        case _:
+            raise refuse("misplaced", "this relation does not go with 'each other'", loc.span)

@@ -1,0 +1,223 @@
+"""Blocks on patches: one for all, one for each, the one of its colour."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import permutations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import EACH
+from rpg.language.meaning import Amount, Loc, Noun
+from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
+from rpg.passes.schema.resolve.things.operands import spread
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+MAX_SHARED = 3
+"""So many groups of blocks are dealt out to patches in every possible way."""
+
+
+def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    patches = mark.names
+    if theme.patch:
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if mark.op == "or" or (mark.quant is not None and mark.quant.low == 1):
+        if theme.each and not theme.built:
+            return _on_any(theme, patches, span)
+        return disj([_on_patch(theme, p, span) for p in patches], span)
+    if len(patches) == 1:
+        return _on_patch(theme, patches[0], span)
+    if scene.denying and mark.det == "both":
+        return conj([_on_patch(theme, p, span) for p in patches], span)
+    if (len(theme.names) == 1 and not mark.each and not scene.denying) or theme.op not in ("and", "except"):
+        raise refuse("ambiguous", "a block cannot be on several patches at once", span, "name one of them, or say 'or'")
+    if mark.each and theme.quant is not None and _known(theme, scene):
+        return conj([_on_patch(theme, p, span) for p in patches], span)
+    if mark.each and theme.quant is not None and not _just_these(theme, scene):
+        raise refuse(
+            "ambiguous", "it is not clear which blocks are counted on each patch", span, "say it of one patch at a time"
+        )
+    if mark.each and indefinite(theme) and not theme.built:
+        lots = one_lot_each(theme, len(patches), scene)
+        if _unnamed(lots, scene):
+            names, each = tuple(n for lot in lots for n in lot), len(lots[0])
+            return conj([_so_many(names, p, each, each, span) for p in patches], span)
+        return conj([r.OnPatch(a=lot, patch=p, span=span) for lot, p in zip(lots, patches, strict=True)], span)
+    units = theme.built if len(theme.built) == len(patches) else ()
+    if units:
+        return conj(
+            [_on_patch(Ref(names=b.members, built=(b,)), p, span) for b, p in zip(units, patches, strict=True)], span
+        )
+    if mark.each and (theme.built or len(theme.names) < len(patches)):
+        raise refuse("ambiguous", "this cannot be on each of several patches at once", span, "name what each one gets")
+    if theme.quant is not None and not mark.each:
+        return _on_any(theme, patches, span)
+    if len(theme.names) == len(patches):
+        pairs = zip(theme.names, patches, strict=True)
+        return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
+    return _on_any(replace(theme, built=()), patches, span)
+
+
+def _on_any(theme: Ref, patches: tuple[str, ...], span: Span) -> g.Goal:
+    """Each of the blocks, or so many of them, on any of the patches."""
+    return spread(theme, lambda a: disj([r.OnPatch(a=a, patch=p, span=span) for p in patches], span), span)
+
+
+def _unnamed(lots: list[tuple[str, ...]], scene: Scene) -> bool:
+    """Whether nothing says which blocks these are; plain ones are then taken alike."""
+    things = [scene.things[n] for lot in lots for n in lot]
+    if any(t.color or t.label or t.declared or t.scheme not in (None, "different") for t in things):
+        return False
+    if all(t.kind is None and t.scheme is None for t in things):
+        for thing in things:
+            thing.scheme = "same"
+        return False
+    return True
+
+
+def indefinite(theme: Ref) -> bool:
+    """Whether blocks are called for that were not known: "a red and a blue block", "two blocks"."""
+    if theme.op == "and" and theme.parts:
+        return all(indefinite(part) for part in theme.parts)
+    return theme.op == "and" and theme.det in ("a", "bare", "some")
+
+
+def _known(theme: Ref, scene: Scene) -> bool:
+    """Whether so many of blocks are meant that are known: those there are, those spoken of, "one of A, B and C"."""
+    if all(n in scene.told or scene.things[n].declared for n in theme.names):
+        return True
+    return theme.quant is not None and theme.quant.high is not None and len(theme.names) > theme.quant.high
+
+
+def _just_these(theme: Ref, scene: Scene) -> bool:
+    """ "exactly two blocks", where those two were not known before: as many again for every patch."""
+    return (
+        theme.quant is not None
+        and theme.quant.low == len(theme.names)
+        and not any(scene.things[n].declared for n in theme.names)
+    )
+
+
+def each_its_own(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> list[tuple[Ref, Ref]] | None:
+    """ "on each of the three blue blocks there is one of the three red ones": one on each, as there are as many."""
+    if theme.quant != Amount(1, 1, True) or not mark.each or mark.built or mark.quant is not None or loc.rel != "on":
+        return None
+    alike_ = len({(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in theme.names)}) == 1
+    if len(theme.names) != len(mark.names) or len(mark.names) < 2 or not alike_ or loc.negated:
+        return None
+    pairs = zip(theme.names, mark.names, strict=True)
+    return [(Ref(names=(a,)), Ref(names=(b,), patch=mark.patch)) for a, b in pairs]
+
+
+def one_lot_each(theme: Ref, lots: int, scene: Scene) -> list[tuple[str, ...]]:
+    """ "two blocks on each patch": as many again for every further patch."""
+    made = [theme.names]
+    for _ in range(lots - 1):
+        more = []
+        for name in theme.names:
+            like = scene.things[name]
+            if like.declared:
+                more.append(_next_declared(name, scene))
+                continue
+            new = scene.fresh(color=like.color, kind=like.kind, size=like.size, edge=like.edge, scheme=like.scheme)
+            new.batch = like.batch
+            more.append(new.name)
+        made.append(tuple(more))
+    for mention in (m for m in scene.mentions if m.clause == scene.clause and m.ref.names == theme.names):
+        mention.ref = replace(mention.ref, names=tuple(n for lot in made for n in lot), plural=True)
+    return made
+
+
+def _next_declared(name: str, scene: Scene) -> str:
+    """A further block like one of those that there are said to be."""
+    like = scene.things[name]
+    look = (like.color, like.label, like.kind, like.size, like.edge)
+    for thing in scene.blocks():
+        here = (thing.color, thing.label, thing.kind, thing.size, thing.edge)
+        if thing.declared and not thing.extra and here == look and thing.name not in scene.used:
+            scene.used.add(thing.name)
+            return thing.name
+    raise refuse("too-many-asked", "there are not so many of these blocks", None, "name more blocks, or fewer patches")
+
+
+def _on_patch(theme: Ref, patch: str, span: Span) -> g.Goal:
+    return spread(theme, lambda a: r.OnPatch(a=a, patch=patch, span=span), span, together=True)
+
+
+def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
+    """ "each block on the patch of its colour": one patch for every colour among the theme."""
+    blocks = [scene.things[n] for n in theme.names]
+    if any(b.kind == "towers" and set(b.members) >= set(theme.names) for b in scene.built):
+        raise refuse("misplaced", "each tower or each block?", span, "say 'each tower on the patch of its colour'")
+    spare = iter(
+        c
+        for c in ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
+        if c not in {b.color for b in blocks}
+    )
+    for block in blocks:
+        if block.color is None:
+            block.color = next(spare, "red")
+            scene.assume("the colours of the blocks are not said: one of each colour")
+    goals: Atoms = []
+    for color in dict.fromkeys(b.color for b in blocks):
+        patch = next((t for t in scene.things.values() if t.patch and t.color == color), None) or next(
+            (t for t in scene.things.values() if t.patch and t.color is None), None
+        )
+        if patch is None:
+            patch = scene.fresh(patch=True, color=color)
+        patch.color = color
+        members = tuple(b.name for b in blocks if b.color == color)
+        goals.append(r.OnPatch(a=members, patch=patch.name, span=span))
+    return goals
+
+
+def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms | None:
+    """ "on different patches", "each on a patch of its own": no two share one; None where that is not said."""
+    noun = loc.landmark
+    if not isinstance(noun, Noun) or noun.head != "patch" or loc.rel not in ("on", "in") or loc.negated:
+        return None
+    if noun.traits.scheme != "different" or noun.traits.colors or theme.quant is not None or theme.op != "and":
+        return None
+    units: list[tuple[str, ...]] = (
+        [p.names for p in theme.parts] if len(theme.parts) > 1 else [(n,) for n in theme.names]
+    )
+    if all(len(u) == 1 for u in units) and len(units) == 1:
+        return None
+    many = replace(noun, plural=True, traits=replace(noun.traits, scheme=None))
+    if noun.det in ("a", "its"):
+        many = replace(many, det="bare", amount=None)
+    mark = refer(many, scene, replace(scope, role="landmark", pool=(), need=len(units)))
+    if len(mark.names) < len(units):
+        raise refuse(
+            "count-mismatch",
+            f"{len(units)} cannot each have one of {len(mark.names)} patches",
+            noun.span,
+            "name as many patches",
+            wanted=len(units),
+            there=len(mark.names),
+        )
+    return [_dealt(units, mark.names, span)]
+
+
+def _so_many(names: tuple[str, ...], patch: str, least: int, most: int, span: Span) -> g.Goal:
+    on = r.OnPatch(a=(EACH,), patch=patch, span=span)
+    return g.Count(over=names, at_least=least, at_most=most, goal=on, span=span)
+
+
+def _dealt(units: list[tuple[str, ...]], patches: tuple[str, ...], span: Span) -> g.Goal:
+    """One unit on each patch at most, every unit on one."""
+    if all(len(u) == 1 for u in units):
+        names = tuple(u[0] for u in units)
+        least = 1 if len(patches) == len(units) else 0
+        counted = [_so_many(names, p, least, 1, span) for p in patches]
+        placed = [disj([r.OnPatch(a=(n,), patch=p, span=span) for p in patches], span) for n in names]
+        return conj(counted if least else [*placed, *counted], span)
+    if len(patches) > MAX_SHARED:
+        raise refuse("ambiguous", "it is not said which go on which patch", span, "name the patch of each")
+    ways = permutations(patches, len(units))
+    options = [
+        conj([r.OnPatch(a=u, patch=p, span=span) for u, p in zip(units, way, strict=True)], span) for way in ways
+    ]
+    return disj(options, span)

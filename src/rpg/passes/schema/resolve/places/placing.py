@@ -1,0 +1,400 @@
+"""Places of a clause: where its theme goes, and what is said of further blocks."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import Lowest
+from rpg.language.meaning import (
+    Amount,
+    At,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    TableTop,
+)
+from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.clauses.spun import spun
+from rpg.passes.schema.resolve.orders.onward import in_between
+from rpg.passes.schema.resolve.places.centred import centred
+from rpg.passes.schema.resolve.places.patches import matching_patches
+from rpg.passes.schema.resolve.places.relations import place, related
+from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.spare import definite, further, pass_over
+from rpg.passes.schema.resolve.things.spoken import as_it_stands
+from rpg.passes.schema.resolve.things.things import alike
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+Goals = list[g.Goal]
+CHAINED = ("left", "right", "front", "behind", "above", "under", "beside", "adjacent", "touching", "near")
+
+
+def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
+    """Blocks that are only there: "with two extra blue blocks", "a purple block lies around as a distractor"."""
+    for using in list(spec.usings):
+        if is_extra(using.members):
+            refer(using.members, scene, Scope())
+            scene.mentions.pop()
+            spec.usings.remove(using)
+            if clause.verb not in ("be", "exist"):
+                spec.manner("extra")
+    for item in list(spec.absolutes):
+        table = all(isinstance(a, Manner) or isinstance(getattr(a, "landmark", None), TableTop) for a in item.adjuncts)
+        told = is_extra(item.theme) or any(isinstance(a, Manner) and a.kind == "extra" for a in item.adjuncts)
+        if table and told:
+            refer(as_extra(item.theme), scene, Scope())
+            scene.mentions.pop()
+            spec.absolutes.remove(item)
+    for place_ in list(spec.places):
+        if (
+            isinstance(place_, Loc)
+            and place_.rel == "between"
+            and place_.landmark is not None
+            and is_extra(place_.landmark)
+        ):
+            refer(place_.landmark, scene, Scope())
+            scene.mentions.pop()
+            spec.places.remove(place_)
+    if clause.verb not in ("be", "exist") or clause.theme is None or is_shape(clause.theme):
+        return False
+    marked = spec.manner("extra")
+    lying = _on_the_table(spec) and not clause.negated and is_extra(clause.theme) and not definite(clause.theme)
+    if marked is None and not lying:
+        return False
+    if (
+        marked is not None
+        and marked.value == "around"
+        and not is_extra(clause.theme)
+        and not definite(clause.theme)
+        and not further(clause.theme)
+    ):
+        refer(clause.theme, scene, Scope(given=True, start=True))
+        for name in scene.mentions.pop().ref.names:
+            scene.things[name].declared = True
+        return True
+    if clause.negated:
+        raise refuse("misplaced", "it is said what these blocks are not, but not where they should be", clause.span,
+                     "say where they should be")  # fmt: skip
+    pass_over(refer(clause.theme if definite(clause.theme) else as_extra(clause.theme), scene, Scope()), scene)
+    scene.mentions.pop()
+    spec.places = [p for p in spec.places if not isinstance(getattr(p, "landmark", None), TableTop)]
+    return True
+
+
+def _on_the_table(spec: Spec) -> bool:
+    """ "A green distractor lies on the table": where it is anyway, and nothing else is said of it."""
+    spots = [x for x in spec.places if isinstance(x, Loc) and x.rel == "on" and isinstance(x.landmark, TableTop)]
+    return bool(spots) and len(spots) == len(spec.places) and not any(x.negated for x in spots)
+
+
+def is_extra(meaning: Meaning) -> bool:
+    """Whether a phrase speaks of distractors."""
+    if isinstance(meaning, Coord):
+        return all(is_extra(item) for item in meaning.items)
+    return isinstance(meaning, Noun) and meaning.traits.extra
+
+
+def as_extra(meaning: Meaning) -> Meaning:
+    """The phrase with its blocks as distractors."""
+    if isinstance(meaning, Coord):
+        return replace(meaning, items=tuple(as_extra(item) for item in meaning.items))
+    if isinstance(meaning, Noun):
+        return replace(meaning, traits=replace(meaning.traits, extra=True))
+    return meaning
+
+
+def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """Every place of the clause, for the theme or the structure it became."""
+    goals: Goals = []
+    _merge_sides(spec)
+    _alone(ref, spec)
+    if len(ref.names) == 1:
+        _merge_distance(spec)
+    _no_chain(spec)
+    vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
+    offsets = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
+    level = [p for p in spec.places if p not in vertical and p not in offsets]
+    paired = spec.manner("respectively")
+    scene.alike = paired is not None and paired.value == "alike"
+    for item in [*vertical, *level]:
+        if isinstance(item, Loc) and item.rel == "heaped":
+            if len(ref.built) > 1 or any(b.kind not in ("stack", "word") for b in ref.built):
+                raise refuse(
+                    "ambiguous", "it is not clear which block goes on which", item.span, "say what goes on what"
+                )
+            continue
+        goals += _place_one(ref, item, scene, scope, span, paired is not None)
+    spec.places = [*offsets]
+    goals += centred(spec, scene, span, ref.names)
+    if ref.built and goals and not scope.start and not scene.denying:
+        goals = [*as_it_stands(ref, scene), *goals]
+    return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
+
+
+def _alone(ref: Ref, spec: Spec) -> None:
+    """ "white in front of black, touching", "..., 5 cm apart": of one block, it is said of what it is placed by."""
+    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and not p.negated and not _mutual(p)]
+    if len(ref.names) != 1 or len(marks) != 1 or not isinstance(marks[0], Noun) or marks[0].head == "patch":
+        return
+    known = replace(marks[0], det="the", amount=None) if marks[0].amount in (None, Amount(1, 1)) else marks[0]
+    spec.places = [replace(p, landmark=known) if isinstance(p, Loc) and _mutual(p) else p for p in spec.places]
+
+
+def _mutual(place_: Loc) -> bool:
+    each_other = isinstance(place_.landmark, Pronoun) and place_.landmark.word == "each other"
+    return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart")
+
+
+def _no_chain(spec: Spec) -> None:
+    """ "A left of B left of C", with nothing between: of B, or of A?"""
+    for one, two in itertools.pairwise(p for p in spec.places if isinstance(p, Loc)):
+        if one.rel == two.rel and one.rel in CHAINED and 0 <= two.span[0] - one.span[1] <= 1:
+            raise refuse(
+                "misplaced", "it is not clear what this is said of", two.span, "say 'and', or use two sentences"
+            )
+
+
+def _merge_sides(spec: Spec) -> None:
+    """ "right next to the blue block, on its right side": one relation; "beside it on the right" too."""
+    close = next(
+        (p for p in spec.places if isinstance(p, Loc) and p.rel in ("adjacent", "beside") and p.landmark is not None),
+        None,
+    )
+    if close is None:
+        return
+    tight = close.rel == "adjacent" or "immediate" in close.mods
+    for at_ in [a for a in spec.ats if a.side in ("left", "right", "front", "back") and a.index is None]:
+        spec.ats.remove(at_)
+        spec.places[spec.places.index(close)] = replace(
+            close, rel={"back": "behind"}.get(at_.side, at_.side), mods=("immediate",) if tight else ()
+        )
+        if not tight:
+            mark = close.landmark
+            if isinstance(mark, Noun) and mark.amount == Amount(1, 1):
+                close = replace(close, landmark=replace(mark, det="the", amount=None))
+            spec.places.append(close)
+        return
+    for index, side in enumerate(spec.places):
+        if (
+            isinstance(side, Loc)
+            and side.rel in ("left", "right", "front", "behind")
+            and tight
+            and isinstance(side.landmark, Pronoun)
+        ):
+            spec.places[index] = replace(side, landmark=close.landmark, mods=("immediate",))
+            spec.places.remove(close)
+            return
+
+
+def _merge_distance(spec: Spec) -> None:
+    """ "left of the blue block, 10 cm apart": so far from the blue block."""
+    far = [p for p in spec.places if isinstance(p, Loc) and p.rel == "distance"]
+    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p not in far and not p.negated]
+    if len(far) == 1 and len(marks) == 1 and isinstance(far[0].landmark, Pronoun) and isinstance(marks[0], Noun):
+        mark = marks[0] if marks[0].det != "a" else replace(marks[0], det="the", amount=None)
+        spec.places[spec.places.index(far[0])] = replace(far[0], landmark=mark)
+
+
+def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, respectively: bool) -> Goals:
+    where = (min(span[0], item.span[0]), max(item.span[1], span[0]))
+    if isinstance(item, Loc) and item.landmark is not None and ref.built and item.rel == "on":
+        patched = _tower_patch(ref, item, scene, scope, where)
+        if patched is not None:
+            return patched
+    if respectively and isinstance(item, Loc) and item.landmark is not None:
+        mark = refer(item.landmark, scene, replace(scope, role="landmark"))
+        if len(mark.names) != len(ref.names):
+            raise refuse(
+                "count-mismatch",
+                f"'respectively' pairs {len(ref.names)} with {len(mark.names)}",
+                item.span,
+                "list as many of both",
+                left=len(ref.names),
+                right=len(mark.names),
+            )
+        one_sort = any(alike([scene.things[n] for n in x.names]) for x in (ref, mark))
+        if scene.alike and not one_sort:
+            raise refuse("ambiguous", "it is not said which goes on which", item.span, "name what each goes on")
+        goals: Goals = []
+        for a, b in zip(ref.names, mark.names, strict=True):
+            single = replace(item, landmark=Pronoun(word="@" + b, span=item.span))
+            goals += _direct(
+                Ref(names=(a,), span=ref.span), Ref(names=(b,), patch=mark.patch, span=mark.span), single, scene, where
+            )
+        return goals
+    return place(ref, item, scene, scope, where)
+
+
+def _direct(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Goals:
+    return related(theme, mark, loc, scene, span)
+
+
+def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) -> Goals | None:
+    """A structure on patches: one patch for all, or a matching one for each tower."""
+    landmark = item.landmark
+    if isinstance(landmark, Noun) and (
+        landmark.traits.matching
+        or (landmark.head == "patch" and landmark.traits.scheme in ("some", "different") and not landmark.traits.colors)
+    ):
+        return matching_patches(ref, Ref(patch=True, matching=True), scene, span)
+    return None
+
+
+def loose_ats(ref: Ref, spec: Spec, scene: Scene, span: Span) -> Goals:
+    """ "on the left", "at the bottom" with no structure in the clause: settled once all clauses are read."""
+    goals: Goals = []
+    if ref.op not in ("and", "nor") or ref.quant is not None:
+        raise refuse("ambiguous", "it is not clear which block is meant", ref.span, "name one block")
+    for at_ in spec.ats:
+        if ref.op == "nor":
+            scene.denied += [(part, at_, span) for part in ref.parts]
+        else:
+            scene.loose.append((ref, at_, span))
+    spec.ats = []
+    return goals or [g.All(goals=())]
+
+
+def parts_alone(spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
+    """ "red leftmost, then blue, green rightmost": places with no structure, settled once all clauses are read."""
+    goals: Goals = []
+    spec.absolutes = in_between(spec.absolutes)
+    blocks = [part for part in spec.absolutes if isinstance(part.adjuncts[0], At) and not is_shape(part.theme)]
+    if not blocks or len(blocks) < len(spec.absolutes) or scene.built:
+        raise refuse(
+            "no-referent",
+            "it is not clear of which structure this is a part",
+            span,
+            "say it in the sentence that builds the structure",
+        )
+    for part in spec.absolutes:
+        inner = sort_adjuncts(part.adjuncts)
+        goals += loose_ats(refer(part.theme, scene, replace(scope, role="theme")), inner, scene, part.span)
+    spec.absolutes = []
+    return goals
+
+
+def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    """ "with a red block next to it", "with the letter A on top": further conditions, or parts of the structure."""
+    goals: Goals = []
+    for item in spec.absolutes:
+        if is_extra(item.theme):
+            placed = [a for a in item.adjuncts if not isinstance(getattr(a, "landmark", None), TableTop)]
+            if any(not isinstance(a, Manner) for a in placed):
+                raise refuse("misplaced", "distractors lie anywhere", item.span, "say only what they look like")
+            refer(item.theme, scene, Scope())
+            scene.mentions.pop()
+            continue
+        theme = refer(item.theme, scene, replace(scope, role="theme"))
+        if any(scene.things[n].invented for n in ref.names) and not set(theme.names) & set(ref.names) and ref.built:
+            raise refuse(
+                "ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks"
+            )
+        inner = sort_adjuncts(item.adjuncts)
+        if any(m.kind in ("turn", "facing", "by", "by?") for m in inner.manners):
+            goals += _turned(theme, ref, inner, scene, item.span)
+        for part in inner.parts:
+            raise refuse("misplaced", "the structure has no such part", part.span, "name its blocks one by one")
+        _merge_sides(inner)
+        for at_ in list(inner.ats):
+            if (
+                len(ref.built) == 1
+                and not set(theme.names) & set(ref.names)
+                and at_.side in ("top", "bottom")
+                and at_.index is None
+            ):
+                inner.ats.remove(at_)
+                goals += _at_end(theme, ref, at_, scene, item.span)
+        if inner.ats and ref.built and not set(theme.names) & set(ref.names):
+            raise refuse(
+                "misplaced",
+                "this place does not fit the structure",
+                inner.ats[0].span,
+                "say 'on top', or name the block among its members",
+            )
+        if inner.ats and len(ref.names) > 1 and not set(theme.names) & set(ref.names):
+            raise refuse("ambiguous", "it is not clear of what this is a part", inner.ats[0].span, "say where it is")
+        if inner.ats:
+            goals += loose_ats(theme, inner, scene, item.span)
+        for adjunct in inner.places:
+            mark = getattr(adjunct, "landmark", None)
+            if isinstance(mark, Pronoun) and mark.word in _POINTED and isinstance(adjunct, Loc):
+                nothing = theme.everything and theme.quant is not None
+                if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
+                    raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
+                goals += related(theme, _pointed(ref, mark, scene), adjunct, scene, item.span)
+            else:
+                before = len(scene.things)
+                goals += place(theme, adjunct, scene, scope, item.span)
+                _among_members(ref, theme, before, scene, item.span)
+    spec.absolutes = []
+    return goals
+
+
+_POINTED = ("it", "them", "that", "both", "both of them")
+
+
+def _pointed(ref: Ref, word: Pronoun, scene: Scene) -> Ref:
+    """ "Place red left of blue with green behind them": behind both of these."""
+    if len(ref.names) > 1 or word.word in ("it", "that"):
+        return ref
+    marks = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "landmark" and not m.ref.patch]
+    if len(marks) != 1 or len(marks[0].names) != 1:
+        raise refuse("ambiguous", f"it is not clear what {word.word!r} are", word.span, "name the blocks")
+    return Ref(names=(*ref.names, *marks[0].names), plural=True, det="both" if "both" in word.word else "the")
+
+
+def _among_members(ref: Ref, theme: Ref, before: int, scene: Scene, span: Span) -> None:
+    """ "a column of three with the red one between two blue ones": the blue ones could be among the three."""
+    inside = ref.built and set(theme.names) < set(ref.names)
+    if inside and len(scene.things) > before and any(scene.things[n].color is None for n in ref.names):
+        raise refuse("ambiguous", "these could be blocks of the structure or further ones", span, "name its blocks")
+
+
+def _turned(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:
+    """ "with the U upside down", "with the letters facing up"."""
+    from rpg.passes.schema.resolve.clauses.turning import pointing, turn_of
+
+    if theme.quant is not None or theme.patch or not theme.names:
+        raise refuse("ambiguous", "it is not clear which block is turned", span, "name the block")
+    facing = next((m for m in inner.manners if m.kind == "facing"), None)
+    flat = next((m for m in inner.manners if m.kind == "turn"), None)
+    if (by := next((m for m in inner.manners if m.kind in ("by", "by?")), None)) is not None:
+        inner.manners = [m for m in inner.manners if m is not by]
+        turned = [spun(name, by, True, scene, span) for name in theme.names]
+        if facing is not None or flat is not None or None in turned:
+            raise refuse("misplaced", "it is not clear from where on this is turned", span, "say it in a sentence")
+        return [x for x in turned if x is not None]
+    inner.manners = [m for m in inner.manners if m not in (facing, flat)]
+    if facing is not None and theme.part == "top":
+        return pointing(theme, facing, flat, scene, span)
+    word = any(b.kind in ("word", "equation") and set(theme.names) <= set(b.members) for b in ref.built)
+    if word and flat is None and facing is not None and facing.value == "up":
+        return []
+    return [turn_of(name, facing, flat, scene, span) for name in theme.names]
+
+
+def _at_end(theme: Ref, ref: Ref, at_: At, scene: Scene, span: Span) -> Goals:
+    """A further block on top of a structure, or under it."""
+    if at_.side == "top":
+        if ref.built[0].kind not in UPRIGHT and len(ref.names) > 1:
+            raise refuse("ambiguous", "it is not clear on which of the blocks this goes", at_.span, "name the block")
+        return [r.On(a=theme.names, b=crown(ref), span=span)]
+    if ref.built[0].kind != "stack" or len(theme.names) != 1:
+        raise refuse("misplaced", "nothing goes under this", at_.span, "count the block among its members")
+    return [r.On(a=foot(ref) if ref.built[0].ordered else Lowest(lowest=ref.names), b=theme.names, span=span)]
+
+
+def is_shape(theme: Meaning | None) -> bool:
+    return isinstance(theme, Structure) or (
+        isinstance(theme, Coord) and any(isinstance(i, Structure) for i in theme.items)
+    )

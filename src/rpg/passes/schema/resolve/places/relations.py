@@ -1,0 +1,399 @@
+"""Places -> goals: a relation between what a clause speaks of and its landmark."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import Operand
+from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
+from rpg.passes.schema.resolve.places.alone import none_beyond, none_there, only_here, only_on
+from rpg.passes.schema.resolve.places.between import between
+from rpg.passes.schema.resolve.places.corners import corners, the_other_half
+from rpg.passes.schema.resolve.places.mutual import none_another, reciprocal
+from rpg.passes.schema.resolve.places.patches import (
+    each_its_own,
+    indefinite,
+    matching_patches,
+    on_patches,
+    on_separate_patches,
+    one_lot_each,
+)
+from rpg.passes.schema.resolve.places.stacking import Towers, check_bodies, vertical
+from rpg.passes.schema.resolve.things.none_of import one_and_all
+from rpg.passes.schema.resolve.things.operands import (
+    DIRECTIONS,
+    LEVEL,
+    base_of,
+    carrier,
+    count,
+    crown,
+    foot,
+    measure,
+    one_by_one,
+    so_far,
+    spread,
+)
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import compared, create, matching
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse, wholes
+
+WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
+"""Structures that no corner is told of."""
+PATCH_MIDDLE = 0.02
+"""How far from a patch's centre a block in its middle may be, in metres."""
+
+
+def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> Atoms:
+    """The goals that "theme is <meaning>" states."""
+    if theme.beyond is not None:
+        return [none_beyond(theme, meaning, scene, scope, _relate)]
+    if theme.everything and theme.quant is not None and isinstance(meaning, In) and not meaning.negated:
+        return [none_there(meaning, scene)]
+    if theme.op == "only" and isinstance(meaning, In):
+        theme = only_here(theme, meaning, scene)
+    if theme.op == "only" and not (isinstance(meaning, Loc) and meaning.landmark is not None):
+        raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
+    match meaning:
+        case In(region="each_corner" | "each_corner?"):
+            return corners(theme, meaning, scene, span)
+        case In(vague=True) if any(_has_such(built, meaning.region, scene) for built in scene.built):
+            raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
+                         meaning.span, "say 'of the table', or name the structure's blocks")  # fmt: skip
+        case In(region="other_half"):
+            opposite = replace(meaning, region=the_other_half(scene, meaning.span))
+            return place(theme, opposite, scene, scope, span)
+        case In():
+            scene.region, scene.region_at = meaning.region, meaning.span[0]
+            return [negate(_region(theme, meaning.region, span), meaning.negated, span, wholes(scene))]
+        case Coord():
+            if meaning.op == "or" and theme.each and theme.quant is None and len(theme.names) > 1:
+                apart = [Ref(names=(n,)) for n in theme.names]
+                return [x for one in apart for x in place(one, meaning, scene, scope, span)]
+            if meaning.op == "or":
+                return [disj([_alternative(theme, x, scene, scope, span) for x in meaning.items], span)]
+            return [conj(place(theme, x, scene, scope, span), span) for x in meaning.items]
+        case Loc(landmark=Coord(op=op, items=marks)) if any(getattr(x, "word", "") == "each other" for x in marks):
+            both = tuple(replace(meaning, landmark=x) for x in marks)
+            return place(theme, Coord(op=op, items=both, span=meaning.span), scene, scope, span)
+        case Loc(landmark=Pronoun(word="there")) if scene.region_at > scene.last_landmark_at:
+            return place(theme, In(region=scene.region, negated=meaning.negated, span=meaning.span), scene, scope, span)
+        case Loc():
+            towers = Towers.of(scene)
+            goals = _loc(theme, meaning, scene, scope, span)
+            if meaning.negated:
+                towers.after(scene, start=False, denied=True)
+            if meaning.negated and getattr(getattr(meaning.landmark, "traits", None), "scheme", "") == "same":
+                return [g.Not(goal=conj(goals, span), span=span)]
+            return negation(goals, span, wholes(scene)) if meaning.negated else goals
+        case _:
+            raise refuse("misplaced", "this does not say where something is", meaning.span)
+
+
+def _has_such(built: Built, region: str, scene: Scene) -> bool:
+    """Whether a corner, an edge or a half may be that of a structure; halves where its blocks have no colours yet."""
+    plain = all(scene.things[n].color is None and scene.things[n].label is None for n in built.members)
+    return built.kind not in WITHOUT_CORNERS and (plain or not region.endswith("half"))
+
+
+def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> g.Goal:
+    """One of several places: the towers that it would make are no more certain than it is."""
+    towers = Towers.of(scene)
+    goal = conj(place(theme, meaning, scene, scope, span), span)
+    towers.after(scene, start=False, denied=True)
+    return goal
+
+
+def _region(theme: Ref, region: str, span: Span) -> g.Goal:
+    def one(a: Operand) -> g.Goal:
+        return r.InRegion(a=a, region=region, span=span)  # type: ignore[arg-type]
+
+    return spread(theme, one, span, together=True)
+
+
+def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
+    if loc.landmark is None:
+        raise refuse("misplaced", "it is not said of what", loc.span)
+    check_bodies(theme, loc, scene)
+    if (
+        isinstance(loc.landmark, Pronoun)
+        and loc.landmark.word in ("another", "any other", "any other one", "any of the others")
+        and len(theme.names) > 1
+    ):
+        return reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
+    if (
+        theme.everything
+        and isinstance(loc.landmark, Noun)
+        and loc.landmark.det in ("another", "any", "other")
+        and not loc.landmark.traits.colors
+        and len(theme.names) > 1
+    ):
+        return reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
+    if (none := none_another(theme, loc, scene, span, _relate)) is not None:
+        return none
+    before = scene.last_landmark_patch and scene.last_landmark_at < loc.span[0]
+    like = scope.like_patch or (before and loc.rel in ("on", "in"))
+    if (apart := on_separate_patches(theme, loc, scene, scope, span)) is not None:
+        return apart
+    if (found := _any_of_them(theme, loc, scene)) is not None:
+        if theme.quant is not None:
+            return [_some_on_any(theme, theme.quant, found, loc, scene, span)]
+        units = [Ref(names=(n,)) for n in theme.names]
+        if isinstance(loc.landmark, Noun) and loc.landmark.traits.scheme == "different":
+            if len(found) != len(units):
+                raise refuse("count-mismatch", "there are not as many of both", loc.span, "name as many of both")
+            return [_relate(one, Ref(names=(m,)), loc, scene, span) for one, m in zip(units, found, strict=True)]
+        return [
+            conj([disj([_relate(one, Ref(names=(m,)), loc, scene, span) for m in found], span) for one in units], span)
+        ]
+    nowhere = theme.quant is not None and theme.quant.high == 0
+    rel = f"not {loc.rel}" if nowhere or loc.negated or scene.denying else loc.rel
+    like = like and loc.rel in ("on", "in")
+    mark = refer(
+        loc.landmark, scene, replace(scope, role="landmark", like_patch=like, pool=(), need=None, rel=rel)
+    )  # fmt: skip
+    return related(theme, mark, loc, scene, span)
+
+
+def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
+    """ "every red block is beside a blue one": any of the blue ones, for each of the red."""
+    mark = loc.landmark
+    if not isinstance(mark, Noun) or mark.det != "a" or mark.head == "patch" or len(theme.names) < 2 or theme.built:
+        return None
+    there = [t.name for t in matching(mark.traits, scene, False) if t.declared]
+    plain = not mark.conditions and mark.traits.rank is None
+    if theme.quant is not None and not plain:
+        return None
+    if not there and theme.each and theme.quant is None and plain and not compared(mark):
+        scene.new_batch()
+        there = [create(mark.traits, scene, False).name for _ in theme.names]
+    return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, "on") else None
+
+
+def _some_on_any(theme: Ref, quant: Amount, marks: tuple[str, ...], loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    """ "exactly one of the three green blocks is on a black block": on any of the black ones."""
+
+    def to_any(a: Operand) -> g.Goal:
+        if loc.rel == "on":
+            return disj([r.On(a=a, b=(m,), span=span) for m in marks], span)
+        return disj([_relate(Ref(names=a), Ref(names=(m,)), loc, scene, span) for m in marks], span)  # type: ignore[arg-type]
+
+    return count(theme.names, quant, to_any, span)
+
+
+def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
+    """The goals of a relation between what is known already."""
+    if theme.patch and not mark.table and not mark.patch:
+        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", span, "move blocks instead")
+    if mark.mixed or (theme.mixed and mark.reciprocal):
+        raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
+    if mark.reciprocal:
+        _groups_or_blocks(theme, loc, scene)
+        found = reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
+        if loc.rel == "together" and not (loc.negated or scene.denying or theme.built):
+            scene.add_built("pile", theme.names, False, span)
+        return found
+    if theme.op == "nor":
+        return [x for part in theme.parts for x in negation(related(part, mark, loc, scene, span), span)]
+    if mark.op == "nor":
+        return [x for part in mark.parts for x in negation(related(theme, part, loc, scene, span), span)]
+    if (pairs := one_and_all(theme, mark, loc, scene)) is not None:
+        return [x for one, other in pairs for x in related(one, other, loc, scene, span)]
+    if mark.table:
+        return [_table(theme, loc, scene, span)]
+    if (shared := each_its_own(theme, mark, loc, scene)) is not None:
+        return [x for one, other in shared for x in related(one, other, loc, scene, span)]
+    if loc.rel in ("between", "sandwiched"):
+        return [between(theme, mark, loc, scene, span)]
+    if (
+        theme.quant is not None
+        and theme.quant.high == 0
+        and theme.everything
+        and loc.rel in ("on", "above")
+        and not mark.patch
+    ):
+        return [r.Clear(a=crown(mark), span=span)]
+    if theme.everything and theme.quant is not None and mark.patch and loc.rel in ("on", "above", "in"):
+        return [r.Empty(patch=p, span=span) for p in mark.names]
+    if mark.op == "except":
+        hint = "say 'all blocks except ...' where they are named"
+        raise refuse("misplaced", "'except' does not fit a place", loc.span, hint)
+    _check_self(theme, mark, loc)
+    if "outside" in loc.mods and not mark.patch and not any(b.kind == "stack" for b in mark.built):
+        raise refuse("misplaced", "this is no patch that something could be out of", loc.span, "say 'not next to ...'")
+    if loc.rel == "off" and "leaving" in loc.mods:
+        _begins_on(theme, mark, scene, span)
+    if theme.op == "only":
+        theme = only_on(theme, mark, loc, scene)
+    if mark.matching:
+        if loc.rel not in ("on", "in", "above"):
+            raise refuse("misplaced", "blocks match the patches that they are on", loc.span, "say 'on'")
+        return matching_patches(theme, mark, scene, span)
+    if loc.rel == "in" and not mark.patch:
+        raise refuse("misplaced", "blocks are solid: nothing can be put in one", loc.span, "say 'on' or 'next to'")
+    if mark.patch:
+        return _patch(theme, mark, loc, scene, span)
+    return [_landmarks(theme, mark, loc, scene, span)]
+
+
+def _groups_or_blocks(theme: Ref, loc: Loc, scene: Scene) -> None:
+    """ "Separate the red and the blue blocks. They are 10 cm apart.": the groups, or every two blocks?"""
+    inside = [b for b in scene.built if b.kind == "pile" and set(b.members) < set(theme.names)]
+    if not theme.built and loc.rel in ("distance", "apart") and len(inside) > 1:
+        raise refuse("ambiguous", "the groups, or every two of the blocks?", loc.span, "say 'the groups'")
+
+
+def _begins_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> None:
+    """ "get the red block off the blue one": it starts there."""
+    for a, b in ((a, b) for a in theme.names for b in mark.names):
+        there: g.Goal = r.OnPatch(a=(a,), patch=b, span=span) if mark.patch else r.On(a=(a,), b=(b,), span=span)
+        if len(mark.names) == 1 and there not in scene.start_goals:
+            scene.start_goals.append(there)
+
+
+def _check_self(theme: Ref, mark: Ref, loc: Loc) -> None:
+    if mark.built and len(theme.built) > 1 and set(mark.names) < set(theme.names):
+        raise refuse("misplaced", "this is one of the structures themselves", loc.span, "say it of the other one")
+    shared = set(theme.names) & set(mark.names)
+    if mark.built and any(part.names == mark.names for part in theme.parts):
+        raise refuse("self-reference", "a structure cannot be placed relative to itself", loc.span, "use two sentences")
+    parts = (mark.built or theme.built) and theme.names != mark.names
+    if shared and not theme.quant and not mark.quant and not parts:
+        raise refuse("self-reference", "a block cannot be placed relative to itself", loc.span, "name another block")
+
+
+def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    """One relation, over alternatives, each-to-each pairs and counts of the landmark."""
+    if mark.op == "or" and theme.each and not theme.built and len(theme.names) > 1:
+        return conj([_landmarks(Ref(names=(n,)), mark, loc, scene, span) for n in theme.names], span)
+    if mark.op == "or":
+        return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
+    if mark.quant is not None:
+        quant = mark.quant
+        return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
+    marks = one_by_one(mark, loc, scene)
+    if len(marks) > 1 and (theme.op in ("or", "xor") or (theme.quant is not None and theme.quant.high != 0)):
+        raise refuse("ambiguous", "it is not clear which of them is meant by each", loc.span, "use two sentences")
+    return conj([_relate(theme, part, loc, scene, span) for part in marks], span)
+
+
+def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    single = not mark.built or (len(mark.built) == 1 and mark.built[0].kind in ("row", "line", "column", "word"))
+    if mark.each and len(mark.names) > 1 and single and indefinite(theme) and not theme.built:
+        if loc.rel in DIRECTIONS:
+            raise refuse("ambiguous", "one for all of them, or one for each?", loc.span, "name the one of each")
+        lots = one_lot_each(theme, len(mark.names), scene)
+        pairs = zip(lots, mark.names, strict=True)
+        if (len(lots[0]) == 1 or loc.rel != "on") and theme.quant is None:
+            return conj([_relate(Ref(names=lot), Ref(names=(b,)), loc, scene, span) for lot, b in pairs], span)
+    if loc.rel in ("on", "above", "under"):
+        return conj([vertical(theme, mark, loc, scene, span), *_centred(theme, mark, loc, span)], span)
+    if loc.rel in DIRECTIONS:
+        return _directional(theme, mark, loc, scene, span)
+    together = bool(theme.built) and not (len(theme.built) == 1 and theme.built[0].kind == "stack")
+    if loc.rel == "distance":
+        return spread(
+            theme,
+            lambda a: r.Distance(a=a, b=foot(mark), minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span),
+            span,
+            together,
+        )
+    if loc.rel in LEVEL:
+        node = LEVEL[loc.rel]
+        if loc.rel == "beside" and "immediate" in loc.mods:
+            node = r.Adjacent
+        if loc.rel == "touching":
+            return spread(theme, lambda a: node(a=a, b=foot(mark), span=span), span, together=bool(theme.built))
+        b = carrier(foot(mark), scene, level=loc.rel in ("beside", "adjacent"))
+        return spread(theme, lambda a: node(a=carrier(a, scene, moved=True), b=b, span=span), span, together=together)
+    if loc.rel == "off":
+        return spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=mark.names, span=span), span=span), span)
+    if loc.rel == "together":
+        return s.GroupBy(groups=((*theme.names, *mark.names),), span=span)
+    raise refuse("misplaced", "this relation does not fit here", loc.span)
+
+
+def _centred(theme: Ref, mark: Ref, loc: Loc, span: Span) -> Atoms:
+    """ "centred on the blue block to within 5 mm": how far off its middle at most."""
+    if loc.high is None:
+        return []
+    if len(theme.names) != 1 or len(mark.names) != 1:
+        raise refuse("ambiguous", "it is not said which block lies on which, centred so well", loc.span,
+                     "say it of a block that is put on another one")  # fmt: skip
+    return [r.Distance(a=theme.names, b=mark.names, maximum=loc.high, span=span)]
+
+
+def _directional(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    node = DIRECTIONS[loc.rel]
+    b = foot(mark)
+    flags: dict[str, Any] = {
+        "directly": bool({"directly", "immediate"} & set(loc.mods)), "immediate": "immediate" in loc.mods,
+        "somewhere": "somewhere" in loc.mods,
+    }  # fmt: skip
+    if theme.quant is not None or theme.op in ("or", "xor", "except") or theme.mixed:
+
+        def far(a: Operand) -> g.Goal:
+            return conj([node(a=a, b=b, span=span, **flags), *so_far(a, b, loc, span)], span)
+
+        return spread(theme, far, span)
+    goal = node(a=carrier(foot(theme), scene, moved=True), b=b if mark.patch else carrier(b, scene), span=span, **flags)
+    return conj([goal, *so_far(foot(theme), b, loc, span)], span)
+
+
+def _table(theme: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    if loc.rel in ("off", "above"):
+        raise refuse(
+            "out-of-reach",
+            "blocks cannot leave the table",
+            loc.span,
+            "say where on the table, or on which block, they should be",
+        )
+    if loc.rel in ("front", "behind"):
+        raise refuse(
+            "out-of-reach",
+            "blocks must stay on the table",
+            loc.span,
+            "say 'the near half of the table' or 'the far half of the table'",
+        )
+    if theme.built or theme.patch:
+        return g.All(goals=())
+    if (
+        theme.quant is None
+        and theme.op == "and"
+        and any(scene.on_clause.get(n) == scene.clause for n in theme.names)
+        and loc.rel == "on"
+    ):
+        names = tuple(n for n in theme.names if n not in scene.on_top)
+        lower = {base_of(n, scene) for n in theme.names}
+        theme = Ref(names=tuple(dict.fromkeys((*names, *sorted(lower)))))
+    return spread(theme, lambda a: r.OnTable(a=a, span=span), span, together=True)
+
+
+def _patch(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
+    patches = mark.names
+    if "side" in loc.mods:
+        told = f"the {loc.rel} side of a patch could be a part of it or the table beside it"
+        raise refuse("ambiguous", told, loc.span, f"say 'on the patch' or 'to the {loc.rel} of the patch'")
+    if loc.rel == "off":
+        return [
+            spread(
+                theme,
+                lambda a: conj([g.Not(goal=r.OnPatch(a=a, patch=p, span=span), span=span) for p in patches], span),
+                span,
+            )
+        ]
+    if loc.rel in ("on", "above", "in"):
+        if mark.part == "middle":
+            if len(theme.names) != 1:
+                raise refuse("ambiguous", "only one block fits in the middle of a patch", span, "name one block")
+            near = r.Distance(a=theme.names, b=patches, maximum=PATCH_MIDDLE, span=span)
+            return [on_patches(theme, mark, scene, span), near]
+        return [on_patches(theme, mark, scene, span)]
+    if loc.rel in ("left", "right", "front", "behind", "near", "apart", "beside", "adjacent", "distance"):
+        return [_landmarks(theme, mark, loc, scene, span)]
+    raise refuse("misplaced", "this relation does not fit a patch", loc.span, "say 'on' or 'next to'")

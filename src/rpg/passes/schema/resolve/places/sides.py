@@ -1,0 +1,362 @@
+"""Loose places: sides of the structure built last, or sides that several clauses share among them."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import members
+from rpg.ir.order import Order
+from rpg.ir.walk import atoms, transform
+from rpg.language.meaning import At, Meaning
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
+from rpg.passes.schema.resolve.orders.positions import SIDES, alternatives, places_of, ranks_from
+from rpg.passes.schema.resolve.structures.structures import either, stack_built
+from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+
+Loose = tuple[Ref, Meaning, tuple[int, int]]
+_REGION = {"left": "left_half", "right": "right_half", "front": "near_half", "back": "far_half", "middle": "middle"}
+
+
+def place_loose(goal: g.Goal, scene: Scene) -> g.Goal:
+    """Refine the order of a structure in `goal`, or make goals of their own; then what is denied."""
+    goal = _stated(goal, scene) if scene.loose else goal
+    for item in scene.denied:
+        goal = _denied(goal, item, scene)
+    return goal
+
+
+def _denied(goal: g.Goal, item: Loose, scene: Scene) -> g.Goal:
+    """ "the red one is not at the top": the structure, but with no such order."""
+    ref, _, span = item
+    nodes = [n for n in _lines(goal) if set(ref.names) <= set(n.blocks)]
+    node = next((n for n in nodes if n.order.by == "any"), nodes[0] if nodes else None)
+    if node is None:
+        _of_what(item, goal, scene)
+        return _and(goal, g.Not(goal=_region(item), span=span))
+    kept = node.model_copy(update={"axis": node.axis or "y"}) if isinstance(node, s.Row) else node
+    kind = "stack" if isinstance(node, s.Stack) else "column" if node.axis == "x" else "row"
+    at_ = item[1]
+    both = SIDES[kind][:2] if isinstance(at_, At) and at_.side == "end" else ()
+    items = [(ref, replace(at_, side=side), span) for side in both] if isinstance(at_, At) and both else [item]
+    without = conj([kept, *(g.Not(goal=_refine(node, node, [one], scene), span=span) for one in items)], span)
+    return transform(goal, lambda x: without if x == node else x)
+
+
+def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
+    loose = scene.loose
+    scene.loose = []
+    names = [n for ref, _, _ in loose for n in ref.names]
+    told = any(isinstance(a, r.InRegion) for a in atoms(goal))
+    told = told or any(ref.built and getattr(at_, "side", "") != "middle" for ref, at_, _ in loose)
+    whole = max(len(ref.names) for ref, _, _ in loose) if told else 0
+    for node in (n for n in _lines(goal) if set(names) <= set(n.blocks) and whole < len(n.blocks)):
+        return _refine(goal, node, loose, scene)
+    for word in (a for a in atoms(goal) if isinstance(a, s.Spells) and set(names) <= set(a.blocks)):
+        _check_word(word, loose, scene)
+        return goal
+    sides = [at_.side for _, at_, _ in loose if isinstance(at_, At)]
+    open_ = next((b for b in scene.built if any(_open(scene, name) for name in b.members)), None)
+    if open_ is not None:
+        raise refuse("ambiguous", f"these could be blocks of the {open_.kind} or further ones", loose[0][2],
+                     "name the blocks in the sentence that builds it")  # fmt: skip
+    if "next" in sides:
+        return _and(goal, _one_after_another(loose, sides, scene))
+    if len(loose) > 1 and any(isinstance(at_, At) and at_.whole == "row" for _, at_, _ in loose):
+        return _and(goal, _in_row(loose, scene))
+    if all(side in ("top", "bottom", "middle") for side in sides) and len(loose) > 1:
+        other = next((b for b in scene.built if b.kind in UPRIGHT and not set(names) & set(b.members)), None)
+        if other is not None:
+            raise refuse("ambiguous", f"these could be parts of the {other.kind} or a tower of their own", loose[0][2],
+                         f"say it in the sentence that builds the {other.kind}")  # fmt: skip
+        return _and(goal, _stack(loose, scene))
+    if len(loose) > 1 and all(side in ("left", "right", "middle", "front", "back") for side in sides):
+        _of_themselves(loose, goal)
+        return _and(goal, _across(loose))
+    if (related := _of_the_pair(loose, goal)) is not None:
+        return _and(goal, related)
+    for item in loose:
+        _of_what(item, goal, scene)
+    return _and(goal, conj([_region(item) for item in loose]))
+
+
+def _of_themselves(loose: list[Loose], goal: g.Goal) -> None:
+    """Refuse "red to the left, green to the right, and blue behind the patch": they may be beside the patch, too."""
+    own = {name for ref, _, _ in loose for name in ref.names}
+    for beside in (a for a in atoms(goal) if isinstance(a, r.LeftOf | r.RightOf | r.InFrontOf | r.Behind)):
+        if not own & {*members(beside.a), *members(beside.b)}:
+            raise refuse("ambiguous", "this could be a side of the table or of what is spoken of beside it",
+                         loose[0][2], "say of what")  # fmt: skip
+
+
+def _of_the_ends(
+    ref: Ref, node: type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind], goal: g.Goal, span: Span
+) -> g.Goal | None:
+    """ "A between B and C, B on the left": of the two ends, it is left of the other."""
+    parts = goal.goals if isinstance(goal, g.All) else ()
+    related = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Between, s.Stack, s.Row)
+    said = [a for a in atoms(goal) if isinstance(a, related)]
+    if len(said) != 1 or not isinstance(said[0], r.Between) or said[0] not in (goal, *parts):
+        return None
+    ends = (*members(said[0].b), *members(said[0].c))
+    if len(ref.names) != 1 or len(ends) != 2 or ref.names[0] not in ends:
+        return None
+    return node(a=ref.names, b=(ends[1 - ends.index(ref.names[0])],), span=span)
+
+
+def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
+    """ "Red and blue side by side, red on the left": of two blocks close to each other, it is left of the other."""
+    (ref, at_, span), *more = loose
+    parts = goal.goals if isinstance(goal, g.All) else ()
+    node = _TOWARDS.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
+    close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance
+    pairs = [a for a in atoms(goal) if isinstance(a, close)]
+    if not pairs and not more and node is not None:
+        return _of_the_ends(ref, node, goal, span)
+    if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in (goal, *parts):
+        return None
+    if isinstance(pairs[0], r.Distance) and pairs[0].maximum is None:
+        return None
+    pair = (*members(pairs[0].a), *members(pairs[0].b))
+    if len(pair) != 2 or ref.names[0] not in pair:
+        return None
+    other = pair[1 - pair.index(ref.names[0])]
+    sides = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Between)
+    spoken = {n for a in atoms(goal) if isinstance(a, sides) for n in _named(a)}
+    return None if spoken & set(pair) else node(a=ref.names, b=(other,), span=span)
+
+
+def _check_word(word: s.Spells, loose: list[Loose], scene: Scene) -> None:
+    """ "spell TOP down a tower, so that T is on top": what is said of a letter's place has to be so already."""
+    kind = "stack" if word.along == "stack" else "row"
+    text = word.word[::-1] if word.reverse != (kind == "stack") else word.word
+    for ref, at_, span in loose:
+        labels = [scene.things[n].label for n in ref.names]
+        found = places_of(at_, len(text), len(ref.names), SIDES[kind], kind) if isinstance(at_, At) else []
+        if not found or sorted(text[k] for k in found) != sorted(x or "" for x in labels):
+            raise refuse("contradiction", f"this letter has another place in {word.word}", span, "leave it out")
+
+
+def _open(scene: Scene, name: str) -> bool:
+    """Whether nothing was said of how a block looks."""
+    thing = scene.things[name]
+    return thing.color is None and thing.label is None
+
+
+_TOWARDS: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
+    "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "back": r.Behind,
+}  # fmt: skip
+
+
+def _one_after_another(loose: list[Loose], sides: list[str], scene: Scene) -> g.Goal:
+    """ "A leftmost, then B, C rightmost": from one side to the other, one block after another."""
+    first, others, span = sides[0], sides[1:], (loose[0][2][0], loose[-1][2][1])
+    last = OPPOSITE.get(first)
+    follow = last is not None and set(others) <= {"next", last} and last not in others[:-1]
+    if not follow or any(len(ref.names) != 1 for ref, _, _ in loose):
+        raise refuse("ambiguous", "it is not clear in which order these are", span, "list them from side to side")
+    blocks = tuple(ref.names[0] for ref, _, _ in loose)
+    if len(set(blocks)) != len(blocks):
+        raise refuse("contradiction", "one block is given two places", span, "name each block once")
+    if first in ("top", "bottom"):
+        ranks = tuple((name,) for name in blocks)
+        tower = s.Stack(blocks=blocks, order=Order(by="given", ranks=ranks, first=first), span=span)  # type: ignore[arg-type]
+        stack_built(tower, scene)
+        return tower
+    node = _TOWARDS[first]
+    goals: list[g.Goal] = [node(a=(a,), b=(b,), span=span) for a, b in itertools.pairwise(blocks)]
+    return conj(goals, span)
+
+
+def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
+    """Refuse a side or a middle that could be that of the table or of something spoken of before."""
+    ref, at_, _ = item
+    if not isinstance(at_, At):
+        return
+    if at_.whole:
+        raise refuse("no-referent", f"it is not clear which {at_.whole} this is of", at_.span, "name the block there")
+    for own in (a for a in atoms(goal) if isinstance(a, s.Equation | s.GroupBy) and set(ref.names) < _parts(a)):
+        what = "equation" if isinstance(own, s.Equation) else "groups"
+        raise refuse("ambiguous", f"this could be a side of the table or of the {what}", at_.span,
+                     "say 'half of the table', or of what")  # fmt: skip
+    figure = any(
+        b.kind not in SIDES and len(b.members) > 2 and not set(ref.names) & set(b.members) for b in scene.built
+    )
+    if at_.side == "middle" and figure:
+        raise refuse(
+            "ambiguous", "this could be the middle of the table or of the figure", at_.span, "say 'of the table'"
+        )
+    line = next((b for b in scene.built if b.kind in SIDES and not set(ref.names) & set(b.members)), None)
+    if line is not None and ref.built and at_.side != "middle":
+        raise refuse("ambiguous", f"this could be a side of the table or of the {line.kind}", at_.span,
+                     "say 'half of the table', or of what")  # fmt: skip
+    if line is not None and line.kind != "stack" and at_.side in SIDES[line.kind]:
+        raise refuse(
+            "ambiguous", f"this could be a side of the table or an end of the {line.kind}", at_.span,
+            f"say 'of the table', or name the block among those of the {line.kind}",
+        )  # fmt: skip
+    beside = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind
+    related = any(
+        isinstance(a, beside) or (isinstance(a, r.Between | r.Beside | r.Adjacent | r.Touching) and _about(a, ref))
+        for a in atoms(goal)
+    )
+    if at_.side != "middle" and related:
+        raise refuse(
+            "ambiguous",
+            "this could be a side of the table or of a block",
+            at_.span,
+            "say 'half of the table', or of what",
+        )
+    if any(isinstance(a, s.Row) and not set(ref.names) & set(a.blocks) for a in atoms(goal)):
+        raise refuse("ambiguous", "this could be a place on the table or in the line", at_.span,
+                     "say 'of the table', or name the block among those of the line")  # fmt: skip
+    close = [a for a in atoms(goal) if isinstance(a, r.Beside | r.Adjacent | r.Touching | r.Distance)]
+    among = at_.side == "middle" and any(isinstance(a, beside | r.Near | r.Apart) for a in atoms(goal))
+    if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
+        raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
+                     "say 'of the table', or of what")  # fmt: skip
+    ends = ("edge", *(("corner",) if at_.side != "middle" else ()))
+    if any(isinstance(a, r.InRegion) and any(end in a.region for end in ends) for a in atoms(goal)):
+        raise refuse("ambiguous", "this could be a half or an edge of the table", at_.span, "say which")
+
+
+def _about(atom: g.Goal, ref: Ref) -> bool:
+    """Whether a relation is one of the blocks spoken of."""
+    return bool(set(ref.names) & _named(atom))
+
+
+def _named(atom: g.Goal) -> set[str]:
+    return {n for part in ("a", "b", "c") for n in members(getattr(atom, part, ()))}
+
+
+def _parts(node: s.Equation | s.GroupBy) -> set[str]:
+    return set(node.blocks if isinstance(node, s.Equation) else (n for group in node.groups for n in group))
+
+
+def _and(goal: g.Goal, more: g.Goal) -> g.Goal:
+    return more if isinstance(goal, g.All) and not goal.goals else conj([goal, more])
+
+
+def _lines(goal: g.Goal) -> list[s.Stack | s.Row]:
+    return [a for a in atoms(goal) if isinstance(a, s.Stack | s.Row)][::-1]
+
+
+def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scene) -> g.Goal:
+    kind = "stack" if isinstance(node, s.Stack) else "column" if node.axis == "x" else "row"
+    if node.order.by != "any" and scene.lenient:
+        return goal
+    total = len(node.blocks)
+    sides = SIDES[kind]
+    places: dict[int, str] = {}
+    for ref, at_, span in loose:
+        if not isinstance(at_, At):
+            continue
+        indices = places_of(at_, total, len(ref.names), sides, kind)
+        if len(indices) != len(ref.names) or len(indices) >= total:
+            raise refuse("contradiction", "so many blocks have no room there", span, "name fewer blocks", blocks=total)
+        for index, name in zip(indices, ref.names, strict=True):
+            if index in places or name in places.values() or not 0 <= index < total:
+                raise refuse(
+                    "contradiction", "two blocks are given the same place", span, "give each a place of its own"
+                )
+            places[index] = name
+    if node.order.by != "any":
+        settled = (
+            None
+            if any(len(ref.names) > 1 for ref, _, _ in loose)
+            else in_place(node.order, places, node.blocks, (sides[0], sides[1]), scene)
+        )
+        if settled is None:
+            hint = "keep one of them"
+            raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], hint)
+        return transform(goal, lambda x: node.model_copy(update={"order": settled}) if x == node else x)
+    bunches = [ref.names for ref, _, _ in loose if len(ref.names) > 1]
+    ranks = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
+    first = "bottom" if kind == "stack" else "left"
+    order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
+    if isinstance(node, s.Row):
+        either_way = all(at_.side == "middle" for _, at_, _ in loose if isinstance(at_, At))
+        if node.axis == "x" or either_way:
+            order = order.model_copy(update={"first": None if either_way else "front"})
+        update = {"axis": node.axis if either_way else node.axis or "y"}
+        lines: list[s.Stack | s.Row] = [
+            node.model_copy(update={"order": o, **update}) for o in alternatives(order, scene, line=True)
+        ]
+    else:
+        lines = [node.model_copy(update={"order": o}) for o in alternatives(order, scene)]
+    fixed = either(lines)
+    return transform(goal, lambda x: fixed if x == node else x)
+
+
+def _stack(loose: list[Loose], scene: Scene) -> g.Goal:
+    """Bottom, middle and top of a tower that only its parts speak of."""
+    level = {"bottom": 0, "middle": 1, "top": 2}
+    if any(sum(getattr(at_, "side", "") == side for _, at_, _ in loose) > 1 for side in ("bottom", "top")):
+        raise refuse("contradiction", "two blocks are given the same place", loose[-1][2], "name another place")
+    _has_middle(loose, "top", "bottom")
+    ranked = sorted(loose, key=lambda item: level[item[1].side if isinstance(item[1], At) else "middle"])
+    ranks = tuple(ref.names for ref, _, _ in ranked)
+    blocks = tuple(n for rank in ranks for n in rank)
+    if len(blocks) < 2 or len(set(blocks)) != len(blocks):
+        raise refuse("contradiction", "one block is given two places", loose[0][2])
+    span = (loose[0][2][0], loose[-1][2][1])
+    node = s.Stack(blocks=blocks, order=Order(by="given", ranks=ranks, first="bottom"), span=span)
+    stack_built(node, scene)
+    return node
+
+
+def _has_middle(loose: list[Loose], *ends: str) -> None:
+    """Refuse the middle of what is said to have one end at most: "big red in the middle with small blue on top"."""
+    sides = {at_.side for _, at_, _ in loose if isinstance(at_, At)}
+    middle = next((at_ for _, at_, _ in loose if isinstance(at_, At) and at_.side == "middle"), None)
+    if middle is not None and not sides.issuperset(ends):
+        raise refuse("ambiguous", "this could be the middle of the table or of what is built", middle.span,
+                     "say 'of the table', or name what is on both sides of it")  # fmt: skip
+
+
+def _in_row(loose: list[Loose], scene: Scene) -> g.Goal:
+    """Sides and middle of a row that only its parts speak of."""
+    rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
+    ranked = sorted(loose, key=lambda item: rank.get(item[1].side if isinstance(item[1], At) else "middle", 1))
+    ranks = tuple(ref.names for ref, _, _ in ranked)
+    blocks = tuple(n for names in ranks for n in names)
+    along = any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)
+    order = Order(by="given", ranks=ranks, first="front" if along else "left")
+    scene.add_built("row", blocks, True, loose[0][2], "left")
+    return s.Row(blocks=blocks, axis="x" if along else "y", order=order, span=(loose[0][2][0], loose[-1][2][1]))
+
+
+def _across(loose: list[Loose]) -> g.Goal:
+    """ "A on the left and B on the right": each left of the next."""
+    _has_middle(loose, *(("front", "back") if _deep(loose) else ("left", "right")))
+    rank = {"left": 0, "front": 0, "middle": 1, "right": 2, "back": 2}
+    ranked = sorted(loose, key=lambda item: rank[item[1].side if isinstance(item[1], At) else "middle"])
+    sides = {item[1].side for item in loose if isinstance(item[1], At)}
+    node: type[r.LeftOf | r.InFrontOf] = r.InFrontOf if _deep(loose) else r.LeftOf
+    if len(sides) < len(loose):
+        raise refuse("ambiguous", "several blocks are said to be on the same side", loose[-1][2], "say of what")
+    goals: list[g.Goal] = []
+    for (a, _, span), (b, _, _) in itertools.pairwise(ranked):
+        goals.append(node(a=foot(a), b=foot(b), span=span))
+    return conj(goals)
+
+
+def _deep(loose: list[Loose]) -> bool:
+    """Whether the sides are those in front and behind."""
+    return any(isinstance(at_, At) and at_.side in ("front", "back") for _, at_, _ in loose)
+
+
+def _region(item: Loose) -> g.Goal:
+    ref, at_, span = item
+    side = at_.side if isinstance(at_, At) else ""
+    if side not in _REGION or (isinstance(at_, At) and at_.index) or ref.quant is not None:
+        raise refuse(
+            "no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row"
+        )
+    return r.InRegion(a=ref.names, region=_REGION[side], span=span)  # type: ignore[arg-type]

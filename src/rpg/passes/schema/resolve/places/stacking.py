@@ -1,0 +1,154 @@
+"""Blocks on, above and under each other: what a vertical relation says, and which towers it makes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.node import EACH, Highest, Lowest, Operand
+from rpg.ir.order import Order
+from rpg.language.meaning import Loc, Noun, Pronoun, Traits
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.things.operands import crown, foot, spread
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
+
+
+@dataclass(frozen=True)
+class Towers:
+    """What stood on what before a clause was read."""
+
+    on_top: dict[str, str]
+    built: list[Built]
+
+    @classmethod
+    def of(cls, scene: Scene) -> Towers:
+        return cls(dict(scene.on_top), list(scene.built))
+
+    def after(self, scene: Scene, *, start: bool, denied: bool) -> None:
+        """Towers of the start may be gone at the end; what is denied makes none."""
+        if denied:
+            scene.on_top, scene.built = dict(self.on_top), self.built
+        new = {name for name, below in scene.on_top.items() if self.on_top.get(name) != below}
+        scene.begun_on = scene.begun_on | new if start else scene.begun_on - new
+
+
+def check_bodies(theme: Ref, loc: Loc, scene: Scene) -> None:
+    """ "The word HI on red cubes": are these below the letters, or do they show them?"""
+    mark = loc.landmark
+    if loc.rel != "on" or not isinstance(mark, Noun) or mark.head == "patch" or mark.amount is not None:
+        return
+    open_ = [scene.things[name] for name in theme.names]
+    shown = all(thing.label is not None and thing.color is None for thing in open_)
+    if open_ and shown and mark.det == "bare" and mark.plural and mark.traits == Traits(colors=mark.traits.colors):
+        raise refuse("ambiguous", "are these cubes below, or do they show the letters?", mark.span,
+                     "say 'on top of ...' with their number, or 'letters on ... bodies'")  # fmt: skip
+
+
+def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    """On, above, under: stacks come into being."""
+    if loc.rel == "under":
+        return _under(theme, mark, loc, scene, span)
+    if (loc.rel == "above" and not ({"directly", "immediate"} & set(loc.mods))) or "somewhere" in loc.mods:
+        b = crown(mark) if mark.built else mark.names
+        return spread(theme, lambda a: r.Above(a=a, b=b, span=span), span)
+    if theme.quant is None and theme.op == "and" and len(theme.names) > 1 and len(mark.names) == 1 and not theme.built:
+        return _several_on_one(theme, mark, scene, span)
+    if len(theme.built) > 1 and len(mark.names) == 1:
+        raise refuse("ambiguous", "two towers have no room on one block", loc.span, "say which of them stands on it")
+    if theme.built and theme.built[0].kind == "stack":
+        return _tower_on(theme, mark, scene, span)
+    mark = _as_a_tower(mark, scene)
+    if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
+        return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)
+    b = crown(mark)
+    if not isinstance(b, Lowest | Highest) and len(b) > 1:
+        raise refuse(
+            "ambiguous",
+            "one block cannot lie on several blocks; it is not clear which is meant",
+            loc.span,
+            "name one of them",
+        )
+    return spread(theme, lambda a: _on_operand(a, b, scene, span), span)
+
+
+def _as_a_tower(mark: Ref, scene: Scene) -> Ref:
+    """ "Stack two blue cubes and put a red one on them": on the tower that they are."""
+    towers = [b for b in scene.built if b.kind == "stack" and set(b.members) == set(mark.names)]
+    alone = len(towers) == 1 and len(mark.names) > 1 and not mark.built and mark.op == "and" and mark.quant is None
+    return replace(mark, built=(towers[0],)) if alone else mark
+
+
+def _on(a: str, b: Operand, scene: Scene, span: Span) -> g.Goal:
+    return _on_operand((a,), b, scene, span)
+
+
+def _on_operand(a: Operand, b: Operand, scene: Scene, span: Span) -> g.Goal:
+    if (
+        not isinstance(a, Lowest | Highest)
+        and not isinstance(b, Lowest | Highest)
+        and len(a) == len(b) == 1
+        and EACH not in (*a, *b)
+    ):
+        scene.stacked(a[0], b[0], span)
+    return r.On(a=a, b=b, span=span)
+
+
+def _several_on_one(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    """ "stack the green and the yellow block on the red one": a tower on it in the order named, if it says so."""
+    raise refuse(
+        "ambiguous", "several blocks on one: a tower of them in the order named, or all side by side on it?", span,
+        "say which block goes on which",
+    )  # fmt: skip
+
+
+def _tower_on(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
+    """A tower put on a block goes on with it: one stack."""
+    tower = theme.built[0]
+    base = crown(mark)
+    if tower.ordered:
+        return _on(tower.members[0], base, scene, span)
+    return r.On(a=Lowest(lowest=tower.members), b=base, span=span)
+
+
+def _under(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal:
+    direct = {"directly", "immediate"} & set(loc.mods)
+    lower = crown(theme) if theme.built else theme.names
+    upper: Operand = foot(mark) if mark.built else mark.names
+    if (len(theme.names) > 1 and not theme.built) or (len(mark.names) > 1 and not mark.built):
+        parts = [r.Above(a=(b,), b=(a,), span=span) for a in theme.names for b in mark.names]
+        return conj(parts, span)
+    if direct:
+        return _on_operand(upper, lower, scene, span)
+    if not isinstance(upper, Lowest | Highest) and not isinstance(lower, Lowest | Highest):
+        scene.on_top.setdefault(upper[0], lower[0])
+    return r.Above(a=upper, b=lower, span=span)
+
+
+def sandwich(one: str, inner: str, other: str, scene: Scene, span: Span) -> g.Goal:
+    """A block stacked between two others, of which either is the lower one."""
+    scene.assume("sandwiched means stacked: one below, one above")
+    orders = [(one, inner, other), (other, inner, one)]
+    if _look(one, scene) == _look(other, scene):
+        orders = orders[:1]
+    scene.add_built("stack", orders[0], len(orders) == 1, span)
+    given = [Order(by="given", ranks=tuple((n,) for n in names)) for names in orders]
+    nodes = [s.Stack(blocks=orders[0], order=order, span=span) for order in given]
+    return nodes[0] if len(nodes) == 1 else g.Any(goals=tuple(nodes), span=span)
+
+
+def _look(name: str, scene: Scene) -> tuple[object, ...]:
+    thing = scene.things[name]
+    return thing.color, thing.label, thing.size, thing.kind
+
+
+def separately(spec: Spec, scene: Scene) -> None:
+    """ "and two blue ones stacked separately": apart from the tower before, which a tower of its own is."""
+    apart = [place for place in spec.places if isinstance(place, Loc) and place.rel == "apart"]
+    inner = [place for place in apart if isinstance(place.landmark, Pronoun)]
+    if inner and not scene.built:
+        raise refuse("contradiction", "blocks of one tower are not apart", inner[0].span, "say 'towers', and how many")
+    spec.places = [place for place in spec.places if place not in inner]

@@ -1,0 +1,1 @@
+"""What is built: towers, lines, grids, figures, groups, words, equations."""

@@ -1,0 +1,169 @@
+"""Grids, walls, pyramids, staircases and figures."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from rpg.blocks.figures import FEWEST, NATURAL, takes
+from rpg.ir import structures as s
+from rpg.language.meaning import Structure
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.parts import place_of, widened
+from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
+from rpg.passes.schema.resolve.structures.grids import grid
+from rpg.passes.schema.resolve.structures.hubs import hub_of, with_hub
+from rpg.passes.schema.resolve.structures.limbs import limbs_of
+from rpg.passes.schema.resolve.structures.patterns import pattern_of
+from rpg.passes.schema.resolve.things.members import members_of
+from rpg.passes.schema.resolve.things.things import amount_of
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+
+def check_built(shape: Structure) -> None:
+    """Refuse a mere square, circle or rectangle that nothing says is built of blocks: it is a patch, if anything."""
+    said = shape.members or shape.sizes or shape.dims or shape.details or shape.letter or shape.plural
+    alone = shape.amount is None or shape.amount.low == 1
+    if shape.kind in ("square", "circle", "rectangle") and alone and not said and shape.filled is None:
+        hint = f"say of which blocks the {shape.kind} is built, or 'the {shape.kind} patch'"
+        raise refuse("no-referent", f"nothing says that this {shape.kind} is built of blocks", shape.span, hint)
+
+
+def _bare(shape: Structure) -> bool:
+    """ "a black square": nothing but a look is said of it."""
+    return not (shape.members or shape.sizes or shape.dims or shape.letter) and shape.filled is None
+
+
+def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """Outlines, filled figures and letter shapes on the table."""
+    plain(shape)
+    if shape.kind == "square" and theme is None and _bare(shape) and any(b.kind == "grid" for b in scene.built):
+        raise refuse("ambiguous", "this could be a place of the grid, or a figure of its own", shape.span,
+                     "say 'the block', or of how many blocks the square is built")  # fmt: skip
+    count = said_count(shape, theme, scene)
+    hub = hub_of(shape, spec, theme, scene) if not shape.filled else None
+    if hub is not None:
+        spec.absolutes.remove(hub)
+    if shape.kind == "rectangle" and shape.dims and shape.filled is not False and not spec.patterns and not spec.orders:
+        return _rectangle(shape, spec, theme, scene, scope)
+    if shape.kind in ("square", "rectangle") and shape.filled is not False and hub is None:
+        square = (
+            shape.kind == "square" and count is not None and count % 4 and math.isqrt(count) ** 2 == count and count > 1
+        )
+        if shape.dims or shape.filled or square or shape.extent("rows", "columns", "wide", "long", "deep"):
+            return grid(shape, spec, theme, scene, scope)
+    if count is None and spec.usings and shape.kind in ("T", "L"):
+        count = amount_of(spec.usings[0].members)
+    sides, need = _outline(shape, count)
+    pointing = _pointing(shape.kind, spec)
+    filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
+    said: dict[str, Any] = {"shape": shape.kind, "pointing": pointing}
+    form = s.Figure(blocks=("",), filled=filled, sides=sides, **said)
+    size = need or count or FEWEST[shape.kind]
+    if need is None and count is None and hub is None and any(place_of(a) is not None for a in spec.absolutes):
+        need = size
+    shape = widened(shape, spec, theme, form, size, scene)
+    names = members_of(shape, spec, theme, need, FEWEST[shape.kind], scene, scope)
+    if hub is not None:
+        return with_hub(names, hub, shape, spec, scene)
+    least = 4 if shape.kind in ("square", "circle", "rectangle") else 3
+    if len(names) < least:
+        raise refuse(
+            "too-few",
+            f"{len(names)} blocks do not show a {shape.kind}",
+            shape.span,
+            f"use {FEWEST[shape.kind]}",
+            blocks=len(names),
+        )
+    pattern, readable = pattern_of(shape, spec, names, None, scene, scope, form)
+    node = s.Figure(
+        blocks=names, filled=filled, sides=sides, pattern=pattern, readable=readable, span=shape.span, **said
+    )
+    return made(shape.kind, _fitting(node, shape, scene), names, shape.span, scene)
+
+
+def _fitting(node: s.Figure, shape: Structure, scene: Scene) -> s.Figure:
+    """The figure, if its number of blocks makes one: filled, where they make no outline and nothing was said."""
+    count = len(node.blocks)
+    if takes(node, count):
+        return node
+    full = node.model_copy(update={"filled": True})
+    if shape.kind == "triangle" and shape.filled is None and node.sides is None and takes(full, count):
+        scene.assume(f"a triangle of {count} blocks is filled")
+        return full
+    near = sorted((n for n in range(3, 31) if takes(node, n)), key=lambda n: (abs(n - count), n))[:2]
+    use = " or ".join(str(n) for n in sorted(near)) or "another number of blocks"
+    raise refuse("count-mismatch", f"{count} blocks do not make a {shape.kind}", shape.span, f"use {use}", blocks=count)
+
+
+def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "a 2x3 rectangle": filled, and turned in any way, for it has no rows that would lie along y."""
+    sides = (shape.dims[0], shape.dims[1])
+    need = sides[0] * sides[1]
+    names = members_of(shape, spec, theme, need, need, scene, scope)
+    node = s.Figure(blocks=names, shape="rectangle", filled=True, sides=sides, span=shape.span)
+    return made(shape.kind, node, names, shape.span, scene)
+
+
+def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | None, int | None]:
+    """The sides of an outline and the number of blocks on it, where they were said."""
+    if shape.kind in ("T", "L"):
+        return limbs_of(shape, count)
+    side = shape.extent("side")
+    deep, wide, long = (shape.extent(*said) for said in (("rows", "deep"), ("wide", "columns"), ("long",)))
+    dims = shape.dims or tuple(n for n in (deep, wide, long) if n is not None)
+    if len(dims) == 1 and count is not None and count > 2 * dims[0] and not count % 2:
+        dims = (dims[0], count // 2 + 2 - dims[0])
+    if len(dims) == 1 and shape.kind == "rectangle":
+        raise refuse("ambiguous", "a rectangle has two sides", shape.span, "say for example '4 wide and 3 deep'")
+    if shape.kind == "square" and len(set(dims)) == 2:
+        raise refuse("contradiction", "the sides of a square are of one length", shape.span, "say 'rectangle'")
+    dims = dims * 2 if len(dims) == 1 and shape.kind == "square" else dims
+    if len(dims) == 2:
+        return (dims[0], dims[1]), 2 * (dims[0] + dims[1]) - 4
+    if side is not None and shape.kind == "square":
+        return (side, side), 4 * side - 4
+    if side is not None and shape.kind == "triangle":
+        return (side, side), side * (side + 1) // 2 if shape.filled else 3 * side - 3
+    if shape.kind == "square" and count is not None and count % 4:
+        raise refuse(
+            "count-mismatch",
+            f"{count} blocks do not make the outline of a square",
+            shape.span,
+            f"use {count - count % 4} or {count + 4 - count % 4}",
+            blocks=count,
+        )
+    return None, count if count is not None else None
+
+
+_POINTERS = {"V": ("tip", "point", "apex", "corner", "base"), "triangle": ("tip", "point", "apex", "top"),
+    "L": ("foot", "base"), "U": ("opening", "side", "end", "top"),
+             "T": ("stem", "tail", "base", "foot", "leg")}  # fmt: skip
+
+
+def _pointing(kind: str, spec: Spec) -> str | None:
+    found = next((m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"), None)
+    upright = next((m for m in spec.manners if (m.kind, m.value) == ("turn", 0.0)), None)
+    if upright is not None and kind in _POINTERS:
+        spec.manners.remove(upright)
+        if found is None:
+            return NATURAL.get(kind, "front")
+    if found is None:
+        return None
+    spec.manners.remove(found)
+    word = found.kind.partition(":")[2]
+    if (
+        kind not in _POINTERS
+        or (word and word not in _POINTERS[kind])
+        or (not word and kind not in ("V", "triangle", "U"))
+    ):
+        raise refuse(
+            "misplaced",
+            f"this direction does not fit the shape {kind}",
+            found.span,
+            "say for example 'with its foot to the right'",
+        )
+    side = {"up": "back", "down": "front", "viewer": "front"}.get(str(found.value), str(found.value))
+    if side not in ("left", "right", "front", "back"):
+        raise refuse("misplaced", "a figure on the table points left, right, front or back", found.span)
+    return side

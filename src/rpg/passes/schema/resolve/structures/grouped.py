@@ -1,0 +1,92 @@
+"""Groups of which it is told one by one what each has: "one with three red blocks and a blue one, the other ..."."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Structure
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.lots import one_of
+from rpg.passes.schema.resolve.structures.several import Look, told_looks
+from rpg.passes.schema.resolve.things.things import alike, amount_of
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
+
+Made = tuple[list[Built], list[g.Goal]]
+
+
+def group_size(shape: Structure) -> int | None:
+    """How many blocks each of several groups has, if it was said."""
+    amount = getattr(shape.members, "amount", None) if shape.each_size else None
+    if amount is not None and amount.low == amount.high:
+        return int(amount.low)
+    return shape.extent("size", "columns")
+
+
+def told_lots(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Made:
+    """So many groups, each with the blocks that are said of it."""
+    amount = shape.amount or Amount(len(spec.absolutes), len(spec.absolutes))
+    looks, axis = told_looks(spec, amount.low)
+    size = group_size(shape)
+    members = None if size is not None and amount_of(shape.members) == size else shape.members
+    if spec.absolutes or members is not None or amount.low != amount.high or spec.orders or None in looks:
+        raise refuse("ambiguous", "it is not said which blocks are in which group", shape.span, "name each group")
+    order = OrderBy(by="each", span=shape.span)
+    pool = [scene.things[n] for n in theme.names] if theme is not None else None
+    pool = pool or [t for t in scene.blocks() if t.declared and not t.extra and t.name not in scene.used] or None
+    taken: set[str] = set()
+    lots = tuple(tuple(one_of(x, pool, taken, order, scene) for x in _blocks(look, size)) for look in looks)
+    if pool is not None and len(taken) < len(pool):
+        raise refuse("count-mismatch", "some of the blocks are in none of the groups", shape.span,
+                     "say what each group has so that all are used")  # fmt: skip
+    if any(alike([scene.things[a], scene.things[b]]) for one, two in pairwise(lots) for a in one for b in two):
+        return _mixed(lots, axis, shape, scene)
+    node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if axis == "y" else r.InFrontOf
+    goals: list[g.Goal] = [s.GroupBy(groups=lots, span=shape.span)]
+    goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(lots)] if axis is not None else []
+    return [scene.add_built("pile", lot, False, shape.span) for lot in lots], goals
+
+
+def _blocks(look: Look, size: int | None) -> list[Noun]:
+    """The blocks of one group one by one."""
+    items = look.items if isinstance(look, Coord) and look.op == "lot" else (look,)
+    found: list[Noun] = []
+    for item in items:
+        if not isinstance(item, Noun):
+            raise refuse("ambiguous", "it is not said which blocks this group has", None, "name the blocks of each")
+        marks = item.traits
+        if size is not None and item.amount is None and len(items) == 1 and len(marks.colors) == 1:
+            item = replace(item, amount=Amount(size, size))
+        many = item.amount or Amount(1, 1)
+        names = [replace(marks, labels=(x,)) for x in marks.labels] or [marks]
+        known = item.amount is not None or marks.labels or len(marks.colors) > 1
+        if not known or len(marks.colors) > 1 or many.low != many.high or (len(names) > 1 and item.amount):
+            raise refuse("ambiguous", "it is not said how many blocks this group has", item.span, "say how many")
+        found += [replace(item, traits=one, amount=Amount(1, 1)) for one in names for _ in range(many.low)]
+    if size is not None and len(found) != size:
+        raise refuse("count-mismatch", f"groups of {size} are asked for, but this one has {len(found)}", items[0].span
+                     if isinstance(items[0], Noun) else None, "say how many blocks each group has")  # fmt: skip
+    return found
+
+
+def _mixed(lots: tuple[tuple[str, ...], ...], axis: str | None, shape: Structure, scene: Scene) -> Made:
+    """Look-alikes in more than one group: by colour with so many strangers in each, which of them being open.
+
+    Of two groups of two colours that says as much as how many of each there are.
+    """
+    colors = [[scene.things[n].color for n in lot] for lot in lots]
+    most = [max(set(lot), key=lot.count) for lot in colors]
+    strange = {len(lot) - lot.count(best) for lot, best in zip(colors, most, strict=True)}
+    plain = all(scene.things[n].label is None for lot in lots for n in lot)
+    if len(strange) > 1 or len(set(most)) < len(most) or len(lots) != 2 or axis is not None or not plain:
+        raise refuse("misplaced", "groups that share look-alikes are not understood like this", shape.span,
+                     "say how many strangers each group has")  # fmt: skip
+    kinds = tuple(tuple(n for lot in lots for n in lot if scene.things[n].color == best) for best in most)
+    if any(scene.things[n].color not in most for lot in lots for n in lot):
+        raise refuse("misplaced", "groups that share look-alikes are not understood like this", shape.span,
+                     "say how many strangers each group has")  # fmt: skip
+    node = s.GroupBy(groups=kinds, by="color", outliers=strange.pop(), span=shape.span)
+    return [scene.add_built("pile", tuple(n for lot in lots for n in lot), False, shape.span)], [node]

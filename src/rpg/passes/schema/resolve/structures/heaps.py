@@ -1,0 +1,186 @@
+"""Heaps and what is in them: "six blocks start in a heap, three orange and three purple", "from a heap of five"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TypeGuard
+
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    TableTop,
+    Traits,
+    Using,
+    parts_of,
+)
+from rpg.passes.schema.resolve.clauses.spec import Spec
+
+
+def told_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
+    """The sentences, with blocks of the start as the list behind them tells them; lists that did no more are gone.
+
+    "Six blocks start in a heap, three orange and three purple."
+    """
+    found: list[list[tuple[str, Meaning]]] = []
+    before: tuple[int, int] | None = None
+    for chain in chains:
+        kept: list[tuple[str, Meaning]] = []
+        found.append(kept)
+        for link, clause in zip(chain.links, chain.clauses, strict=True):
+            told = found[before[0]][before[1]][1] if before is not None else None
+            if before is not None and told is not None and (whole := _listed(told, clause) or _in_heap(told, clause)):
+                found[before[0]][before[1]] = (found[before[0]][before[1]][0], whole)
+                before = None
+                continue
+            before = (len(found) - 1, len(kept))
+            kept.append((link, clause))
+    left = [n for n, kept in enumerate(found) if kept]
+    return [links[n] for n in left], tuple(
+        replace(chains[n], clauses=tuple(c for _, c in found[n]), links=("and", *(link for link, _ in found[n][1:])))
+        for n in left
+    )
+
+
+def _in_heap(heap: Meaning, tally: Meaning) -> Clause | None:
+    """ "There is a pile of letters: D, O and G": the heap with what the list names."""
+    if not (isinstance(heap, Clause) and isinstance(tally, Clause)) or (heap.verb, heap.mode) != ("exist", "given"):
+        return None
+    shape, items = heap.theme, tally.theme
+    if tally.lemma not in ("tally", "stock") or tally.adjuncts or not isinstance(shape, Structure):
+        return None
+    within = shape.members
+    if shape.kind != "pile" or shape.plural or not isinstance(within, Noun) or not isinstance(items, Noun | Coord):
+        return None
+    if within.traits != Traits(kind=within.traits.kind) or within.conditions or within.part_of is not None:
+        return None
+    lots = [x for x in (items.items if isinstance(items, Coord) else (items,)) if isinstance(x, Noun)]
+    letters = all(x.traits.labels and all(map(str.isalpha, x.traits.labels)) for x in lots)
+    many = sum(x.amount.low if x.amount else max(1, len(x.traits.labels)) for x in lots)
+    if (within.traits.kind == "letter") != letters or within.amount not in (None, Amount(many, many)):
+        return None
+    return replace(heap, theme=replace(shape, members=items))
+
+
+def _listed(begun: Meaning, tally: Meaning) -> Clause | None:
+    """The clause about the start with the blocks that the list names, where these are just as many."""
+    if not (isinstance(begun, Clause) and isinstance(tally, Clause)) or begun.mode != "start" or begun.negated:
+        return None
+    blocks, items = begun.theme, tally.theme
+    if tally.lemma != "tally" or tally.adjuncts or not isinstance(items, Coord) or not isinstance(blocks, Noun):
+        return None
+    plain = blocks.head == "block" and blocks.traits == Traits() and not blocks.conditions and blocks.part_of is None
+    if not plain or not blocks.plural or (blocks.amount is None and blocks.det not in ("all", "the")):
+        return None
+    many = sum(x.amount.low if x.amount else len(x.traits.labels) for x in items.items if isinstance(x, Noun))
+    return replace(begun, theme=items) if blocks.amount in (None, Amount(many, many)) else None
+
+
+def heaped_up(clause: Clause, spec: Spec) -> Clause:
+    """ "The blocks start heaped up": in a heap, for nothing is said of what lies on what."""
+    told = spec.places or spec.intos or spec.orders or spec.toward or spec.ats or spec.absolutes
+    if clause.verb != "stack" or clause.lemma not in ("heap", "pile") or clause.mode != "start" or told:
+        return clause
+    shape = Structure(kind="pile", span=clause.word or clause.span)
+    spec.intos.append(Into(structure=shape, span=shape.span))
+    return replace(clause, verb="arrange")
+
+
+def heaps_last(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]] | None:
+    """ "There is a pile of letters. Spell DOG": a heap of those that the other clauses name, so it is read behind them.
+
+    None where there is no such heap, nothing is named besides, or something is said of "them".
+    """
+    parts = [part for chain in chains for part in parts_of(chain)]
+    if any(isinstance(part, Pronoun) and part.word in _THEM for part in parts):
+        return None
+    found: list[Clause] = []
+    kept: list[tuple[str, Chain]] = []
+    for link, chain in zip(links, chains, strict=True):
+        pairs = list(zip(chain.links, chain.clauses, strict=True))
+        open_ = [(c, heap) for _, c in pairs if (heap := _open_heap(c)) is not None]
+        found += [heap for _, heap in open_]
+        rest = [(joint, c) for joint, c in pairs if all(c is not clause for clause, _ in open_)]
+        if rest:
+            joints = ("and", *(joint for joint, _ in rest[1:]))
+            kept.append((link, replace(chain, clauses=tuple(c for _, c in rest), links=joints)))
+    if len(found) != 1 or not kept:
+        return None
+    kind = found[0].theme.traits.kind if isinstance(found[0].theme, Noun) else None
+    if not any(_names_such(part, kind) for _, chain in kept for part in parts_of(chain)):
+        return None
+    last = Chain(clauses=(found[0],), links=("and",), span=found[0].span)
+    return [*(link for link, _ in kept), "and"], (*(chain for _, chain in kept), last)
+
+
+_THEM = frozenset(
+    {"them", "they", "these", "those", "all", "all of them", "it", "everything", "the rest", "the others"}
+)
+
+
+def _names_such(part: Meaning, kind: str | None) -> bool:
+    """Whether a phrase names blocks of a kind by what they look like."""
+    if isinstance(part, Structure):
+        return bool(part.letter) and part.kind in ("word", "equation")
+    marks = part.traits if isinstance(part, Noun) and part.head != "patch" else Traits()
+    return bool(marks.labels or (marks.colors and kind is None))
+
+
+def _open_heap(clause: Meaning) -> Clause | None:
+    """ "there is a pile of letters", "the letters start in a heap": as told of all the letters that there are."""
+    if not isinstance(clause, Clause) or clause.negated:
+        return None
+    shape, within = clause.theme, None
+    if (clause.verb, clause.mode) == ("exist", "given") and isinstance(shape, Structure):
+        told = all(isinstance(a, Loc) and isinstance(a.landmark, TableTop) for a in clause.adjuncts)
+        within = shape.members if told and not shape.details else None
+    elif clause.mode == "start" and isinstance(shape, Noun) and len(clause.adjuncts) == 1:
+        into = clause.adjuncts[0]
+        within = shape if shape.det == "the" and isinstance(into, Into) else None
+        shape = into.structure if isinstance(into, Into) else None
+    if not isinstance(shape, Structure) or shape.kind != "pile" or shape.plural or shape.sizes:
+        return None
+    if not isinstance(within, Noun) or within.head != "block" or not within.plural or within.amount is not None:
+        return None
+    if within.traits != Traits(kind=within.traits.kind) or within.conditions or within.part_of is not None:
+        return None
+    into = Into(structure=Structure(kind="pile", span=shape.span), span=shape.span)
+    return Clause(verb="be", lemma="fact", theme=replace(within, det="all"), adjuncts=(into,), mode="start",
+                  span=clause.span)  # fmt: skip
+
+
+def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "From a heap of five red blocks make a row": there is such a heap, and the row is made of its blocks."""
+    found = []
+    for chain in chains:
+        pairs: list[tuple[str, Meaning]] = []
+        for link, clause in zip(chain.links, chain.clauses, strict=True):
+            heaps = [a for a in clause.adjuncts if _is_heap(a)] if isinstance(clause, Clause) else []
+            for heap in heaps:
+                there = Clause(verb="exist", theme=heap.members, mode="given", lemma="begun", span=heap.span)
+                pairs.append(("and", there))
+            pairs.append((link, _of_heaps(clause, heaps) if heaps and isinstance(clause, Clause) else clause))
+        found.append(replace(chain, clauses=tuple(c for _, c in pairs), links=tuple(link for link, _ in pairs)))
+    return tuple(found)
+
+
+def _is_heap(part: Meaning) -> TypeGuard[Using]:
+    heap = isinstance(part, Using) and isinstance(part.members, Structure) and part.members.kind == "pile"
+    return heap and isinstance(part, Using) and part.lead in ("from", "out of")
+
+
+def _of_heaps(clause: Clause, heaps: list[Using]) -> Clause:
+    """The clause with the blocks of its heaps in their place; as its theme if it names no blocks."""
+    blocks = [heap.members.members for heap in heaps if isinstance(heap.members, Structure)]
+    own = clause.theme.members if isinstance(clause.theme, Structure) else clause.theme
+    kept = tuple(a for a in clause.adjuncts if a not in heaps)
+    if own is None and not any(isinstance(a, Using) for a in kept):
+        kept += tuple(Using(members=x, lead="from", span=x.span) for x in blocks if x is not None)
+    return replace(clause, adjuncts=kept)

@@ -1,0 +1,113 @@
+"""A block in the middle of an outline: "a circle of eight red blocks with a blue one in its middle"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.ir import structures as s
+from rpg.ir.order import Order, Pattern
+from rpg.language.meaning import Absolute, At, Clause, Into, Loc, Meaning, Noun, PartOf, Pronoun, Structure, Traits
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.parts import cells_of, place_of
+from rpg.passes.schema.resolve.structures.extents import Made, made
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import amount_of
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+OUTLINES = ("circle", "square")
+
+
+def in_the_middle(clause: Clause) -> tuple[Absolute, Meaning] | None:
+    """ "in its centre there is a white one", "put a red block inside a circle": what is in the middle of what."""
+    place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    theme = clause.theme
+    if clause.verb not in ("be", "place", "exist") or clause.negated or clause.mode == "start":
+        return None
+    if not isinstance(place, Loc) or place.negated or place.second is not None or not isinstance(theme, Noun):
+        return None
+    mark = place.landmark
+    if place.rel == "in" and isinstance(mark, PartOf) and mark.part == "middle":
+        mark = mark.whole
+    elif not (place.rel == "in" and isinstance(mark, Structure | Pronoun)) and place.rel not in ("between", "centre"):
+        return None
+    if isinstance(mark, Noun) and mark.head == "patch" and mark.det == "the" and mark.amount is None:
+        plain = mark.traits == Traits(shape=mark.traits.shape) and mark.traits.shape in OUTLINES
+        mark = Structure(kind=str(mark.traits.shape), det="the", span=mark.span) if plain else mark
+    whole = isinstance(mark, Structure) and mark.kind in OUTLINES
+    if mark is None or not (whole or (isinstance(mark, Pronoun) and mark.word == "it")) or not _single(theme):
+        return None
+    return Absolute(theme=theme, adjuncts=(At(side="middle", span=place.span),), span=clause.span), mark
+
+
+def _single(theme: Noun) -> bool:
+    one = not theme.plural and amount_of(theme) in (None, 1) and theme.head != "patch"
+    return one and theme.part_of is None and theme.det in ("a", "the", "bare")
+
+
+def outlines(clause: Clause) -> bool:
+    """Whether a clause builds a circle or the outline of a square."""
+    shapes = [clause.theme, *(a.structure for a in clause.adjuncts if isinstance(a, Into))]
+    found = [x for x in shapes if isinstance(x, Structure)]
+    return len(found) == 1 and found[0].kind in OUTLINES and not found[0].filled and not found[0].plural
+
+
+def hub_of(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Absolute | None:
+    """What is said of the middle of an outline of blocks that look otherwise."""
+    found = [a for a in spec.absolutes if isinstance(at := place_of(a), At) and at.side == "middle"]
+    if shape.kind not in OUTLINES or len(found) != 1 or not isinstance(found[0].theme, Noun):
+        return None
+    middle = found[0].theme
+    source = shape.members or (spec.usings[0].members if spec.usings else None)
+    own = source.traits.colors if isinstance(source, Noun) else shape.traits.colors
+    if theme is not None:
+        own = tuple(scene.things[n].color or "" for n in theme.names)
+    told = bool(middle.traits.colors or middle.traits.labels)
+    if not _single(middle) or not told or not own or "" in own or set(own) & set(middle.traits.colors):
+        return None
+    return found[0]
+
+
+def with_hub(names: tuple[str, ...], hub: Absolute, shape: Structure, spec: Spec, scene: Scene) -> Made:
+    """The outline of `names` with one more block in its middle."""
+    middle = refer(hub.theme, scene, Scope(role="member")).names
+    scene.mentions.pop()
+    if len(middle) != 1 or middle[0] in names:
+        raise refuse("ambiguous", "it is not clear which block is in the middle", hub.span, "name one further block")
+    looks = {(t.color, t.label, t.kind, t.size) for t in (scene.things[n] for n in names)}
+    ring = shape.kind == "circle"
+    if len(looks) > 1 or spec.orders or spec.patterns or (not ring and len(names) != 8):
+        raise refuse("misplaced", "this outline has no single middle that could be told so", hub.span,
+                     "use a circle or a square of eight blocks that look alike")  # fmt: skip
+    count = len(names) + 1
+    square = s.Grid(blocks=("",), rows=3, columns=3)
+    form = s.Figure(blocks=("",), shape="circle", filled=True) if ring else square
+    cells = cells_of(form, count)
+    at = next(k for k, cell in enumerate(cells) if abs(cell.x) + abs(cell.y) < 0.01)
+    pattern = Pattern(kind="reading", order=Order(by="given", ranks=(names[:at], middle, names[at:])))
+    every = (*names, *middle)
+    node = form.model_copy(update={"blocks": every, "pattern": pattern, "span": shape.span})
+    return made(shape.kind, node, every, shape.span, scene)
+
+
+def told_inside(clause: Clause) -> bool:
+    """ "nothing is inside it": of an outline."""
+    place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    nothing = isinstance(clause.theme, Pronoun) and clause.theme.word == "nothing"
+    if not nothing or not isinstance(place, Loc) or place.negated or place.rel not in ("in", "between"):
+        return False
+    mark = place.landmark.whole if isinstance(place.landmark, PartOf) else place.landmark
+    known = isinstance(mark, Structure) and mark.kind in OUTLINES and mark.det == "the" and mark.members is None
+    return known or (isinstance(mark, Pronoun) and mark.word == "it")
+
+
+def emptied(clause: Clause) -> Clause:
+    """The clause that builds an outline, which has nothing inside."""
+    if isinstance(clause.theme, Structure):
+        return replace(clause, theme=replace(clause.theme, filled=False))
+    hollow = tuple(
+        replace(a, structure=replace(a.structure, filled=False))
+        if isinstance(a, Into) and isinstance(a.structure, Structure)
+        else a
+        for a in clause.adjuncts
+    )
+    return replace(clause, adjuncts=hollow)

@@ -1,0 +1,58 @@
+"""The arms of letters by their lengths: which T or L they make."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Structure
+from rpg.passes.schema.resolve.things.world import refuse
+
+Sides = tuple[int, int]
+
+
+def limbs_of(shape: Structure, count: int | None) -> tuple[Sides | None, int | None]:
+    """The two lengths of a T or an L, both with the block where they meet, and its number of blocks."""
+    told = {size.what for size in shape.sizes} - {"size"}
+    if not told:
+        return None, count
+    options = _of_t(shape, count) if shape.kind == "T" else _of_l(shape, count)
+    if len(options) != 1:
+        raise refuse(
+            "ambiguous" if len(options) > 1 else "count-mismatch",
+            f"these lengths make no single {shape.kind}", shape.span,
+            "say how many blocks it has in all, and how long each part is",
+        )  # fmt: skip
+    (a, b) = options[0]
+    return (a, b), a + b - 1
+
+
+def _of_t(shape: Structure, count: int | None) -> list[Sides]:
+    """A stem begins below the bar, unless the number of blocks says that it is counted with the bar's middle."""
+    bar, stem = shape.extent("bar"), shape.extent("stem")
+    if bar is not None and stem is not None:
+        options = [(bar, stem + 1)] if count is None else [(bar, stem + 1), (bar, stem)]
+    elif count is None:
+        return []
+    else:
+        options = [(bar, count - bar + 1)] if bar is not None else [(count - s + 1, s) for s in _counts(stem)]
+    return [(a, b) for a, b in options if a % 2 and a > 2 and b > 1 and count in (None, a + b - 1)]
+
+
+def _counts(stem: int | None) -> tuple[int, ...]:
+    return () if stem is None else (stem + 1, stem)
+
+
+def _of_l(shape: Structure, count: int | None) -> list[Sides]:
+    """Both arms have the corner; without it only a number of blocks tells how it is counted."""
+    told = {size.what for size in shape.sizes}
+    if "equal arms" in told:
+        return [] if count is None or not count % 2 else [((count + 1) // 2, (count + 1) // 2)]
+    if (each := shape.extent("each arm")) is not None:
+        return [(each, each)] if count == 2 * each - 1 or (count is None and "shared" in told) else []
+    long, short = shape.extent("long arm"), shape.extent("short arm")
+    if count is not None and (long is None) != (short is None):
+        long, short = (long, count - long + 1) if long is not None else (count - (short or 0) + 1, short)
+    if long is None or short is None or long < short or short < 2:
+        return []
+    whole = long + short - 1
+    if count is None:
+        return [(long, short)] if "shared" in told else [(long, short), (long, short + 1)]
+    return [(long, short)] if count == whole else []

@@ -1,0 +1,97 @@
+"""How the cells of a figure are coloured or labelled."""
+
+from __future__ import annotations
+
+from rpg.ir.order import Pattern
+from rpg.ir.structures import Cells, Figure
+from rpg.language.lexicon import COLORS
+from rpg.language.meaning import Structure
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.orders import order_of
+from rpg.passes.schema.resolve.orders.parts import parted
+from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse
+
+PALETTE = (*tuple(c for c in COLORS if c not in ("black", "white", "gray", "brown")), "brown", "white", "black", "gray")
+
+
+def pattern_of(
+    shape: Structure,
+    spec: Spec,
+    names: tuple[str, ...],
+    dims: tuple[int, int, int] | None,
+    scene: Scene,
+    scope: Scope,
+    form: Cells,
+) -> tuple[Pattern | None, bool]:
+    """How the cells of `form` are coloured or labelled; colours and labels left open are chosen to fit."""
+    by_parts = parted(spec, form, names, scene, scope)
+    if by_parts is not None:
+        return by_parts, False
+    things = [scene.things[n] for n in names]
+    said = next(iter(spec.patterns), None)
+    spec.patterns = spec.patterns[1:]
+    if said is None:
+        if any(t.kind for t in things) and not spec.orders:
+            return None, False
+        if not spec.orders:
+            return None, False
+        alternating = next((o for o in spec.orders if o.by == "alternating"), None)
+        if alternating is not None and dims is not None:
+            spec.orders.remove(alternating)
+            return _painted("checkerboard", things, dims, scene), False
+        upward = spec.first("bottom") is not None
+        if getattr(form, "layers", 2) > 1 and not isinstance(form, Figure):
+            spec.toward = [t for t in spec.toward if t.first not in ("top", "bottom")]
+        order = order_of(spec, names, "row", scene, scope, shape.span).model_copy(update={"first": None})
+        if order.by == "together":
+            raise refuse(
+                "ambiguous",
+                "it is not said how the colours are to be laid out",
+                shape.span,
+                "say 'each row a different colour' or 'each layer a different colour'",
+            )
+        spec.orders = []
+        return Pattern(kind="reading", order=order, upward=upward), order.by in ("label", "number")
+    unit = {"pile": "row", "stack": "column"}.get(said.unit, said.unit)
+    if dims is None:
+        raise refuse("misplaced", f"a {shape.kind} has no {said.unit}s", said.span)
+    return _painted(unit, things, dims, scene), False
+
+
+def _painted(unit: str, things: list[Thing], dims: tuple[int, int, int], scene: Scene) -> Pattern:
+    """Colours for a pattern where none were said."""
+    if not any(t.color or t.label for t in things):
+        lines = _lines(unit, len(things), dims)
+        if len(lines) > len(PALETTE):
+            raise refuse(
+                "too-many-colors",
+                f"this takes {len(lines)} colours, but there are {len(PALETTE)}",
+                None,
+                "use fewer rows",
+                needed=len(lines),
+                there=len(PALETTE),
+            )
+        at = 0
+        for index, length in enumerate(lines):
+            for thing in things[at : at + length]:
+                thing.color = PALETTE[index]
+            at += length
+        scene.assume("the colours are not said: one for each " + ("of the two" if unit == "checkerboard" else unit))
+    return Pattern(kind=unit)  # type: ignore[arg-type]
+
+
+def _lines(unit: str, total: int, dims: tuple[int, int, int]) -> list[int]:
+    """How many blocks each colour of a pattern has."""
+    rows, columns, layers = dims
+    if unit == "checkerboard":
+        return [(total + 1) // 2, total // 2]
+    if total != rows * columns * layers:
+        sizes = [(max(1, rows - k), columns - k) for k in range(layers)]
+        if unit == "layer":
+            return [a * b for a, b in sizes]
+        raise refuse("misplaced", "a pyramid is coloured by layer here", None, "say 'each layer a different colour'")
+    if unit == "row":
+        return [columns] * (rows * layers) if rows > 1 else [columns] * layers
+    if unit == "column":
+        return [rows] * (columns * layers) if rows > 1 else [layers] * columns
+    return [rows * columns] * layers

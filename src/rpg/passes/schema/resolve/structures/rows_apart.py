@@ -1,0 +1,29 @@
+"""Several rows: none adjoins another as if they were one, though they may lie close to each other."""
+
+from __future__ import annotations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import structures as s
+from rpg.passes.schema.resolve.things.world import Scene
+
+
+def not_one_line(rows: list[g.Goal], span: Span) -> list[g.Goal]:
+    """ "Two rows of three": they do not form one row of six."""
+    lines = [row for row in rows if isinstance(row, s.Row)]
+    if len(lines) < len(rows) or len({(row.axis, row.gap, row.spacing) for row in lines}) > 1:
+        return []
+    blocks = tuple(name for row in lines for name in row.blocks)
+    return [g.Not(goal=s.Row(blocks=blocks, axis=lines[0].axis, span=span), span=span)]
+
+
+def close_by(atom: g.Goal, scene: Scene) -> g.Goal:
+    """One of several rows in order of its symbols: named one by one, for the other rows may adjoin it."""
+    if not isinstance(atom, s.Row) or atom.order.by not in ("label", "number"):
+        return atom
+    labels = [scene.things[n].label or "" for n in atom.blocks]
+    if not all(labels) or len(set(labels)) < len(labels):
+        return atom
+    names = sorted(atom.blocks, key=lambda n: scene.things[n].label or "", reverse=atom.order.descending)
+    order = atom.order.model_copy(update={"by": "given", "ranks": tuple((n,) for n in names), "descending": False})
+    return atom.model_copy(update={"order": order})

@@ -1,0 +1,384 @@
+"""Several structures of one kind at once: "two pyramids", "two rows of three, the left one red"."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from copy import copy
+from dataclasses import replace
+from itertools import pairwise
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    At,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Places,
+    Size,
+    Structure,
+    Traits,
+)
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line
+from rpg.passes.schema.resolve.things.members import declared
+from rpg.passes.schema.resolve.things.operands import foot
+from rpg.passes.schema.resolve.things.things import amount_of, matching
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
+
+Made = tuple[list[Built], list[g.Goal]]
+Maker = Callable[[Structure, Spec, Ref | None, Scene, Scope], Made]
+APART = ("stack", "pile", "word", "equation")
+"""Kinds that have a way of their own with several at once."""
+COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink", "brown", "white", "black", "gray")
+MOST = 6
+LENGTH = 3
+"""Blocks in each of several rows of which nothing is said."""
+
+
+def one_by_one(shape: Structure, spec: Spec) -> bool:
+    """Whether each of several structures is made by itself."""
+    if not shape.plural and not (shape.amount and shape.amount.low > 1):
+        return False
+    if shape.kind != "stack":
+        return shape.kind not in APART
+    apart = _to_each_other(spec) or (spec.lined and not spec.patterns)
+    return _sided(spec) is not None or any(map(_whole, spec.absolutes)) or apart
+
+
+def _to_each_other(spec: Spec) -> bool:
+    """Whether several towers stand in a relation to each other, so that they must be told apart."""
+    related = any(getattr(getattr(p, "landmark", None), "word", "") == "each other" for p in spec.places)
+    return related and not spec.patterns and not any(m.kind == "equal" for m in spec.manners)
+
+
+def _sided(spec: Spec) -> OrderBy | None:
+    """ "from left to right red, white and blue": the order in which several structures stand."""
+    directed = spec.first("left", "right", "front", "back") is not None
+    return next((o for o in spec.orders if o.items and (directed or o.first in _AXES)), None)
+
+
+_AXES = {"left": "y", "right": "y", "front": "x", "back": "x"}
+
+
+Look = Noun | Coord | Structure | None
+"""What is said of one of several structures."""
+
+
+def _whole(item: Absolute) -> Places | None:
+    """Which of the structures an absolute speaks of, if it speaks of one as a whole."""
+    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    if isinstance(place, At) and place.side in ("left", "right", "front", "back") and place.index is None:
+        return Places(side=place.side, unit="whole", span=place.span)
+    named = isinstance(place, Places) and (place.unit in ("row", "column") or place.unit.startswith("whole"))
+    return place if named and isinstance(place, Places) else None
+
+
+def _middle(item: Absolute) -> Places | None:
+    """ "red at the back, white in the middle, blue in front": one of three lines, where the others are told so too."""
+    place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
+    middle = isinstance(place, At) and place.side == "middle"
+    return Places(side="middle", unit="whole", span=item.span) if middle else None
+
+
+def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene: Scene, scope: Scope) -> Made:
+    """So many structures, each with its own blocks."""
+    count = shape.amount.low if shape.amount else 2
+    if shape.amount is None:
+        scene.assume(f"the number of {shape.kind}s is not said: {count}")
+    if (
+        count > MOST
+        or (shape.kind == "cube" and not shape.dims)
+        or (shape.amount is not None and shape.amount.low != shape.amount.high)
+    ):
+        raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
+                     f"name each {shape.kind} by itself")  # fmt: skip
+    _one_gap(shape, spec)
+    looks, axis = told_looks(spec, count)
+    sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
+    if not any(isinstance(look, Noun) and look.amount is not None for look in looks):
+        shape = _fresh(shape, scene)
+    lots = _named_lots(theme, looks, scene) or _lots(theme, count, shape, scene)
+    built: list[Built] = []
+    goals: list[g.Goal] = []
+    for index in range(count):
+        color = _color(shape, spec, theme, looks, scene)
+        own = _copied(spec)
+        own.places = []
+        look = looks[index]
+        look = _spelling(shape, look) if isinstance(look, Structure) else look
+        if isinstance(look, Noun) and _listed(look):
+            single = _told_in_order(shape, look, lots[index], own, scene)
+            more, atoms = maker(single, own, lots[index], scene, scope)
+            if isinstance(looks[index], Structure):
+                atoms = [x.model_copy(update={"readable": True}) if isinstance(x, s.Row) else x for x in atoms]
+            own.orders = [o for o in own.orders if o.by != "named"]
+        else:
+            single = _piled(shape, look, own, scene) if isinstance(look, Coord) else _single(shape, look, color)
+            more, atoms = maker(single, own, lots[index], scene, scope)
+            own.orders = [] if isinstance(look, Coord) else own.orders
+        built += more
+        goals += [close_by(x, scene) for x in atoms]
+        if color and not sized:
+            scene.vague.update(n for b in more for n in b.members)
+    members = [n for b in built for n in b.members]
+    if len(set(members)) < len(members):
+        raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
+                     f"say how many blocks each {shape.kind} has")  # fmt: skip
+    spec.orders, spec.patterns, spec.spacings, spec.toward, spec.usings = (
+        own.orders, own.patterns, own.spacings, own.toward, [],
+    )  # fmt: skip
+    spec.absolutes = own.absolutes
+    goals += not_one_line(goals, shape.span) if axis is None else []
+    if axis is not None:
+        ends = ("left", "right") if axis == "y" else ("front", "back")
+        scene.sides.update({built[0].key: ends[0], built[-1].key: ends[1]})
+        if count == 3:
+            scene.sides[built[1].key] = "middle"
+        node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if axis == "y" else r.InFrontOf
+        feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
+        goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
+    return built, goals
+
+
+def _spelling(shape: Structure, look: Structure) -> Noun:
+    """ "two rows of three: the far row spells CAT": its letters, read in this order; other rows may lie close by."""
+    size = shape.extent("size", "long", "columns") or amount_of(shape.members)
+    if shape.kind not in ("row", "line") or (size is not None and size != len(look.letter or "")):
+        raise refuse("count-mismatch", f"{look.letter} has {len(look.letter or '')} letters", look.span,
+                     f"say so of a {shape.kind} of as many blocks", letters=len(look.letter or ""))  # fmt: skip
+    letters = Traits(labels=tuple(look.letter or ""), kind="letter")
+    return Noun(head="block", plural=True, traits=letters, span=look.span)
+
+
+def _listed(look: Noun) -> bool:
+    """ "letters A to D", "red, green, blue": the blocks of one of several lines, one by one."""
+    return look.amount is None and max(len(look.traits.labels), len(look.traits.colors)) > 1
+
+
+def _told_in_order(shape: Structure, look: Noun, lot: Ref | None, own: Spec, scene: Scene) -> Structure:
+    """One of several lines whose blocks are listed: in this order, unless another one is said.
+
+    Its blocks are none of those that another line has.
+    """
+    marks = look.traits
+    looks = [replace(marks, labels=(x,)) for x in marks.labels] or [replace(marks, colors=(c,)) for c in marks.colors]
+    if not own.orders and shape.kind in ("row", "line", "column"):
+        items = tuple(Noun(head="any", traits=one, span=look.span) for one in looks)
+        own.orders = [OrderBy(by="named", items=items, span=look.span)]
+    used = {n for b in scene.built for n in b.members}
+    others = tuple(_further(Noun(head="any", traits=one, span=look.span), used, scene) for one in looks)
+    members: Meaning = look
+    if any(isinstance(item, Noun) and item.det == "another" for item in others):
+        members = Coord(op="and", items=others, span=look.span)
+    return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=None if lot is not None else members)
+
+
+def _named_lots(theme: Ref | None, looks: Sequence[Look], scene: Scene) -> list[Ref | None]:
+    """Which of the blocks that were named each line has, where it is told by their labels."""
+    if theme is None or not all(isinstance(look, Noun) and look.traits.labels for look in looks):
+        return []
+    lots: list[Ref | None] = [
+        Ref(names=tuple(n for n in theme.names if scene.things[n].label in look.traits.labels), span=theme.span)
+        for look in looks
+        if isinstance(look, Noun)
+    ]
+    shared = [n for lot in lots if lot is not None for n in lot.names]
+    return lots if sorted(shared) == sorted(theme.names) else []
+
+
+def _piled(shape: Structure, look: Coord, own: Spec, scene: Scene) -> Structure:
+    """ "the left one red on yellow": a tower of these blocks, which are none of those that another one has."""
+    if look.op != "piled":
+        raise refuse("misplaced", "it is not clear in which order these are", look.span, "name the order of each")
+    shape = _of_so_many(shape, len(look.items))
+    if shape.kind != "stack" or shape.members is not None or shape.sizes or shape.traits != Traits() or own.orders:
+        raise refuse("misplaced", "this does not fit what is said of all of them", look.span, "say it of towers alone")
+    used = {n for b in scene.built for n in b.members}
+    items = tuple(_further(item, used, scene) for item in look.items)
+    own.orders = [OrderBy(by="named", items=items, first="top", span=look.span)]
+    return replace(shape, plural=False, amount=Amount(1, 1), det="a")
+
+
+def _of_so_many(shape: Structure, count: int) -> Structure:
+    """ "two towers of two: red on blue and green on white": as many in each as are named."""
+    members, alone = shape.members, {Amount(count, count)}
+    bare = isinstance(members, Noun) and members.traits == Traits() and members.det == "bare" and shape.each_size
+    if bare and {getattr(members, "amount", None), *(z.amount for z in shape.sizes)} == alone:
+        return replace(shape, members=None, sizes=(), each_size=False)
+    said = {z.amount for z in shape.sizes if z.what in ("size", "high", "layers")}
+    return replace(shape, sizes=()) if said == alone and len(said) == len(shape.sizes) else shape
+
+
+def _further(item: Meaning, used: set[str], scene: Scene) -> Meaning:
+    if isinstance(item, Noun) and any(t.name in used for t in matching(item.traits, scene, False)):
+        return replace(item, det="another", amount=Amount(1, 1))
+    return item
+
+
+def _one_gap(shape: Structure, spec: Spec) -> None:
+    """ "two rows of three blocks with a gap of 5 cm": between the rows or between the blocks?"""
+    gaps = [p for p in spec.places if isinstance(p, Loc) and p.rel == "distance" and p.measure == "faces"]
+    if gaps and shape.kind in ("row", "line", "column"):
+        raise refuse("ambiguous", f"the gap could be between the {shape.kind}s or between their blocks", gaps[0].span,
+                     f"build each {shape.kind} in a sentence of its own")  # fmt: skip
+
+
+def _copied(spec: Spec) -> Spec:
+    """The same words for each: what one of them uses is there for the next one too."""
+    own = copy(spec)
+    for name, value in vars(own).items():
+        if isinstance(value, list):
+            setattr(own, name, list(value))
+    return own
+
+
+def _fresh(shape: Structure, scene: Scene) -> Structure:
+    """ "two rows of red blocks": blocks of which no number is said are others for each."""
+    source = shape.members
+    if isinstance(source, Noun) and _plain(source) and shape.traits in (Traits(), source.traits):
+        shape = replace(shape, members=None, traits=source.traits)
+    if shape.kind in ("row", "line", "column") and shape.members is None and not shape.sizes:
+        scene.assume(f"the length of the {shape.kind}s is not said: {LENGTH} blocks each")
+        shape = replace(shape, sizes=(Size(what="size", amount=Amount(LENGTH, LENGTH), span=shape.span),))
+    return shape
+
+
+def _plain(source: Noun) -> bool:
+    """Blocks of a look alone: no number of them is said, none of them are named."""
+    if source.amount is not None or source.det not in ("bare", "some") or source.traits.labels:
+        return False
+    return not source.conditions and source.part_of is None
+
+
+def _lots(theme: Ref | None, count: int, shape: Structure, scene: Scene) -> list[Ref | None]:
+    """The blocks of each, where they were named one lot after the other, or all look alike."""
+    if theme is None:
+        return [None] * count
+    if len(theme.parts) == count and all(len(p.names) > 1 for p in theme.parts) and theme.op == "and":
+        if shape.members is None:
+            raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
+                         f"say 'a {shape.kind} of ... and a {shape.kind} of ...'")  # fmt: skip
+        return list(theme.parts)
+    things = [scene.things[n] for n in theme.names]
+    share, left = divmod(len(things), count)
+    same = len({(t.color, t.label, t.kind, t.size) for t in things}) == 1 and theme.quant is None and not left
+    if same and share > 1 and not any(t.elastic for t in things):
+        for thing in things:
+            thing.scheme = thing.scheme or "same"
+        return [Ref(names=theme.names[k * share : (k + 1) * share], span=theme.span) for k in range(count)]
+    raise refuse(
+        "ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
+        f"say how many blocks each {shape.kind} has",
+    )  # fmt: skip
+
+
+def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Structure:
+    members = shape.members
+    colors = look.traits.colors if look is not None and look.traits.colors else color
+    if look is not None and look.amount is not None:
+        if (members is not None and not _unsized(members)) or shape.sizes:
+            raise refuse("contradiction", "two sizes are given", look.span, "keep one of them")
+        if isinstance(members, Noun):
+            members = replace(members, amount=look.amount)
+        shape = shape if members else replace(shape, sizes=(Size(what="size", amount=look.amount, span=look.span),))
+    if isinstance(members, Noun):
+        own = members.traits.colors
+        if look is not None and own and colors and own != colors:
+            raise refuse("contradiction", "two colours are given for the same blocks", look.span, "keep one of them")
+        amount = amount_of(members)
+        fixed = Amount(amount, amount) if amount is not None else None
+        members = replace(members, amount=fixed, det="bare", traits=replace(members.traits, colors=own or colors))
+        return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=members)
+    traits = replace(shape.traits, colors=shape.traits.colors or colors)
+    if look is not None and colors and shape.traits.colors not in ((), colors):
+        raise refuse("contradiction", "two colours are given for the same blocks", look.span, "keep one of them")
+    return replace(shape, plural=False, amount=Amount(1, 1), det="a", traits=traits)
+
+
+def _unsized(members: Meaning) -> bool:
+    """ "two towers of purple blocks": of which no number is said."""
+    return isinstance(members, Noun) and members.amount is None and members.det == "bare" and not members.traits.labels
+
+
+def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], scene: Scene) -> tuple[str, ...]:
+    """A colour of its own for each, where nothing is said of the blocks' looks."""
+    members = shape.members
+    said = members.traits if isinstance(members, Noun) else Traits()
+    plain = (
+        replace(said, scheme=None) == Traits() and shape.traits == Traits() and (members is None or said == Traits())
+    )
+    if not plain or theme is not None or spec.usings or spec.orders or spec.patterns or any(looks) or _there(scene):
+        return ()
+    taken = {t.color for t in scene.blocks()}
+    free = [c for c in COLORS if c not in taken]
+    scene.assume(f"the colours are not said: one for each {shape.kind}")
+    return (free[0],) if free else ()
+
+
+def _there(scene: Scene) -> bool:
+    return bool(declared(Traits(), scene))
+
+
+def told_looks(spec: Spec, count: int) -> tuple[list[Look], str | None]:
+    """What is said of each, and the axis along which they are then told apart."""
+    found: list[Look] = [None] * count
+    axis: str | None = None
+    if (order := _sided(spec)) is not None:
+        return _in_order(order, spec, count)
+    said = [(a, w) for a in spec.absolutes if (w := _whole(a)) is not None]
+    if len(spec.absolutes) == count > len(said) > 0:
+        said = [(a, w) for a in spec.absolutes if (w := _whole(a) or _middle(a)) is not None]
+    spec.absolutes = [a for a in spec.absolutes if all(a is not b for b, _ in said)]
+    for number, (item, place) in enumerate(said):
+        theme = item.theme
+        index = number if place.side == "one" else _index(place, count)
+        if (
+            not isinstance(theme, Noun | Coord | Structure)
+            or index is None
+            or index >= count
+            or found[index] is not None
+        ):
+            raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
+        found[index] = theme
+        if place.side not in ("one", "first", "last", "middle"):
+            along = "x" if place.side in ("front", "back") else "y"
+            if axis not in (None, along):
+                raise refuse("misplaced", "they lie in one line", item.span, "say 'left' and 'right'")
+            axis = along
+    if said and None in found:
+        raise refuse("ambiguous", "it is not said of each of them", said[0][0].span, "say one thing of each")
+    if axis is not None and any(place.side in ("one", "first", "last") for _, place in said):
+        raise refuse("misplaced", "it is not clear which one this is", said[0][0].span, "say 'left' and 'right'")
+    return found, axis
+
+
+def _in_order(order: OrderBy, spec: Spec, count: int) -> tuple[list[Look], str | None]:
+    """The looks of structures that stand in an order, from the left or from the front."""
+    first = order.first or spec.first(*_AXES) or "left"
+    items = [item for item in order.items if isinstance(item, Noun) and len(item.traits.colors) == 1]
+    if len(items) != count or len(items) != len(order.items) or any(item.amount for item in items):
+        raise refuse("count-mismatch", f"there are {count} of them", order.span, "say one thing of each")
+    spec.orders.remove(order)
+    spec.toward = []
+    return list(items if first in ("left", "front") else items[::-1]), _AXES[first]
+
+
+def _index(place: Places, count: int) -> int | None:
+    match place.side:
+        case "left" | "front":
+            return 0
+        case "right" | "back" | "last":
+            return count - 1
+        case "first":
+            return (place.index or 1) - 1
+        case "middle" if count % 2:
+            return count // 2
+        case "rest" if count == 2:
+            return 1
+    return None

@@ -1,0 +1,321 @@
+"""Words and equations from cubes that show symbols."""
+
+from __future__ import annotations
+
+import re
+import string
+from dataclasses import replace
+from itertools import permutations
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import structures as s
+from rpg.ir.walk import names as names_in
+from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.structures.extents import plain
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import create
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
+
+MAX_SEARCHED = 8
+DEFAULT_WORD = "CAT"
+DEFAULT_EQUATION = "2+3=5"
+Made = tuple[list[Built], list[g.Goal]]
+
+
+def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "the word CAT", in a row or down a tower."""
+    text = shape.letter
+    if text is None:
+        text = DEFAULT_WORD
+        scene.assume(f"the word is not said: {DEFAULT_WORD}")
+    text = text.replace(" ", "").replace("-", "")
+    bad = [c for c in text if c not in string.ascii_uppercase + string.digits + "+-*/="]
+    if bad or len(text) < 2:
+        what = f"there is no block that shows {bad[0]!r}" if bad else "a single symbol is no word"
+        raise refuse(
+            "unknown-symbol" if bad else "too-few", what, shape.span, "use the letters A to Z and the digits 0 to 9"
+        )
+    names = _cubes(text, spec, theme, scene, scope, shape.span)
+    details = [x for into in spec.intos if isinstance(into.structure, Structure) for x in into.structure.details]
+    over = [p for p in spec.places if getattr(p, "rel", "") == "heaped"]
+    upright = _along(spec)
+    if over and any(b.kind == "word" for b in scene.built):
+        raise refuse("ambiguous", "the letters of each word, or one word above the other?", over[0].span,
+                     "say 'each in a tower', or 'one behind the other'")  # fmt: skip
+    for way in (t for t in spec.toward if t.axis == "x" or t.first in ("front", "back")):
+        raise refuse("misplaced", "a word is read from left to right, or down a tower", way.span, "leave this out")
+    backward = spec.manner("backwards") is not None or spec.first("right", "bottom") is not None
+    spec.toward = []
+    spec.orders = [o for o in spec.orders if o.by not in ("any", "in_order")]
+    if any(o.by == "reverse" for o in spec.orders):
+        backward = True
+        spec.orders = [o for o in spec.orders if o.by != "reverse"]
+    _ends_agree(details, text[::-1] if backward else text)
+    node = s.Spells(blocks=names, word=text, along="stack" if upright else "row", reverse=backward, span=shape.span)
+    return [scene.add_built("word", names, True, shape.span, "top" if upright else "left")], [node]
+
+
+def _ends_agree(details: list[Meaning], text: str) -> None:
+    """ "..., S on top": what is said of an end of the word has to be so already."""
+    ends = {"top": text[0], "left": text[0], "first": text[0], "bottom": text[-1], "right": text[-1]}
+    for item in details:
+        at_ = item.adjuncts[0] if isinstance(item, Absolute) else None
+        label = item.theme.traits.labels if isinstance(item, Absolute) and isinstance(item.theme, Noun) else ()
+        if not isinstance(at_, At) or at_.index is not None or len(label) != 1 or at_.side not in ends:
+            raise refuse("misplaced", "this does not fit a word", item.span, "leave it out")
+        if ends[at_.side] != label[0]:
+            raise refuse("contradiction", f"{ends[at_.side]} is there in {text}", item.span, "leave it out")
+
+
+def _along(spec: Spec) -> bool:
+    """Whether the word stands upright, taken from "into a tower", "vertically", "from top to bottom"."""
+    spec.manners = [m for m in spec.manners if not (m.kind == "turn" and m.value == 0.0)]
+    upright = any(t.axis == "z" for t in spec.toward)
+    for into in list(spec.intos):
+        kind = getattr(into.structure, "kind", "")
+        if upright and kind in ("row", "line"):
+            raise refuse("contradiction", "a row does not stand upright", into.span, "say 'in a tower'")
+        if getattr(getattr(into.structure, "traits", None), "rank", None) is not None:
+            raise refuse("misplaced", "it is not clear of which rows this is one", into.span,
+                         "say where one word is relative to the other")  # fmt: skip
+        stands, several = getattr(into.structure, "upright", None), getattr(into.structure, "plural", False)
+        if several or (kind == "column" and not stands) or (kind in ("row", "line") and stands):
+            raise refuse("misplaced", "a word or an equation is read along one row, or down one tower", into.span,
+                         "say 'in a row' or 'in a tower'")  # fmt: skip
+        if kind in ("stack", "row", "line", "column"):
+            if kind in ("stack", "column"):
+                upright = True
+            spec.intos.remove(into)
+    for place in list(spec.places):
+        if getattr(place, "negated", False):
+            continue
+        if getattr(place, "rel", "") in ("side_by_side", "adjacent"):
+            spec.places.remove(place)
+        elif getattr(place, "rel", "") == "heaped":
+            spec.places.remove(place)
+            upright = True
+    return upright
+
+
+def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope, span: Span) -> tuple[str, ...]:
+    """One cube for every symbol of the text, those that are there already first; all that are named if one lacks."""
+    source = spec.usings.pop(0).members if spec.usings else None
+    traits = Traits()
+    if theme is None and isinstance(source, Noun):
+        open_ended = (
+            source.amount is None and not source.traits.labels and source.det not in ("the", "all", "both", "other")
+        )
+        if source.amount is not None and source.amount.low != len(text):
+            raise refuse(
+                "count-mismatch",
+                f"{text} has {len(text)} letters, but {source.amount.low} blocks are named",
+                source.span,
+                f"say {len(text)} blocks",
+                letters=len(text),
+            )
+        if open_ended or source.amount is not None or not _has_symbols(scene):
+            traits = source.traits
+            if traits.quality or len(traits.colors) > 1:
+                raise refuse(
+                    "ambiguous", "it is not clear which letters look like this", source.span, "name each by its letter"
+                )
+        else:
+            theme = refer(source, scene, Scope(role="member"))
+    elif theme is None and source is not None:
+        theme = refer(source, scene, Scope(role="member"))
+    if theme is not None:
+        theme = replace(theme, names=scene.fit(theme.names, len(text)))
+    begun = {n for goal in scene.start_goals for n in names_in(goal)}
+    there = [t for t in scene.blocks() if (t.declared or t.name in begun) and not t.extra]
+    pool = [scene.things[n] for n in theme.names] if theme is not None else there
+    names: list[str] = []
+    for symbol in text:
+        found = next((t for t in pool if t.label == symbol and t.name not in names), None)
+        if found is None:
+            found = next((t for t in pool if t.label is None and t.color is None and t.name not in names), None)
+            if found is not None:
+                _label(found, symbol)
+        if found is None and theme is not None and any(t.label for t in pool):
+            return theme.names
+        if found is None and theme is None:
+            found = _asked_for(symbol, names, traits, scene, span)
+        if found is None:
+            if traits.kind == ("digit" if symbol in string.ascii_uppercase else "letter"):
+                raise refuse("order-misfit", f"{symbol} is on none of these blocks", span, "use letter blocks")
+            if traits.kind == "plain":
+                raise refuse("order-misfit", "plain blocks spell nothing", span, "use letter blocks")
+            found = create(
+                Traits(labels=(symbol,), colors=traits.colors[:1], edge=traits.edge, size=traits.size), scene, False
+            )
+        names.append(found.name)
+    if len(pool) > len(names):
+        scene.used.update(names)
+    if theme is not None:
+        _none_left(pool, names, text, span)
+    return tuple(names)
+
+
+def _asked_for(symbol: str, names: list[str], traits: Traits, scene: Scene, span: Span) -> Thing | None:
+    """ "Put the A on the mat. Spell CAT": the cube of which something is asked already, unless that takes it away.
+
+    One of a word or an equation is in that; whether one that lies on a block is to be taken for this is asked.
+    """
+    named = {n for m in scene.mentions if not any(b.kind in _READ for b in m.ref.built) for n in m.ref.names}
+    taken = {n for b in scene.built if b.kind in _READ for n in b.members}
+    for thing in scene.blocks():
+        if thing.label != symbol or thing.name in {*names, *taken} or thing.name not in named or thing.extra:
+            continue
+        if traits.colors and thing.color not in (None, *traits.colors):
+            continue
+        towers = [b for b in scene.built if b.kind in ("stack", "towers") and thing.name in b.members]
+        if any(not b.ordered or b.members[0] != thing.name for b in towers) or thing.name in scene.on_top:
+            hint = f"say 'with another {symbol}', or say what happens to the one in the tower first"
+            raise refuse("ambiguous", f"this could be the {symbol} that is in a tower, or a further one", span, hint)
+        return thing
+    return None
+
+
+_READ = ("word", "equation")
+
+
+def _none_left(pool: list[Thing], names: list[str], text: str, span: Span) -> None:
+    """Refuse blocks that were named for a word and are not in it."""
+    left = [t for t in pool if t.name not in names and t.label is None and t.color is None]
+    if left:
+        raise refuse(
+            "count-mismatch",
+            f"{text} has {len(text)} letters, but {len(pool)} blocks are named",
+            span,
+            f"say {len(text)} blocks",
+            letters=len(text),
+        )
+
+
+def _has_symbols(scene: Scene) -> bool:
+    return any(t.label for t in scene.blocks())
+
+
+def _label(thing: Thing, symbol: str) -> None:
+    letter = symbol in string.ascii_uppercase
+    if thing.kind == ("digit" if letter else "letter"):
+        what = "number" if letter else "letter"
+        raise refuse("order-misfit", f"no {what} block shows {symbol}", None, "name the blocks by what they show")
+    thing.label = symbol
+    thing.kind = "letter" if symbol in string.ascii_uppercase else "digit" if symbol in string.digits else "symbol"
+
+
+def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "2+3=5", "a correct equation"."""
+    plain(shape)
+    text = shape.letter if shape.letter and len(shape.letter) > 1 else None
+    chosen = text or _default_equation(shape.letter)
+    check_equation(chosen, shape.span)
+    source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+    if theme is None and source is not None and (text is None and _labelled(source)):
+        theme = refer(source, scene, Scope(role="member"))
+    elif source is not None:
+        spec.usings.insert(0, Using(members=source, span=source.span))
+    if theme is None and source is None and text is None and shape.letter is None:
+        theme = _there(scene)
+    if theme is not None and text is None and any(scene.things[n].label for n in theme.names):
+        check_solvable(theme.names, scene, shape.span)
+        return _equation_node(theme.names, None, spec, shape, scene)
+    if theme is None and text is None:
+        scene.assume(f"the numbers are not said: cubes for {chosen}, any true equation of them counts")
+    return _equation_node(_cubes(chosen, spec, theme, scene, scope, shape.span), text, spec, shape, scene)
+
+
+def _there(scene: Scene) -> Ref | None:
+    """ "Use 2, 3, 5, + and =. Form an equation.": of the cubes that there are, where one of them shows "="."""
+    found = [t for t in scene.blocks() if t.declared and t.kind in ("digit", "symbol")]
+    return Ref(names=tuple(t.name for t in found)) if any(t.label == "=" for t in found) else None
+
+
+def _labelled(source: Meaning) -> bool:
+    """Whether a phrase names the symbols of its cubes."""
+    return any(isinstance(part, Noun) and bool(part.traits.labels) for part in parts_of(source))
+
+
+def _equation_node(names: tuple[str, ...], text: str | None, spec: Spec, shape: Structure, scene: Scene) -> Made:
+    upright = _along(spec)
+    for way in (t for t in spec.toward if t.first == "right"):
+        raise refuse("misplaced", "an equation is read from left to right", way.span, "leave the direction out")
+    spec.toward = []
+    longer = text is not None and bool(re.search(r"\d\d", text))
+    node = s.Equation(blocks=names, along="stack" if upright else "row", longer=longer, text=text, span=shape.span)
+    return [scene.add_built("equation", names, True, shape.span, "left")], [node]
+
+
+def _default_equation(operator: str | None) -> str:
+    return {"-": "5-3=2", "*": "2*3=6", "/": "6/3=2"}.get(operator or "+", DEFAULT_EQUATION)
+
+
+def check_equation(text: str, span: Span) -> None:
+    """Refuse equations that are not true or not well formed."""
+    sides = text.split("=")
+    if len(sides) != 2 or not all(re.fullmatch(r"\d+([-+*/]\d+)*", side) for side in sides):
+        raise refuse(
+            "bad-equation", "this is no equation of numbers with + − × ÷ and one =", span, "say for example 2+3=5"
+        )
+    values = [_value(side) for side in sides]
+    if values[0] is None or values[0] != values[1]:
+        left = "nothing" if values[0] is None else f"{values[0]:g}"
+        raise refuse(
+            "false-equation",
+            f"{sides[0]} is {left}, not {sides[1]}",
+            span,
+            f"say {sides[0]}={left}",
+            left=left,
+            right=sides[1],
+        )
+
+
+def check_solvable(names: tuple[str, ...], scene: Scene, span: Span) -> None:
+    """Refuse cubes of which no true equation can be made."""
+    labels = [scene.things[n].label or "" for n in names]
+    if len(labels) > MAX_SEARCHED:
+        return
+    if len(labels) < 2:
+        raise refuse("too-few", "an equation takes at least five cubes, one of them =", span, "name all its cubes")
+    for order in sorted(set(permutations(labels))):
+        text = "".join(order)
+        sides = text.split("=")
+        if (
+            len(sides) == 2
+            and all(re.fullmatch(r"\d([-+*/]\d)*", side) for side in sides)
+            and _value(sides[0]) == _value(sides[1]) is not None
+        ):
+            return
+    raise refuse(
+        "false-equation",
+        f"no true equation can be made of {' '.join(labels)}",
+        span,
+        "choose numbers such as 2, 3 and 5 with + and =",
+    )
+
+
+def _value(side: str) -> float | None:
+    """The value of a chain of operations, products first."""
+    terms: list[float] = []
+    sign = 1.0
+    for piece in re.split(r"([-+])", side):
+        if piece in "+-":
+            sign = -1.0 if piece == "-" else 1.0
+            continue
+        value = None
+        operator = "*"
+        for part in re.split(r"([*/])", piece):
+            if part in "*/":
+                operator = part
+            elif value is None:
+                value = float(part)
+            elif operator == "*":
+                value *= float(part)
+            elif float(part) == 0:
+                return None
+            else:
+                value /= float(part)
+        terms.append(sign * (value or 0.0))
+    return sum(terms)

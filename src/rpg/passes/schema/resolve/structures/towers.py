@@ -1,0 +1,244 @@
+"""Several towers at once: counts, heights, one per colour, on patches."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.ir import structures as s
+from rpg.language.meaning import Meaning, Noun, Pattern, Structure, Traits
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.things.members import certain, declared, new_members, some_of
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
+
+STACK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
+DEFAULT_HEIGHT = 2
+DEFAULT_COLORS = 3
+Made = tuple[list[Built], list[g.Goal]]
+
+
+def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
+    """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
+    if any(z.what == "heights" for z in shape.sizes):
+        return _of_heights(shape, spec, theme, scene)
+    shape = _told_apart(shape, spec)
+    sorted_by = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
+    spec.orders = [o for o in spec.orders if o.by != "attribute"]
+    patterns = [p for p in spec.patterns if p.unit in ("stack", "pile")]
+    spec.patterns = [p for p in spec.patterns if p.unit not in ("stack", "pile")]
+    by_color = (
+        bool(patterns)
+        or sorted_by == "color"
+        or shape.traits.scheme == "same"
+        or any(_matching(p) for p in (*spec.places, *(x for a in spec.absolutes for x in a.adjuncts)))
+    )
+    if sorted_by not in (None, "color"):
+        raise refuse("misplaced", "several towers are told apart by colour only", shape.span, "say what is in each")
+    count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
+    per = shape.extent("size", "high", "layers") or (scene.each[0] if scene.each else None)
+    equal = spec.manner("equal") is not None
+    theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)
+    if (
+        theme is not None
+        and count is None
+        and not by_color
+        and len(theme.parts) > 1
+        and all(len(p.names) > 1 for p in theme.parts)
+    ):
+        if shape.members is None or (equal and len({len(p.names) for p in theme.parts}) > 1):
+            raise refuse("ambiguous", "it is not said how many towers, and of which blocks each", shape.span,
+                         "say how many towers, or 'a tower for each color'")  # fmt: skip
+        return _one_each(theme, shape, scene)
+    if theme is not None:
+        names, count = _given(theme, shape, count, per, by_color, scene)
+    else:
+        names, count = _new(shape.traits, shape, count, per, by_color, scene)
+    heights = (per,) * count if per is not None and count is not None else None
+    node = s.Towers(
+        blocks=names, count=count, heights=heights, equal=equal, each="color" if by_color else None,
+        separate=by_color, span=shape.span
+    )  # fmt: skip
+    return _remember(node, by_color, scene), [node]
+
+
+def _of_heights(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Made:
+    """ "three towers of heights 2, 3 and 4"."""
+    said = next(z for z in shape.sizes if z.what == "heights")
+    heights, total = said.dims, sum(said.dims)
+    count = shape.amount.low if shape.amount and shape.amount.low > 1 else len(heights)
+    if len(shape.sizes) > 1 or count != len(heights) or spec.patterns or spec.orders or shape.traits.scheme:
+        raise refuse("count-mismatch", f"{len(heights)} heights are said, but not of as many towers", said.span,
+                     "say the height of each tower", heights=len(heights), towers=count)  # fmt: skip
+    if min(heights) < 2:
+        raise refuse("too-few", "a lone block is no tower", said.span, "say at least two blocks for each")
+    source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+    if theme is None and source is not None:
+        theme = certain(refer(source, scene, Scope(role="member", need=total)), scene)
+    names = theme.names if theme is not None else declared(shape.traits, scene)
+    names = scene.fit(names, total) if names else new_members(shape.traits, total, None, scene)
+    if len(names) != total:
+        raise refuse("count-mismatch", f"these towers take {total} blocks, but {len(names)} are named", said.span,
+                     f"use {total}", needed=total, named=len(names))  # fmt: skip
+    node = s.Towers(blocks=names, count=count, heights=heights, span=shape.span)
+    return _remember(node, False, scene), [node]
+
+
+def _told_apart(shape: Structure, spec: Spec) -> Structure:
+    """ "two towers, red and blue": one of each colour; no other order goes with several towers."""
+    for order in list(spec.orders):
+        if order.by == "attribute" or not order.items:
+            continue
+        colors = tuple(c for item in order.items if isinstance(item, Noun) for c in item.traits.colors)
+        plain = all(isinstance(i, Noun) and i.amount is None and len(i.traits.colors) == 1 for i in order.items)
+        if not plain or shape.amount is None or shape.amount.low != len(colors) or shape.traits.colors:
+            raise refuse("misplaced", "this order is not one of several towers", order.span,
+                         "say what each tower is made of")  # fmt: skip
+        spec.orders.remove(order)
+        spec.patterns.append(Pattern(unit="stack", span=order.span))
+        members = shape.members
+        if isinstance(members, Noun) and not members.traits.colors:
+            shape = replace(shape, members=replace(members, traits=replace(members.traits, colors=colors)))
+        else:
+            shape = replace(shape, traits=replace(shape.traits, colors=colors))
+    return shape
+
+
+def _matching(place: object) -> bool:
+    """A place on patches of the towers' own colours."""
+    mark = getattr(place, "landmark", None)
+    if not isinstance(mark, Noun) or mark.head != "patch":
+        return False
+    return mark.traits.matching or (mark.traits.scheme in ("some", "different") and not mark.traits.colors)
+
+
+def on_matching_patches(place: object) -> bool:
+    """ "stack the blocks on the patches of their own colour": one stack for each colour."""
+    mark = getattr(place, "landmark", None)
+    return isinstance(mark, Noun) and mark.head == "patch" and mark.plural and mark.traits.matching
+
+
+def _source(
+    shape: Structure,
+    spec: Spec,
+    theme: Ref | None,
+    per: int | None,
+    count: int | None,
+    by_color: bool,
+    scene: Scene,
+    scope: Scope,
+) -> tuple[Ref | None, int | None]:
+    """The blocks that were named for the towers, and how many are in each where that was said."""
+    if theme is not None:
+        return theme, per
+    source: Meaning | None = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+    if source is None:
+        there = declared(shape.traits, scene)
+        return (Ref(names=there), per) if there else (None, per)
+    if isinstance(source, Noun):
+        amount = source.amount.low if source.amount and source.amount.low == source.amount.high else None
+        if shape.members is source and shape.each_size and amount is not None and source.det != "the":
+            return _each(source, amount, shape, count, by_color, scene), amount
+        if amount is None and source.det in ("bare", "some", "a") and not source.traits.labels:
+            traits = replace(source.traits, colors=source.traits.colors or shape.traits.colors)
+            there = declared(traits, scene)
+            if there:
+                return Ref(names=there), per
+            names, _ = _new(traits, shape, count, per, by_color, scene)
+            return Ref(names=names), per
+    found = refer(source, scene, replace(scope, role="member", need_each=DEFAULT_HEIGHT))
+    return certain(found, scene), per
+
+
+def _each(source: Noun, amount: int, shape: Structure, count: int | None, by_color: bool, scene: Scene) -> Ref:
+    """ "two towers of three red blocks": three for each tower."""
+    towers = count or (
+        len(source.traits.colors) if len(source.traits.colors) > 1 else DEFAULT_COLORS if by_color else 2
+    )
+    there = declared(source.traits, scene)
+    if there and source.det in ("bare", "some"):
+        if len(there) == towers * amount:
+            return Ref(names=there)
+        if some := some_of(there, towers * amount, shape, scene):
+            return Ref(names=some)
+    names, _ = _new(source.traits, shape, towers, amount, by_color, scene)
+    return Ref(names=names)
+
+
+def _given(
+    theme: Ref, shape: Structure, count: int | None, per: int | None, by_color: bool, scene: Scene
+) -> tuple[tuple[str, ...], int | None]:
+    names = theme.names
+    colors = list(dict.fromkeys(scene.things[n].color for n in names))
+    if by_color and None in colors:
+        towers = count or DEFAULT_COLORS
+        names = scene.fit(names, max(len(names), towers * (per or DEFAULT_HEIGHT)))
+        for index, name in enumerate(names):
+            scene.things[name].color = STACK_COLORS[index * towers // len(names)]
+        scene.assume(f"the colours are not said: {', '.join(STACK_COLORS[:towers])}")
+        return names, towers
+    if by_color:
+        if count is not None and count != len(colors):
+            raise refuse(
+                "count-mismatch",
+                f"{count} towers, but {len(colors)} colours",
+                shape.span,
+                f"say {len(colors)} towers",
+                towers=count,
+            )
+        count = len(colors)
+    elif count is not None:
+        names = scene.fit(names, max(len(names), count * (per or DEFAULT_HEIGHT)))
+    if count is not None and (len(names) < 2 * count or (per is not None and per * count != len(names))):
+        needed = per * count if per is not None else 2 * count
+        raise refuse(
+            "count-mismatch", f"{count} towers take {needed} blocks or more, but {len(names)} are named", shape.span,
+            f"use {needed}",
+            blocks=len(names), towers=count,
+        )  # fmt: skip
+    return names, count
+
+
+def _new(
+    traits: Traits, shape: Structure, count: int | None, per: int | None, by_color: bool, scene: Scene
+) -> tuple[tuple[str, ...], int]:
+    """New blocks for towers that name none."""
+    colors = traits.colors
+    if count is None:
+        count = len(colors) if len(colors) > 1 else DEFAULT_COLORS if by_color else 2
+        scene.assume(f"the number of towers is not said: {count}")
+    height = per or DEFAULT_HEIGHT
+    if per is None:
+        scene.assume(f"the number of blocks is not said: {height * count}")
+    if not by_color and len(colors) < 2:
+        return new_members(traits, height * count, None, scene), count
+    if len(colors) > 1 and len(colors) != count:
+        raise refuse(
+            "count-mismatch",
+            f"{count} towers, but {len(colors)} colours",
+            shape.span,
+            "name one colour for each tower",
+            towers=count,
+        )
+    names: list[str] = []
+    for color in colors if len(colors) == count else STACK_COLORS[:count]:
+        names += new_members(replace(traits, colors=(color,), scheme=None), height, None, scene)
+    return tuple(names), count
+
+
+def _one_each(theme: Ref, shape: Structure, scene: Scene) -> Made:
+    """ "towers of two black and two pink cubes": each part a tower of its own."""
+    nodes: list[g.Goal] = [s.Stack(blocks=p.names, exact=True, span=shape.span) for p in theme.parts]
+    return [scene.add_built("stack", p.names, False, shape.span) for p in theme.parts], nodes
+
+
+def _remember(node: s.Towers, by_color: bool, scene: Scene) -> list[Built]:
+    """Towers whose members are told apart by colour are structures of their own; others are known together only."""
+    names = node.blocks
+    colors = list(dict.fromkeys(scene.things[n].color for n in names))
+    if by_color and None not in colors:
+        return [
+            scene.add_built("stack", [n for n in names if scene.things[n].color == c], False, node.span or (0, 0))
+            for c in colors
+        ]
+    return [scene.add_built("towers", names, False, node.span or (0, 0))]

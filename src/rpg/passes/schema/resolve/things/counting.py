@@ -1,0 +1,55 @@
+"""Numbers of blocks: which blocks are counted, where that goes without saying or nothing is named."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Noun, Traits
+from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+
+def elliptical(noun: Noun, scene: Scene, scope: Scope) -> bool:
+    """ "at least two", "exactly one", "two" without a noun."""
+    bare = noun.head == "any" and noun.traits == Traits() and noun.det in ("bare", "some") and not scope.like_patch
+    return bare and noun.amount is not None and bool(scene.blocks())
+
+
+def not_of_a_structure(noun: Noun, scene: Scene) -> None:
+    """ "a pyramid of six blocks, two above ...": so many where all that was spoken of is in a structure."""
+    built = {name for one in scene.built for name in one.members}
+    if built and built >= {block.name for block in scene.blocks()}:
+        kind = scene.built[-1].kind
+        raise refuse(
+            "ambiguous",
+            f"these could be blocks of the {kind} or further ones",
+            noun.span,
+            "say what they look like, or how the structure is made in the sentence that builds it",
+        )
+
+
+def check_both(noun: Noun, whole: Ref) -> None:
+    """ "both of the three": there are two, or it is not said of both."""
+    if noun.det == "both" and len(whole.names) != 2:
+        raise refuse("count-mismatch", f"'both' is of two, but there are {len(whole.names)}", noun.span, "say 'all'")
+
+
+def denied(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
+    """ "no red block": every red block that there is."""
+    if noun.det != "no" or noun.amount is not None or noun.conditions:
+        return ()
+    return tuple(thing.name for thing in matching(noun.traits, scene, patch) if not thing.extra)
+
+
+def counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
+    """ "at most one white block" counts all the white blocks there are."""
+    amount = noun.amount
+    if amount is None or not amount.strict or noun.det not in ("bare", "some"):
+        return ()
+    there = [t for t in matching(noun.traits, scene, patch) if t.declared or t.name in scene.told]
+    if amount.low == 0 and len(there) <= (amount.high or 0):
+        raise refuse(
+            "ambiguous",
+            "it is not said how many such blocks there are",
+            noun.span,
+            "say for example 'at most one of the three white blocks'",
+        )
+    return tuple(t.name for t in there) if len(there) > amount.low else ()

@@ -1,0 +1,293 @@
+"""Which blocks a structure is made of."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Span
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun, Size, Structure, Traits
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.onward import in_between, onward
+from rpg.passes.schema.resolve.orders.orders import implied_kind
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import alike, amount_of, create, matching, plain_colors
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+
+def members_of(
+    shape: Structure, spec: Spec, theme: Ref | None, need: int | None, default: int, scene: Scene, scope: Scope
+) -> tuple[str, ...]:
+    """The blocks of a structure: those named, else `need` (or `default`) new ones."""
+    if theme is not None:
+        theme = certain(theme, scene)
+        _agrees(shape, theme.names, scene)
+        spec.listed = spec.listed or theme.listed
+        listed = _order_items(spec)
+        open_ = all(scene.things[n].elastic for n in theme.names)
+        names = scene.fit(theme.names, need or (len(listed) or default if open_ else None))
+        return _checked(names, need, shape.span, scene)
+    source = shape.members or (spec.usings.pop(0).members if spec.usings else None)
+    listed = _order_items(spec)
+    count = need or (len(listed) if listed else None)
+    colors = plain_colors(source) if isinstance(source, Coord) else ()
+    if source is not None and need is not None and need > len(colors) > 1:
+        source = Noun(head="block", plural=True, traits=Traits(colors=colors), span=source.span)
+    if source is not None:
+        source = _with_kind(source, implied_kind(spec), shape.traits)
+        named = refer(
+            source,
+            scene,
+            Scope(start=scope.start, given=scope.start, need=count or default, role="member", share=count is not None),
+        )
+        _fix_parts(named)
+        named = certain(named, scene)
+        if shape.traits.colors and not {scene.things[n].color for n in named.names} <= set(shape.traits.colors):
+            raise refuse(
+                "contradiction",
+                "the blocks have other colours than the structure",
+                shape.span,
+                "name one colour for both",
+            )
+        spec.listed = spec.listed or named.listed
+        in_turn = named.op == "then" or (_named_one_by_one(source) and not spec.absolutes)
+        if in_turn and shape.kind in ("stack", "row", "line", "column") and not spec.orders:
+            spec.orders.append(OrderBy(by="given", span=source.span))
+        names = scene.fit(
+            named.names, count or (default if all(scene.things[n].elastic for n in named.names) else None)
+        )
+        return _checked(names, need, shape.span, scene)
+    if need is None and listed:
+        whole = refer(Coord(op="and", items=listed, span=shape.span), scene, Scope(role="member"))
+        scene.mentions.pop()
+        _name_items(spec, whole)
+        return whole.names
+    there = declared(shape.traits, scene)
+    if absolute := _by_its_parts(shape, spec, need, there, scene):
+        return absolute
+    if len(there) > 1 and (count is None or len(there) == count):
+        return there
+    if count is not None and (some := some_of(there, count, shape, scene)):
+        return some
+    if count is None and scene.each is not None and len(shape.traits.colors) == 1:
+        count = scene.each[0]
+    if count is None:
+        count = default
+        scene.assume(f"the number of blocks is not said: {default}")
+    return new_members(shape.traits, count, implied_kind(spec), scene)
+
+
+def _by_its_parts(
+    shape: Structure, spec: Spec, need: int | None, there: tuple[str, ...], scene: Scene
+) -> tuple[str, ...]:
+    """The blocks that are told by their places; none where one is told of the blocks that `there` are: it is of all of
+    these, "3 blue, 1 red. Tower with red on top"."""
+    looks = all(isinstance(a.theme, Noun) and a.theme.traits.colors + a.theme.traits.labels for a in spec.absolutes)
+    absolute = _from_absolutes(shape, spec, need, scene)
+    fewer = bool(absolute) and set(absolute) < set(there)
+    if fewer and len(absolute) > 1:
+        raise refuse("ambiguous", "of these blocks alone, or of all the blocks there are?", shape.span,
+                     "say 'of all blocks', or name all its blocks")  # fmt: skip
+    return () if fewer and looks else absolute
+
+
+def _agrees(shape: Structure, names: tuple[str, ...], scene: Scene) -> None:
+    """What is said of a structure's blocks must hold of the blocks that are to form it."""
+    if shape.members is not None:
+        raise refuse(
+            "misplaced", "two sets of blocks are named for one structure", shape.members.span, "name its blocks once"
+        )
+    things = [scene.things[n] for n in names]
+    colors = shape.traits.colors
+    for thing in things:
+        if colors and thing.color is None and thing.kind is None and len(colors) == 1:
+            thing.color = colors[0]
+    if colors and not {t.color for t in things} <= set(colors):
+        raise refuse(
+            "contradiction", "the blocks have other colours than the structure", shape.span, "name one colour for both"
+        )
+    if shape.traits.kind in ("letter", "digit") and any(t.kind not in (shape.traits.kind, "symbol") for t in things):
+        open_ = [t for t in things if t.kind is None and t.color is None]
+        if len(open_) < len(things):
+            raise refuse(
+                "contradiction",
+                "the blocks do not show what the structure asks for",
+                shape.span,
+                "name letter or number blocks",
+            )
+        for thing in open_:
+            thing.kind = shape.traits.kind
+
+
+def certain(ref: Ref, scene: Scene) -> Ref:
+    """The very blocks that are meant: of look-alikes as many as are asked for; else the phrase must say which."""
+    if ref.op in ("or", "nor", "xor", "except", "only"):
+        if ref.op == "except":
+            return ref.parts[0]
+        raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
+    if ref.mixed:
+        raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
+    if ref.quant is None:
+        return ref
+    things = [scene.things[n] for n in ref.names]
+    if (
+        ref.quant.low != ref.quant.high
+        or ref.quant.low == 0
+        or len({(t.color, t.label, t.kind, t.size) for t in things}) > 1
+    ):
+        raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
+    for thing in things:
+        thing.scheme = thing.scheme or "same"
+    for name in ref.names[ref.quant.low :]:
+        scene.spare.add(name)
+    return replace(ref, names=ref.names[: ref.quant.low], quant=None)
+
+
+def of_look_alikes(theme: Ref, spec: Spec, scene: Scene) -> Ref:
+    """ "stack two of the three white blocks": of look-alikes it does not matter which, and no more of them."""
+    told = theme.quant is not None and theme.op == "and" and not theme.mixed and theme.quant.low == theme.quant.high
+    things = [scene.things[n] for n in theme.names]
+    if spec.places or spec.sizes:
+        return theme
+    if theme.quant is None and len(theme.names) > 1 and set(theme.names) < set(scene.whole):
+        many = Amount(len(theme.names), len(theme.names))
+        spec.sizes.append(Size(what="size", amount=many, span=theme.span))
+    if not told or theme.quant is None:
+        return theme
+    if not alike(things) or not 1 < theme.quant.low < len(things):
+        return theme
+    spec.sizes.append(Size(what="size", amount=Amount(theme.quant.low, theme.quant.low), span=theme.span))
+    scene.whole = theme.names
+    scene.parted.update(theme.names[: theme.quant.low])
+    return certain(theme, scene)
+
+
+def _fix_parts(named: Ref) -> None:
+    if named.patch or named.table:
+        raise refuse("misplaced", "structures are made of blocks", named.span, "name blocks")
+
+
+def _name_items(spec: Spec, whole: Ref) -> None:
+    """The items of an order that brought its blocks into the task stand for just these."""
+    for index, order in enumerate(spec.orders):
+        if order.items:
+            spec.orders[index] = replace(
+                order,
+                by="read" if order.by == "read" else "given",
+                items=tuple(Pronoun(word="=" + " ".join(part.names), span=order.span) for part in whole.parts),
+            )
+
+
+def _named_one_by_one(source: Meaning) -> bool:
+    """ "green, green, pink, pink": who counts says "two green ones"; this tells how they stand."""
+    if isinstance(source, Noun):
+        looks: list[object] = list(source.traits.colors) if not source.traits.either else []
+    else:
+        items = source.items if isinstance(source, Coord) and source.op == "and" else ()
+        bare = all(isinstance(x, Noun) and x.det == "bare" and x.amount is None and not x.plural for x in items)
+        looks = [x.traits for x in items if isinstance(x, Noun)] if bare else []
+    return 1 < len(set(looks)) < len(looks)
+
+
+def _order_items(spec: Spec) -> tuple[Meaning, ...]:
+    return next((o.items for o in spec.orders if o.items and o.by != "alternating"), ())
+
+
+def _with_kind(source: Meaning, kind: str | None, traits: Traits) -> Meaning:
+    """ "a letter pyramid of blocks": what is said of the structure's blocks holds for its members."""
+    if isinstance(source, Noun):
+        marks = source.traits
+        if kind and not marks.kind and not marks.colors and not marks.labels:
+            marks = replace(marks, kind=kind)
+        if traits.colors and not marks.colors:
+            marks = replace(marks, colors=traits.colors, either=False)
+        if traits.scheme and not marks.scheme:
+            marks = replace(marks, scheme=traits.scheme)
+        if traits.kind and not marks.kind:
+            marks = replace(marks, kind=traits.kind)
+        return replace(source, traits=marks)
+    if isinstance(source, Coord):
+        return replace(source, items=tuple(_with_kind(i, kind, Traits()) for i in source.items))
+    return source
+
+
+def _checked(names: tuple[str, ...], need: int | None, span: Span, scene: Scene) -> tuple[str, ...]:
+    if need is not None and len(names) != need:
+        raise refuse(
+            "count-mismatch", f"this takes {need} blocks, but {len(names)} are named", span,
+            f"name {need} blocks, or change the size",
+            needed=need, named=len(names),
+        )  # fmt: skip
+    return names
+
+
+def _from_absolutes(shape: Structure, spec: Spec, need: int | None, scene: Scene) -> tuple[str, ...]:
+    """ "a tower with a red block at the bottom and a blue one on top": its members, when their number agrees."""
+    from rpg.language.meaning import At
+
+    spec.absolutes = onward(spec.absolutes) if shape.kind == "stack" else spec.absolutes
+    spec.absolutes = in_between(spec.absolutes) if need in (None, 3) else spec.absolutes
+    inside = [a for a in spec.absolutes if isinstance(a.adjuncts[0], At)]
+    if not inside or (need is not None and sum(amount_of(item.theme) or 1 for item in inside) < need):
+        return ()
+    names: list[str] = []
+    for index, item in enumerate(spec.absolutes):
+        if item not in inside:
+            continue
+        theme = item.theme
+        if (
+            isinstance(theme, Noun)
+            and theme.traits.colors
+            and any(scene.things[n].color in theme.traits.colors for n in names)
+            and theme.det != "the"
+        ):
+            theme = replace(theme, det="another", amount=theme.amount or Amount(1, 1))
+        found = refer(theme, scene, Scope(role="member")).names
+        scene.mentions.pop()
+        names += [n for n in found if n not in names]
+        spec.absolutes[index] = replace(item, theme=Pronoun(word="=" + " ".join(found), span=item.span))
+    return tuple(names) if need is None or len(names) == need else ()
+
+
+def declared(traits: Traits, scene: Scene) -> tuple[str, ...]:
+    """The blocks that "there are", for a structure that names none."""
+    plain = replace(traits, scheme=None, shape=None)
+    return tuple(t.name for t in matching(plain, scene, False) if t.declared and t.name not in scene.used)
+
+
+def some_of(there: tuple[str, ...], count: int, shape: Structure, scene: Scene) -> tuple[str, ...]:
+    """So many of the blocks that there are, where it does not matter which; they are used up."""
+    things = [scene.things[n] for n in there]
+    if there and len(there) < count and shape.traits == Traits():
+        raise refuse("count-mismatch", f"this takes {count} blocks, but only {len(there)} are there for it", shape.span,
+                     "say of which blocks it is built", needed=count, there=len(there))  # fmt: skip
+    if there and len({(t.color, t.label, t.kind, t.size, t.edge) for t in things}) > 1:
+        raise refuse("ambiguous", f"it is not said which of {len(there)} different blocks are used", shape.span,
+                     "name the blocks", blocks=len(there))  # fmt: skip
+    if len(there) < count:
+        return ()
+    for thing in things:
+        thing.scheme = thing.scheme or "same"
+    scene.used.update(there[:count])
+    return there[:count]
+
+
+def new_members(traits: Traits, count: int, kind: str | None, scene: Scene) -> tuple[str, ...]:
+    """New blocks with the structure's traits; several colours share them evenly."""
+    scene.new_batch()
+    colors = traits.colors
+    if len(colors) > 1 and count % len(colors):
+        raise refuse(
+            "count-mismatch",
+            f"{count} blocks cannot be shared evenly by {len(colors)} colours",
+            None,
+            "say how many of each",
+            blocks=count,
+        )
+    names = []
+    for index in range(count):
+        color = (colors[index * len(colors) // count],) if colors else ()
+        one = replace(traits, colors=color, kind=traits.kind or kind, rank=None, labels=())
+        thing = create(one, scene, False)
+        thing.invented = not (color or one.kind or one.size)
+        names.append(thing.name)
+    return tuple(names)

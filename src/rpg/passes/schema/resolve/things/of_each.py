@@ -1,0 +1,103 @@
+"""How many of each there are, said behind a list: "red, white and blue in a row, two of each"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, Using
+from rpg.passes.schema.resolve.things.counted import put
+
+
+def each_later(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """The sentences with such numbers where the colours or labels are listed."""
+    found = list(chains)
+    for n, chain in enumerate(chains):
+        for at, clause in enumerate(chain.clauses):
+            many = _of_each(clause)
+            line, place = (n, at - 1) if at else (n - 1, -1)
+            if many is None or line < 0:
+                continue
+            clauses = found[line].clauses
+            told = _counted(clauses[place], many)
+            whole = tuple(told if x is clauses[place] else x for x in clauses)
+            found[line] = replace(found[line], clauses=whole)
+    return tuple(found)
+
+
+def _of_each(clause: Meaning) -> int | None:
+    """The number in "two of each", where no more is said."""
+    if not isinstance(clause, Clause) or clause.lemma != "tally" or clause.theme is not None:
+        return None
+    sizes = [z for z in clause.adjuncts if getattr(z, "what", "") == "each"]
+    amount = getattr(sizes[0], "amount", None) if len(sizes) == len(clause.adjuncts) == 1 else None
+    return int(amount.low) if amount is not None and amount.low == amount.high else None
+
+
+def _counted(clause: Meaning, many: int) -> Meaning:
+    """A clause with so many of each of the looks that it lists."""
+    if not isinstance(clause, Clause) or clause.mode == "start" or (clause.mode == "given" and clause.verb != "exist"):
+        return clause
+    shape = clause.theme
+    turns = [x for x in clause.adjuncts if isinstance(x, OrderBy) and x.by == "alternating"]
+    if isinstance(shape, Structure) and shape.members is None and not shape.plural and not shape.sizes:
+        turns += [x for x in shape.details if isinstance(x, OrderBy) and x.by == "alternating"]
+        if (whole := _taking_turns(turns, many)) is not None and not shape.dims and not shape.traits.colors:
+            return replace(clause, theme=replace(shape, members=whole))
+    bare = isinstance(shape, Noun) and shape == Noun(head="block", det=shape.det, plural=True, span=shape.span)
+    if bare and (whole := _taking_turns(turns, many)) is not None:
+        return replace(clause, theme=whole)
+    if clause.verb == "sort" and isinstance(shape, Noun) and (parted := _apart(clause, shape, many)) is not None:
+        return parted
+    listed = shape.members if isinstance(shape, Structure) and not shape.plural else shape
+    if isinstance(listed, Noun) and len(listed.traits.labels) > 1 and listed.det == "bare" and listed.amount is None:
+        one = replace(listed, plural=False)
+        parts = tuple(replace(one, traits=replace(one.traits, labels=(x,))) for x in listed.traits.labels)
+        if all(map(_single, parts)):
+            items = tuple(_so_many(x, many) for x in parts)
+            return replace(clause, theme=put(clause.theme, listed, Coord(op="and", items=items, span=listed.span)))
+    if isinstance(listed, Noun) and _of_several_colors(listed):
+        looks = [replace(listed.traits, colors=(color,)) for color in listed.traits.colors]
+        items = tuple(_so_many(replace(listed, traits=look), many) for look in looks)
+        return replace(clause, theme=put(clause.theme, listed, Coord(op="and", items=items, span=listed.span)))
+    if isinstance(listed, Coord) and listed.op == "and" and all(map(_single, listed.items)):
+        items = tuple(_so_many(x, many) for x in listed.items)
+        return replace(clause, theme=put(clause.theme, listed, replace(listed, items=items)))
+    return clause
+
+
+def _apart(clause: Clause, theme: Noun, many: int) -> Clause | None:
+    """ "Separate red from blue", three of each."""
+    other = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    if not isinstance(other, Using) or other.lead != "from" or not _single(theme) or not _single(other.members):
+        return None
+    return replace(
+        clause, theme=_so_many(theme, many), adjuncts=(replace(other, members=_so_many(other.members, many)),)
+    )
+
+
+def _taking_turns(turns: list[OrderBy], many: int) -> Coord | None:
+    """So many of each of the looks that alternate."""
+    items = turns[0].items if len(turns) == 1 else ()
+    if not items or not all(map(_single, items)):
+        return None
+    return Coord(op="and", items=tuple(_so_many(x, many) for x in items), span=turns[0].span)
+
+
+def _of_several_colors(listed: Noun) -> bool:
+    """ "red and blue blocks", of which nothing says how many they are."""
+    plain = listed.det == "bare" and listed.amount is None and listed.part_of is None and not listed.conditions
+    colors = listed.traits.colors
+    return plain and listed.head != "patch" and len(set(colors)) == len(colors) > 1 and not listed.traits.either
+
+
+def _single(item: Meaning) -> bool:
+    """ "red", "A": one colour or label, and no number."""
+    if not isinstance(item, Noun) or item.det != "bare" or item.amount is not None or item.head == "patch":
+        return False
+    marks, plain = item.traits, item.part_of is None and not item.conditions
+    told = len(marks.colors) + len(marks.labels) == 1
+    return plain and told and marks == Traits(colors=marks.colors, labels=marks.labels)
+
+
+def _so_many(item: Meaning, many: int) -> Meaning:
+    return replace(item, head="block", amount=Amount(many, many), plural=many > 1) if isinstance(item, Noun) else item

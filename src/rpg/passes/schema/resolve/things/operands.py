@@ -1,0 +1,139 @@
+"""Operands of relations: every, any or so many blocks; the foot and the top of a tower."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import EACH, Highest, Lowest, Operand
+from rpg.language.meaning import Amount, Loc
+from rpg.passes.schema.resolve.goals.logic import conj, disj, negation
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse, said
+
+LEVEL = {"beside": r.Beside, "adjacent": r.Adjacent, "touching": r.Touching, "near": r.Near, "apart": r.Apart}
+
+
+DIRECTIONS: dict[str, type[r.LeftOf | r.RightOf | r.InFrontOf | r.Behind]] = {
+    "left": r.LeftOf, "right": r.RightOf, "front": r.InFrontOf, "behind": r.Behind,
+}  # fmt: skip
+
+
+def measure(loc: Loc) -> Any:
+    return loc.measure
+
+
+UPRIGHT = ("stack", "wall", "pyramid", "staircase")
+
+
+def spread(theme: Ref, atom: Callable[[Operand], g.Goal], span: Span, together: bool = False) -> g.Goal:
+    """`atom` of every, any, or so many of the theme's blocks. `together`: the atom takes several blocks at once."""
+    if theme.quant is not None:
+        return count(theme.names, theme.quant, atom, span)
+    if theme.mixed:
+        return conj([spread(part, atom, span, together) for part in theme.parts], span)
+    if theme.op == "except":
+        inside, out = theme.parts
+        return conj([spread(inside, atom, span, together), *negation([spread(out, atom, span)], span)], span)
+    if theme.op == "nor":
+        return conj(negation([spread(part, atom, span) for part in theme.parts], span), span)
+    if theme.op == "xor":
+        parts = [spread(part, atom, span, together) for part in theme.parts]
+        return g.All(
+            goals=(g.Any(goals=tuple(parts), span=span), g.Not(goal=g.All(goals=tuple(parts), span=span), span=span)),
+            span=span,
+        )
+    if theme.op == "or":
+        return disj([spread(part, atom, span, together) for part in theme.parts], span)
+    if theme.built and len(theme.built) == 1 and not theme.each:
+        return atom(theme.names if together else foot(theme))
+    if together or len(theme.names) == 1:
+        return atom(theme.names)
+    return conj([atom((name,)) for name in theme.names], span)
+
+
+def count(names: tuple[str, ...], quant: Amount, atom: Callable[[Operand], g.Goal], span: Span) -> g.Goal:
+    """So many of `names` satisfy `atom`."""
+    if quant.high == 0:
+        return conj([g.Not(goal=atom((name,)), span=span) for name in names], span)
+    if quant.low == 1 and quant.high is None:
+        return disj([atom((name,)) for name in names], span)
+    if quant.low == len(names) and (quant.high is None or quant.high == len(names)):
+        return conj([atom((name,)) for name in names], span)
+    return g.Count(over=names, at_least=quant.low, at_most=quant.high, goal=atom((EACH,)), span=span)
+
+
+def one_by_one(mark: Ref, loc: Loc, scene: Scene) -> list[Ref]:
+    """ "next to the blue and the green block": next to each of them; several that look alike are one landmark, unless
+    all of them are said to be, or to be touched.
+    """
+    if loc.rel not in (*LEVEL, "distance") or loc.rel == "apart" or mark.op != "and" or mark.each or mark.patch:
+        return [mark]
+    if len(mark.parts) > 1 or mark.built:
+        return list(mark.parts) or [mark]
+    if mark.det in ("all", "both") or loc.rel == "touching":
+        return [Ref(names=(name,)) for name in mark.names]
+    looks: dict[tuple[str | None, ...], list[str]] = {}
+    for thing in (scene.things[name] for name in mark.names if name != EACH):
+        looks.setdefault((thing.color, thing.label, thing.size), []).append(thing.name)
+    return [Ref(names=tuple(names)) for names in looks.values()] if len(looks) > 1 else [mark]
+
+
+def foot(ref: Ref) -> Operand:
+    """The operand for a relation on the table: a tower's lowest block, a structure's blocks, the block itself."""
+    if len(ref.built) == 1 and ref.built[0].kind == "stack":
+        built = ref.built[0]
+        return (built.members[0],) if built.ordered else Lowest(lowest=built.members)
+    return ref.names
+
+
+def crown(ref: Ref) -> Operand:
+    """The operand for putting something on it: a tower's highest block."""
+    if len(ref.built) == 1 and ref.built[0].kind in UPRIGHT:
+        built = ref.built[0]
+        if built.kind == "stack" and built.ordered:
+            return (built.members[-1],)
+        return Highest(highest=built.members)
+    return ref.names
+
+
+def base_of(name: str, scene: Scene) -> str:
+    """The lowest block of the tower that `name` is in at the end."""
+    seen = {name}
+    while name in scene.on_top and name not in scene.begun_on and scene.on_top[name] not in seen:
+        name = scene.on_top[name]
+        seen.add(name)
+    return name
+
+
+def carrier(a: Operand, scene: Scene, *, moved: bool = False, level: bool = False) -> Operand:
+    """A relation on the table to a block that goes on a tower is one to the tower's lowest block.
+
+    `moved`: it is put there by this very clause; what put it on a tower before is past. `level`: both must stand on
+    the table.
+    """
+    if isinstance(a, Lowest | Highest) or len(a) != 1:
+        return a
+    name = a[0]
+    if moved and (scene.denying or (scene.placing and scene.on_clause.get(name, scene.clause) != scene.clause)):
+        return a
+    if level and name in scene.begun_on and not _moved(name, scene):
+        below = said(scene.things[scene.on_top[name]])
+        raise refuse("ambiguous", f"{said(scene.things[name])} lies on {below} at the start", None,
+                     f"say 'next to {below}', or where {said(scene.things[name])} goes first")  # fmt: skip
+    return (base_of(name, scene),)
+
+
+def _moved(name: str, scene: Scene) -> bool:
+    """Whether a block was put somewhere since it was said where it starts."""
+    begun = scene.on_clause.get(name, 0)
+    return any(m.role == "theme" and begun < m.clause < scene.clause and name in m.ref.names for m in scene.mentions)
+
+
+def so_far(a: Operand, b: Operand, loc: Loc, span: Span) -> list[g.Goal]:
+    """ "10 cm to the left of": how far that is."""
+    if loc.low is None and loc.high is None:
+        return []
+    return [r.Distance(a=a, b=b, minimum=loc.low, maximum=loc.high, measure=measure(loc), span=span)]

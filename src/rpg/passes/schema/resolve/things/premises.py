@@ -1,0 +1,50 @@
+"""What relative clauses take for granted: "the block that is on the patch" says where it starts."""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.language.meaning import Coord, In, Loc
+from rpg.passes.schema.resolve.goals.conflicts import clash, required
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.places.alone import beyond
+from rpg.passes.schema.resolve.places.relations import place
+from rpg.passes.schema.resolve.things.things import Premise
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+
+def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
+    """Premises hold at the start; what is asserted at the end too; blocks other than those alone moved stay put."""
+    kept: list[g.Goal] = []
+    scene.clause += 1
+    while scene.premises:
+        kept += _facts(scene.premises.pop(0), scene)
+    for span in scene.held.values():
+        raise refuse("no-goal", "a block that is held has no place at the end", span, "say where to put it down")
+    for alone in scene.exclusive:
+        others = beyond(alone, scene)
+        if not others:
+            raise refuse("no-referent", "there is no other block", alone.span, "say which other blocks there are")
+        kept += [g.Not(goal=alone.there(n), span=alone.span) for n in others]
+    still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
+    if still:
+        kept.append(r.Stayed(a=still))
+    return conj([goal, *kept]) if kept else goal
+
+
+def _facts(premise: object, scene: Scene) -> list[g.Goal]:
+    """What a premise says of the end; what it says of the start is noted. Its landmark may have one of its own."""
+    if not isinstance(premise, Premise) or not isinstance(premise.condition, Loc | In):
+        return []
+    theme = Ref(names=premise.names, span=premise.span)
+    if isinstance(getattr(premise.condition, "landmark", None), Coord):
+        raise refuse("ambiguous", "it is not clear which block is where", premise.span, "say it of each block")
+    facts = place(theme, premise.condition, scene, Scope(start=True), premise.span)
+    facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
+    if "asserted" in getattr(premise.condition, "mods", ()):
+        return facts
+    scene.start_goals += [f for f in facts if f not in scene.start_goals]
+    return []
+
+
+__all__ = ["clash", "keep_premises", "required"]

@@ -1,0 +1,305 @@
+"""Pronouns and "the other", "the rest": something that was mentioned before."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Amount, Noun, Pronoun, Traits
+from rpg.passes.schema.resolve.things.operands import DIRECTIONS
+from rpg.passes.schema.resolve.things.them import them
+from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
+
+_EACH_OTHER = frozenset({"each other", "one another", "itself", "themselves"})
+_REST = frozenset({"the other ones", "the others", "the rest", "others", "the other two",
+                   "the other half", "the other third", "everything else",
+    "the remaining ones", "the remainder", "all others",
+                   "all the others", "all the rest"})  # fmt: skip
+_OTHER = frozenset({"the other one", "the other", "the second one", "another"})
+
+
+def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    """What a pronoun stands for."""
+    if word.word.startswith("anything"):
+        raise refuse("misplaced", f"{word.word!r} names no block", word.span, "say 'any block', or 'nothing'")
+    if word.word in _EACH_OTHER:
+        return Ref(reciprocal=True, span=word.span)
+    if word.word.startswith("="):
+        return Ref(names=tuple(word.word[1:].split()), plural=" " in word.word)
+    if word.word in ("same", "both the same"):
+        last = _last_theme(scene, word)
+        return replace(last, op="and") if last.op == "nor" and word.word != "same" else last
+    if word.word in _NUMBERED and len(scene.built) > 1:
+        return _numbered(word, scene)
+    if word.word in _REST or word.word in _OTHER:
+        noun = Noun(head="any", det="other", plural=word.word in _REST, span=word.span)
+        there = {t.name: bool(t.color or t.label) for t in scene.blocks()}
+        found = others(noun, scene, scope, scope.like_patch)
+        if word.word == "another" and any(there.values()) and not found.patch and not set(found.names) & set(there):
+            raise refuse("ambiguous", "it is not said what this block looks like", word.span, "name its colour")
+        return found
+    if word.word in ("the latter", "the former"):
+        return _one_of_two(word, scene)
+    if word.word == "there":
+        return _there(word, scene)
+    if word.word in ("it", "that", "this", "the first one"):
+        return _it(word, scene, scope)
+    if word.word in ("nothing", "nothing else", "none of them", "neither of them"):
+        names = tuple(t.name for t in scene.blocks() if not t.extra)
+        beyond = Traits() if word.word == "nothing else" else None
+        return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, beyond=beyond)
+    if word.word in ("everything", "all", "all of it"):
+        names = tuple(t.name for t in scene.blocks() if not t.extra)
+        if not names:
+            raise refuse(
+                "no-referent",
+                f"{word.word!r} refers to blocks, but none was mentioned before",
+                word.span,
+                "name the blocks",
+            )
+        return Ref(names=names, plural=True, each=False)
+    if word.word == "one" or word.word in ("each", "each one", "each of them", "either of them"):
+        return _one(word, scene, scope)
+    return them(word, scene, scope)
+
+
+_NUMBERED = {"the first one": 0, "the second one": 1, "the other one": None, "the other": None}
+
+
+def _numbered(word: Pronoun, scene: Scene) -> Ref:
+    """ "the second one" where two structures were built: the second of them."""
+    index = _NUMBERED[word.word]
+    if index is None or len({b.kind for b in scene.built}) > 1:
+        raise refuse("ambiguous", f"it is not clear what {word.word!r} is", word.span, "name it")
+    built = scene.built[index]
+    return Ref(names=built.members, built=(built,), span=word.span)
+
+
+def _last_theme(scene: Scene, word: Pronoun) -> Ref:
+    for mention in reversed(scene.mentions):
+        if mention.role == "theme":
+            return mention.ref
+    raise refuse("no-referent", "nothing was mentioned before that this could refer to", word.span)
+
+
+def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    single = [
+        m for m in scene.mentions if m.ref.names and (len(m.ref.names) == 1 or m.ref.built) and m.clause <= scene.clause
+    ]
+    if scope.role == "landmark":
+        current = [m for m in scene.mentions if m.clause == scene.clause and m.role in ("theme", "given")]
+        own = {n for m in current for n in m.ref.names}
+        single = [m for m in single if not own & set(m.ref.names)]
+    if not single:
+        several = them(word, scene, scope)
+        if word.word == "it" and len(several.names) > 1 and not several.built and scope.role == "theme":
+            raise refuse("ambiguous", "'it' could be any of several blocks", word.span, "name the one you mean")
+        return several
+    if scope.role == "theme":
+        themes = [m for m in single if m.role in ("theme", "given")]
+        return (themes or single)[-1].ref
+    last = single[-1].clause
+    again = [m for m in single if m.word == "it" and m.role == "theme" and m.clause == last]
+    if again and again[-1].sentence == scene.sentence and not single[-1].word:
+        return again[-1].ref
+    rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
+    if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
+        return _parallel(list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
+    return _built_there(word, list(rivals.values()), scene, scope) or single[-1].ref
+
+
+def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
+    """ "Build a tower on the mat. Put a red block next to it": next to the tower; None where the last one is meant.
+
+    "Build a tower next to the blue block. Put a red block on it" is on the tower or on the blue block.
+    """
+    built = [m for m in rivals if m.ref.built and m.role == "theme"]
+    marks = [m for m in rivals if m.role == "landmark"]
+    if len(built) != 1 or not marks or rivals[-1] is built[0]:
+        return None
+    if all(m.ref.patch for m in marks) and scope.rel.removeprefix("not ") not in ("on", "in", "off", ""):
+        return built[0].ref
+    return _decide(word, scene, rivals)
+
+
+def _parallel(rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
+    """What "it" is where the clause before says something of just that kind; None where nothing settles it.
+
+    "Brown goes left of it and black right of it" is one thing in one sentence. "Red must be on the patch, and blue must
+    not be on it", "a red block left of the patch and a blue one right of it": of the patch again.
+    """
+    marks = [m for m in rivals if m.role == "landmark"]
+    if len(marks) != 1 or not scope.rel:
+        return None
+    before, again = marks[0].rel, scope.rel
+    kept_off = before in ("on", "in") and again in ("not on", "not in", "not above", "off")
+    if marks[0].ref.patch and kept_off:
+        return marks[0].ref
+    if marks[0].sentence != scene.sentence:
+        return None
+    same = marks[0].word == "it" and before in DIRECTIONS and again in DIRECTIONS
+    return marks[0].ref if same or (marks[0].ref.patch and {before, again} in _ACROSS) else None
+
+
+_ACROSS = ({"left", "right"}, {"front", "behind"})
+
+
+def _there(word: Pronoun, scene: Scene) -> Ref:
+    """ "Put a green block there": on the patch that was spoken of last, if no other place was spoken of since."""
+    told = [m for m in scene.mentions if m.ref.names and (m.ref.patch or (m.role == "landmark" and m.word != "there"))]
+    last = [m for m in told if told and m.clause == told[-1].clause]
+    patches = {m.ref.names for m in last if m.ref.patch and m.rel in ("", "on", "in", "off", "not on")}
+    if len(patches) != 1 or len(patches) < len({m.ref.names for m in last}) or any(len(x) > 1 for x in patches):
+        raise refuse("no-referent", "it is not clear where 'there' is", word.span, "name the place")
+    return Ref(names=next(iter(patches)), patch=True, span=word.span)
+
+
+def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
+    """ "the former", "the latter": of the two things that the clause before named, in the order of the words."""
+    again = {m.clause for m in scene.mentions if m.word in ("the former", "the latter")}
+    last = max((m.clause for m in scene.mentions if m.ref.names and m.clause not in {*again, scene.clause}), default=-1)
+    named = sorted((m for m in scene.mentions if m.clause == last), key=lambda m: m.ref.span)
+    if len(named) == 1 and len(named[0].ref.names) == 2 and not named[0].ref.built:
+        both = [scene.things[n] for n in named[0].ref.names]
+        if len({(t.color, t.label, t.size) for t in both}) == 2:
+            return Ref(names=(both[word.word == "the latter"].name,), patch=named[0].ref.patch)
+    if len(named) != 2:
+        raise refuse("ambiguous", f"{word.word!r} wants two things named before", word.span, "name the block")
+    found = named[1 if word.word == "the latter" else 0].ref
+    if len(found.parts) > 1 or len(found.names) > 1:
+        raise refuse("ambiguous", f"it is not clear which {word.word} is", word.span, "name the block")
+    return found
+
+
+def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
+    """Two things were named in the clause before: the upper one of a stack stands for it; else it is ambiguous."""
+    names = [m.ref.names[0] for m in rivals]
+    tops = [m for m in rivals if m.ref.names[0] not in scene.on_top.values()]
+    stacked = any(scene.on_top.get(a) == b for a in names for b in names)
+    if stacked and len(tops) == 1:
+        return tops[0].ref
+    from rpg.passes.schema.resolve.things.world import said
+
+    readings = " or ".join(said(scene.things[n]) for n in names)
+    raise refuse("ambiguous", f"{word.word!r} could be {readings}", word.span, "name the one you mean")
+
+
+def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    if word.word == "one":
+        free = _left_over(scene)
+        if len({(t.color, t.label, t.size) for t in free}) > 1:
+            raise refuse("ambiguous", "it is not said which of these blocks is meant", word.span, "name the block")
+        if free:
+            scene.used.add(free[0].name)
+            return Ref(names=(free[0].name,))
+        for mention in reversed(scene.mentions):
+            if len(mention.ref.names) > 1 and not mention.ref.patch:
+                if mention.role == "theme" and mention.clause < scene.clause and not mention.ref.built:
+                    raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", word.span,
+                                 "say 'one of them', or name its colour")  # fmt: skip
+                return Ref(names=(mention.ref.names[0],))
+        raise refuse(
+            "no-referent", "'one' refers to something, but nothing was mentioned before", word.span, "name the block"
+        )
+    return replace(them(word, scene, scope), each=True)
+
+
+def _left_over(scene: Scene) -> list[Thing]:
+    """Blocks that there are, and of which nothing has been said yet; those like the ones spoken of last come first."""
+    free = [t for t in scene.blocks() if t.declared and t.name not in scene.used and not t.extra]
+    last = next((m.ref.names for m in reversed(scene.mentions) if m.role == "theme" and not m.ref.patch), ())
+    like = {(scene.things[n].color, scene.things[n].label) for n in last}
+    return [t for t in free if (t.color, t.label) in like] or free
+
+
+def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
+    """ "the other (red) block", "the others", "the rest"."""
+    from rpg.passes.schema.resolve.things.things import create, further, matching
+
+    taken = {
+        n
+        for m in scene.mentions
+        for n in m.ref.names
+        if len(m.ref.names) == 1 or (m.ref.quant is None and _partial(m, scene))
+    }
+    taken |= scene.used
+    if scene.whole and not noun.traits.colors:
+        taken = set(scene.things) - (set(scene.whole) - scene.parted)
+    left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken] or _of_the_last(noun, scene, patch)
+    count = noun.amount.low if noun.amount else None
+    if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
+        left = more
+    elif noun.det == "another" or not left:
+        if not left and noun.head == "any" and not noun.traits.colors and noun.det != "another" and not scene.mentions:
+            raise refuse("no-referent", "there is no other block that this could be", noun.span, "name the blocks")
+        if (
+            noun.det == "other"
+            and not left
+            and any(t.declared for t in scene.things.values())
+            and not noun.traits.colors
+        ):
+            raise refuse("no-referent", "every block is spoken for already", noun.span, "name the block, or add one")
+        _some_other(noun, count, scene, patch)
+        scene.new_batch()
+        made = [create(noun.traits, scene, patch) for _ in range(count or (2 if noun.plural else 1))]
+        left = made
+    elif count is not None and len(left) != count:
+        raise refuse(
+            "count-mismatch",
+            f"{count} others are spoken of, but {len(left)} are left",
+            noun.span,
+            f"say {len(left)}",
+            asked=count,
+            there=len(left),
+        )
+    elif not noun.plural and count in (None, 1) and len(left) > 1:
+        if noun.head != "any" or noun.traits.colors:
+            raise refuse(
+                "ambiguous",
+                f"{len(left)} other blocks are left, and any could be meant",
+                noun.span,
+                "name its colour or its label",
+            )
+        raise refuse(
+            "ambiguous",
+            f"'the other' could be any of {len(left)} blocks",
+            noun.span,
+            "say 'the others', or name the block",
+        )
+    names = tuple(t.name for t in left)
+    scene.used.update(names)
+    scene.parted.update(names)
+    return Ref(names=names, patch=patch, plural=len(names) > 1)
+
+
+def _of_the_last(noun: Noun, scene: Scene, patch: bool) -> list[Thing]:
+    """ "Red, green and blue in a row, yellow on green, nothing on the others": those not named by themselves."""
+    if patch or noun.det != "other" or not noun.plural or noun.traits.colors or noun.traits.labels or noun.amount:
+        return []
+    told = [m for m in scene.mentions if m.ref.names and not m.ref.patch and m.ref.quant is None]
+    at = max((n for n, m in enumerate(told) if len(m.ref.names) > 2), default=-1)
+    if at < 0:
+        return []
+    since = {n for m in told[at + 1 :] for n in m.ref.names if len(m.ref.names) == 1}
+    whole = told[at].ref.names
+    return [scene.things[n] for n in whole if n not in since] if since & set(whole) else []
+
+
+def _some_other(noun: Noun, count: int | None, scene: Scene, patch: bool) -> None:
+    """Refuse "the other one" beside several things named, and "the other blocks" of which there is no number."""
+    if noun.det != "other" or noun.traits.colors or noun.traits.labels:
+        return
+    named = {n for m in scene.mentions for n in m.ref.names if not m.ref.patch}
+    if noun.plural and count is None and (noun.head == "block" or (named and not patch)):
+        raise refuse("ambiguous", "it is not said which other blocks there are", noun.span,
+                     "name the blocks, or say how many there are of which look")  # fmt: skip
+    if patch:
+        named = {n for m in scene.mentions for n in m.ref.names if m.ref.patch}
+    if not noun.plural and count in (None, 1) and len(named) > 1:
+        what = "patch" if patch else "block"
+        raise refuse("no-referent", f"there is no other {what} that this could be", noun.span, f"name the {what}")
+
+
+def _partial(mention: Mention, scene: Scene) -> bool:
+    """Whether a plural mention speaks of less than all blocks (so that "the others" are those outside it)."""
+    blocks = {t.name for t in scene.blocks() if not t.extra}
+    return bool(blocks - set(mention.ref.names)) and not mention.ref.patch and mention.role != "given"

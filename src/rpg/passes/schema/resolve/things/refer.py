@@ -1,0 +1,400 @@
+"""Which objects a noun phrase speaks of: finds them, or brings them into the task."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.core.diagnostics import Refusal
+from rpg.language.grammar.things.retold import retold
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
+from rpg.passes.schema.resolve.clauses.alls import note_all
+from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
+from rpg.passes.schema.resolve.things.extras import extras
+from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, quantified, repeats
+from rpg.passes.schema.resolve.things.pronouns import others, pronoun
+from rpg.passes.schema.resolve.things.select import select
+from rpg.passes.schema.resolve.things.shares import SHARES, share_of
+from rpg.passes.schema.resolve.things.theirs import THEIRS, in_their_colors, its_own
+from rpg.passes.schema.resolve.things.them import of_whom
+from rpg.passes.schema.resolve.things.things import Premise, alike, compared, create, looks_said, matching
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+
+OTHERS = 3
+"""Blocks besides those that "all blocks except ..." names, where none were spoken of."""
+
+
+def refer(meaning: Meaning, scene: Scene, scope: Scope) -> Ref:
+    """The objects that a noun phrase stands for; remembered for pronouns."""
+    match meaning:
+        case Noun():
+            found = _noun(meaning, scene, scope)
+        case Coord():
+            found = _coord(meaning, scene, scope)
+        case Pronoun():
+            found = pronoun(meaning, scene, scope)
+        case TableTop():
+            return Ref(table=True, span=meaning.span)
+        case PartOf():
+            found = _part(meaning, scene, scope)
+        case Structure():
+            from rpg.passes.schema.resolve.structures.structures import refer_structure
+
+            found = refer_structure(meaning, scene, scope)
+        case _:
+            raise refuse("misplaced", "this is no description of blocks or patches", meaning.span)
+    found = replace(found, span=meaning.span)
+    note_all(meaning, found, scene, scope)
+    if not found.reciprocal:
+        scene.mention(found, scope.role, scope.rel, getattr(meaning, "word", ""))
+    if found.names and scope.role == "landmark":
+        scene.last_landmark_patch = found.patch
+        scene.last_landmark_at = meaning.span[0]
+    return found
+
+
+def _coord(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
+    if meaning.op == "except":
+        return _except(meaning, scene, scope)
+    if meaning.op == "besides":
+        return replace(_except(meaning, scene, scope), op="and", parts=())
+    if meaning.op == "only":
+        alone = refer(meaning.items[-1], scene, scope)
+        scene.mentions.pop()
+        return replace(alone, op="only", plural=len(alone.names) > 1)
+    if retold(meaning.items):
+        raise refuse("ambiguous", "these could be further blocks, or what was counted before told apart", meaning.span,
+                     "say 'and' between further blocks, or leave the number out")  # fmt: skip
+    _unmixed(meaning)
+    parts: list[Ref] = []
+    seen: list[Traits] = []
+    last = meaning.items[-1]
+    if (
+        isinstance(last, Noun)
+        and last.head == "patch"
+        and all(isinstance(x, Noun) and x.head in ("patch", "any") for x in meaning.items)
+    ):
+        scope = replace(scope, like_patch=True)
+    for item in bounded(meaning):
+        if isinstance(item, Noun) and repeats(item, seen):
+            item = replace(item, det="another", amount=item.amount or Amount(1, 1))
+        if parts and isinstance(item, Noun) and item.head == "any" and item.det == "all" and item.amount is None:
+            raise refuse("misplaced", "this could describe the blocks before it", item.span, "say it in front of them")
+        if isinstance(item, Noun):
+            seen.append(item.traits)
+            if item.det == "each" and (item.part_of is not None or (parts and item.head == "any")):
+                raise refuse(
+                    "ambiguous", "it is not clear what belongs to 'each'", item.span, "say it in two sentences"
+                )
+        parts.append(refer(item, scene, scope))
+        if parts[-1].table:
+            raise refuse("misplaced", "the table is no block", parts[-1].span, "name blocks")
+        scene.mentions.pop()
+    if len({part.patch for part in parts}) > 1:
+        raise refuse(
+            "misplaced",
+            "blocks and patches are listed together here",
+            meaning.span,
+            "name them in clauses of their own",
+        )
+    names = tuple(dict.fromkeys(n for part in parts for n in part.names))
+    if meaning.op == "and" and len(names) < sum(len(part.names) for part in parts if part.quant is None):
+        raise refuse("ambiguous", "a block is named twice in this list", meaning.span, "name each block once")
+    built = tuple(b for part in parts for b in part.built)
+    single = all(len(x.names) == 1 or x.listed or lot(m, x) for m, x in zip(meaning.items, parts, strict=True))
+    return Ref(
+        names=names,
+        patch=parts[0].patch,
+        built=built,
+        op=meaning.op,
+        parts=tuple(parts),
+        plural=True,
+        span=meaning.span,
+        listed=single,
+    )
+
+
+def _unmixed(meaning: Coord) -> None:
+    """Refuse "red and blue or green", where nothing says which belong together."""
+    for item in meaning.items:
+        bare = isinstance(item, Noun) and item.det == "bare" and len(item.traits.colors) > 1
+        if bare and isinstance(item, Noun) and item.traits.either is (meaning.op == "and") and meaning.op in _BOTH_WAYS:
+            raise refuse("ambiguous", "it is not clear what 'and' joins here, and what 'or'", meaning.span,
+                         "say 'either ... or ...', or use two sentences")  # fmt: skip
+
+
+_BOTH_WAYS = ("and", "or")
+
+
+def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
+    """ "all blocks except the red one", "the red but not the blue block"."""
+    out = refer(meaning.items[-1], scene, scope)
+    scene.spare.update(out.names)
+    whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
+    del scene.mentions[-len(meaning.items) :]
+    if scope.role == "landmark" and not {n for part in whole for n in part.names} & set(out.names):
+        raise refuse("ambiguous", "this is an exception to something said before it", meaning.items[-1].span,
+                     "say 'all blocks except ...', or say this part in a sentence of its own")  # fmt: skip
+    if _new(meaning.items[0]) and not {n for part in whole for n in part.names} & set(out.names):
+        raise refuse("misplaced", "this is none of the blocks that it is an exception to", meaning.items[-1].span,
+                     "say how many blocks of each look there are")  # fmt: skip
+    names = tuple(dict.fromkeys(n for part in whole for n in part.names if n not in out.names))
+    if not names and _everything(meaning.items[0]) and not out.patch:
+        scene.new_batch()
+        names = tuple(create(Traits(), scene, False).name for _ in range(OTHERS))
+        scene.assume(f"how many other blocks there are is not said: {OTHERS}")
+    if not names:
+        raise refuse("no-referent", "no block is left to speak of", meaning.span)
+    return Ref(
+        names=names, patch=whole[0].patch, op="except", parts=(Ref(names=names), out), plural=True, span=meaning.span
+    )
+
+
+def _new(meaning: Meaning) -> bool:
+    """ "a circle of eight red blocks", "eight red blocks": what is called for in just this way."""
+    counted = isinstance(meaning, Noun) and meaning.amount is not None and meaning.det == "bare"
+    return isinstance(meaning, Structure) or (counted and isinstance(meaning, Noun) and bool(meaning.traits.colors))
+
+
+def _everything(meaning: Meaning) -> bool:
+    whole = isinstance(meaning, Noun) and meaning.det in ("all", "each") and meaning.head == "block"
+    plain = whole and isinstance(meaning, Noun) and meaning.traits == Traits()
+    return plain or (isinstance(meaning, Pronoun) and meaning.word in ("everything", "all"))
+
+
+def _part(meaning: PartOf, scene: Scene, scope: Scope) -> Ref:
+    whole = refer(meaning.whole, scene, scope) if meaning.whole else None
+    if whole is None:
+        raise refuse("no-referent", "it is not clear of what this is a part", meaning.span)
+    built = whole.built[0] if len(whole.built) == 1 and whole.built[0].ordered else None
+    if meaning.part == "top" or (meaning.part == "middle" and whole.patch and len(whole.names) == 1):
+        return replace(whole, part=meaning.part)
+    if built is not None and meaning.part == "middle" and len(built.members) % 2:
+        return Ref(names=(built.members[len(built.members) // 2],))
+    if built is not None and built.kind == "stack" and meaning.part == "bottom":
+        return Ref(names=(built.members[0],))
+    if built is not None and built.side is not None and meaning.part == built.side:
+        return Ref(names=(built.members[0],))
+    if built is not None and (built.side, meaning.part) in (("left", "right"), ("front", "back")):
+        return Ref(names=(built.members[-1],))
+    raise refuse(
+        "ambiguous", f"it is not clear which block the {meaning.part} of it is", meaning.span, "name the block"
+    )
+
+
+def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    there = {t.name: bool(t.color or t.label or t.kind) for t in scene.blocks()}
+    found = _described(noun, scene, scope)
+    if not found.patch:
+        looks_said(noun, found.names, there, scene)
+    if noun.conditions and (noun.det == "no" or (found.quant is not None and found.quant.high == 0)):
+        raise refuse("ambiguous", "it is not clear which blocks are there at the start", noun.span, "use two sentences")
+    for condition in noun.conditions:
+        scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition))
+    return found
+
+
+def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    if noun.part_of is None and elliptical(noun, scene, scope):
+        if noun.amount is not None and noun.amount.strict:
+            return _of_them(noun, scene, scope)
+        not_of_a_structure(noun, scene)
+    if noun.part_of is not None:
+        return _partitive(noun, scene, scope)
+    if noun.det == "no other" and noun.head != "patch":
+        if scope.role != "theme":
+            raise refuse("misplaced", "'no other' does not fit here", noun.span, "name the blocks")
+        names = tuple(t.name for t in matching(noun.traits, scene, False))
+        return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, beyond=noun.traits)
+    if noun.traits.extra:
+        return extras(noun, scene)
+    if noun.traits.rank:
+        from rpg.passes.schema.resolve.orders.ranks import ranked
+
+        return ranked(noun, scene, scope)
+    if (told := _structure_like(noun, scene, scope)) is not None:
+        return told
+    bare = noun.head == "any" and noun.det == "bare" and noun.amount is None and not noun.plural
+    if bare and noun.traits == Traits() and not noun.conditions:
+        return pronoun(Pronoun(word="one", span=noun.span), scene, scope)
+    patch = _is_patch(noun, scene, scope)
+    if not patch and (noun.traits.long or noun.traits.shape not in (None, "square")):
+        raise refuse("misplaced", "blocks are cubes, all of one shape", noun.span, "leave the shape out")
+    if not patch and compared(noun):
+        raise refuse("ambiguous", "it is not said of what colour", noun.span, "name the colour")
+    if patch and (noun.traits.scheme == THEIRS or (noun.traits.matching and scope.given)):
+        return in_their_colors(noun, scene, scope)
+    if patch and (noun.traits.matching or its_own(noun, scene)):
+        return Ref(patch=True, matching=True, plural=noun.plural, det=noun.det)
+    if noun.det in ("other", "another"):
+        return _besides(noun, scene, scope, patch)
+    return _plain(noun, scene, scope, patch)
+
+
+def _structure_like(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
+    """ "the blue one" beside the red tower: of several structures of one kind, the one whose blocks all look so."""
+    marks = noun.traits
+    if scope.role == "theme" and (lot := _group_of(noun, scene)) is not None:
+        return lot
+    if scope.role != "landmark" or noun.head != "any" or noun.det != "the" or noun.plural or noun.amount is not None:
+        return None
+    if len(marks.colors) != 1 or marks != Traits(colors=marks.colors) or len(matching(marks, scene, False)) < 2:
+        return None
+    like = [b for b in scene.built if {scene.things[n].color for n in b.members} == set(marks.colors)]
+    if len(like) != 1 or len({b.kind for b in scene.built}) > 1 or len(scene.built) < 2:
+        return None
+    now = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme" and m.ref.built]
+    return Ref(names=like[0].members, built=(like[0],)) if now else None
+
+
+def _group_of(noun: Noun, scene: Scene) -> Ref | None:
+    """ "Sort the blocks into two groups. Gray goes on the left": the group of all the gray ones."""
+    marks, plain = noun.traits, noun.amount is None and noun.det in ("bare", "the") and noun.head == "any"
+    if not plain or marks != Traits(colors=marks.colors) or len(marks.colors) != 1:
+        return None
+    names = {t.name for t in matching(marks, scene, False)}
+    lot = next((b for b in scene.built if b.kind == "pile" and {*b.members} == names), None)
+    several = sum(b.kind == "pile" for b in scene.built) > 1
+    return Ref(names=lot.members, built=(lot,), plural=True) if lot is not None and several and len(names) > 1 else None
+
+
+def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    """ "at least two": of the blocks that were spoken of, never further ones."""
+    try:
+        return _partitive(replace(noun, part_of=Pronoun(word="them", span=noun.span)), scene, scope)
+    except Refusal as refusal:
+        if refusal.diagnostics[0].code == "too-many-asked":
+            raise
+        hint = "say for example 'two of the three red blocks'"
+        raise refuse("ambiguous", "it is not said of which blocks so many are meant", noun.span, hint) from None
+
+
+def _besides(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
+    """ "another red block", "the other one": besides one that is in the task, which is looked into at the end."""
+    if noun.det == "other" or noun.amount is None:
+        found = others(noun, scene, scope, patch)
+    else:
+        found = _plain(noun, scene, scope, patch)
+    scene.besides.append((noun.traits, replace(found, patch=patch), noun.span))
+    return found
+
+
+def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
+    if len(noun.traits.labels) > 1 or (len(noun.traits.colors) > 1 and not noun.traits.either):
+        return listed(noun, scene, scope, patch)
+    if noun.det == "no" and noun.traits == Traits() and noun.head == "block":
+        return Ref(
+            names=tuple(t.name for t in scene.blocks() if not t.extra),
+            quant=Amount(0, 0, True),
+            plural=True,
+            everything=True,
+        )
+    if noun.traits.either:
+        return _alternatives(noun, scene, scope, patch)
+    names = denied(noun, scene, patch) or counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
+    found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
+    return quantified(found, noun)
+
+
+def _is_patch(noun: Noun, scene: Scene, scope: Scope) -> bool:
+    if noun.head == "any":
+        if scope.like_patch and noun.traits.colors:
+            pool = [t for t in scene.things.values() if t.color in noun.traits.colors]
+            last = next((m.ref.names for m in reversed(scene.mentions) if m.ref.patch and m.ref.names), ())
+            if not pool and len(last) == 1 and all(scene.things[n].color is None for n in last):
+                raise refuse("ambiguous", "this could be a block or a patch", noun.span, "say 'block' or 'patch'")
+            return all(t.patch for t in pool) if pool else True
+        return scope.like_patch or (scope.role == "landmark" and _the_marked(noun, scene))
+    return noun.head == "patch"
+
+
+def _the_marked(noun: Noun, scene: Scene) -> bool:
+    """ "the red one" where there is a red patch, and no red block; "red" where it is said which blocks there are."""
+    listed = any(t.declared for t in scene.blocks()) and any(t.declared for t in scene.things.values() if t.patch)
+    said = (noun.det == "the" or (noun.det == "bare" and listed)) and bool(noun.traits.colors)
+    return said and bool(matching(noun.traits, scene, True)) and not matching(noun.traits, scene, False)
+
+
+def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    """ "two of the four red blocks", "none of them"."""
+    bare = isinstance(noun.part_of, Noun) and noun.part_of.det == "bare"
+    if bare and noun.amount == Amount(1, 1) and noun.det in ("any", "some") and scene.built:
+        raise refuse("ambiguous", "one of the blocks, or one more structure of so many?", noun.span,
+                     "say 'one of the ...', or name the structure again")  # fmt: skip
+    whole = refer(of_whom(noun), scene, scope)
+    scene.mentions.pop()
+    check_both(noun, whole)
+    amount = noun.amount
+    if noun.det in ("all", "each", "both"):
+        return replace(whole, each=noun.det == "each", quant=None)
+    if noun.det == "no":
+        return replace(whole, quant=fewer_than(noun.amount))
+    if noun.det in SHARES:
+        noun = replace(noun, amount=(amount := share_of(noun, whole, scene)))
+    if noun.det == "any" and scene.speaks_of_rest and noun.amount == Amount(1, 1):
+        return _some_of(whole, 1, noun, scene)
+    if noun.det == "any":
+        amount = noun.amount or Amount(1, None, True)
+        return replace(whole, quant=Amount(amount.low, amount.high, True), det="any")
+    if amount is None:
+        return whole
+    if (high := amount.high) == -1:
+        return replace(whole, quant=Amount(amount.low, len(whole.names) - 1, True))
+    if high is not None and amount.low > len(whole.names):
+        count = len(whole.names)
+        raise refuse(
+            "too-many-asked",
+            f"{amount.low} are asked for, but there are only {count}",
+            noun.span,
+            f"ask for at most {count}",
+            asked=amount.low,
+            there=count,
+        )
+    if scene.speaks_of_rest and not amount.strict and high is not None:
+        return _some_of(whole, amount.low, noun, scene)
+    if scene.speaks_of_rest and amount.low == high and high is not None and high < len(whole.names):
+        return _some_of(whole, amount.low, noun, scene)
+    return replace(whole, quant=Amount(amount.low, amount.high, True))
+
+
+def _some_of(whole: Ref, count: int, noun: Noun, scene: Scene) -> Ref:
+    """So many of several look-alikes, told apart from "the others" that are spoken of elsewhere."""
+    free = [n for n in whole.names if n not in scene.parted]
+    things = [scene.things[n] for n in free]
+    if not alike(things) and any(t.color or t.label for t in things):
+        raise refuse(
+            "ambiguous",
+            f"it is not said which of {len(free)} different blocks are meant",
+            noun.span,
+            "name the blocks",
+            blocks=len(free),
+        )
+    if len(free) < count:
+        raise refuse(
+            "too-many-asked",
+            f"{count} are asked for, but only {len(free)} are left",
+            noun.span,
+            f"ask for at most {len(free)}",
+            asked=count,
+            there=len(free),
+        )
+    for thing in things:
+        thing.scheme = thing.scheme or "same"
+    scene.parted.update(free[:count])
+    scene.whole = whole.names
+    some = Ref(names=tuple(free[:count]), plural=count > 1)
+    if noun.amount is not None and noun.amount.strict and len(free) > count:
+        return replace(some, op="except", parts=(some, Ref(names=tuple(free[count:]))))
+    return some
+
+
+def _alternatives(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
+    parts = []
+    if (noun.head, noun.det) == ("any", "any"):
+        noun = replace(noun, det="bare")
+    for color in noun.traits.colors:
+        one = replace(
+            noun, traits=replace(noun.traits, colors=(color,), either=False), plural=noun.plural and noun.head != "any"
+        )
+        parts.append(Ref(names=select(one, scene, scope, patch), patch=patch, span=noun.span))
+    names = tuple(n for part in parts for n in part.names)
+    return Ref(names=names, patch=patch, op="or", parts=tuple(parts), plural=True)

@@ -1,0 +1,44 @@
+"""Shares of a number of blocks: half, a third, most, not all, all but one."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Amount, Noun
+from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+
+_PARTS = {"half": 2, "third": 3, "quarter": 4}
+SHARES = frozenset({*_PARTS, "most", "not all", "some", "all but"})
+
+
+def share_of(noun: Noun, whole: Ref, scene: Scene) -> Amount | None:
+    """How many of `whole` are meant; None where `noun` speaks of no share."""
+    if noun.det == "some":
+        return noun.amount
+    if whole.patch or not whole.names or whole.quant is not None:
+        raise refuse("ambiguous", "it is not said how many there are", noun.span, "say how many")
+    if all(scene.things[n].elastic for n in whole.names):
+        raise refuse(
+            "ambiguous",
+            "it is not said how many blocks there are",
+            noun.span,
+            "say for example 'half of the six blocks'",
+        )
+    total = len(whole.names)
+    if noun.det == "most":
+        return Amount(total // 2 + 1, None, True)
+    if noun.det == "not all":
+        return Amount(0, total - 1, True)
+    if noun.det == "all but":
+        left = total - (noun.amount.low if noun.amount else 0)
+        if left < 1:
+            raise refuse("too-many-asked", f"there are only {total} of these", noun.span, f"say at most {total - 1}")
+        return Amount(left, left, True)
+    parts = _PARTS[noun.det]
+    if total % parts:
+        raise refuse(
+            "count-mismatch",
+            f"{total} blocks have no {noun.det}",
+            noun.span,
+            f"say how many of the {total} blocks",
+            blocks=total,
+        )
+    return Amount(total // parts, total // parts, True)

@@ -1,0 +1,89 @@
+"""Distractors: blocks of which the goal says nothing, because they are said to be only there."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.ir import goal as g
+from rpg.ir.walk import names as names_in
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, said
+
+
+def without_spare(chain: Chain) -> Chain:
+    """The sentence with a clause of their own for distractors that stand beside what it speaks of."""
+    clauses: list[Meaning] = []
+    links: list[str] = []
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        extras: list[Noun] = []
+        if isinstance(clause, Clause) and clause.verb not in ("exist", "ignore") and clause.theme is not None:
+            theme = _without(clause.theme, extras)
+            if isinstance(theme, Structure) and theme.members is not None:
+                theme = replace(theme, members=_without(theme.members, extras))
+            places = tuple(_without_place(a, extras) for a in clause.adjuncts)
+            clause = replace(clause, theme=theme, adjuncts=places) if extras else clause
+        clauses.append(clause)
+        clauses += [Clause(verb="ignore", lemma="spare", theme=x, mode="goal", span=x.span) for x in extras]
+        links += [link, *("and" for _ in extras)]
+    return replace(chain, clauses=tuple(clauses), links=tuple(links)) if len(clauses) > len(chain.clauses) else chain
+
+
+def _without_place(place: Meaning, extras: list[Noun]) -> Meaning:
+    """ "on the blue block and a green distractor": on the blue block."""
+    if not isinstance(place, Loc) or place.landmark is None or place.rel == "between":
+        return place
+    return replace(place, landmark=_without(place.landmark, extras))
+
+
+def _without(meaning: Meaning, extras: list[Noun]) -> Meaning:
+    """A list without its distractors, which go to `extras`."""
+    if not isinstance(meaning, Coord) or meaning.op != "and":
+        return meaning
+    spare = [x for x in meaning.items if isinstance(x, Noun) and x.traits.extra]
+    rest = tuple(x for x in meaning.items if x not in spare)
+    if not spare or not rest:
+        return meaning
+    extras += spare
+    return rest[0] if len(rest) == 1 else replace(meaning, items=rest)
+
+
+def ignore(clause: Clause, scene: Scene, scope: Scope) -> list[g.Goal]:
+    """ "ignore the green block", "two black ones serve as a distraction"."""
+    if clause.theme is not None:
+        pass_over(refer(clause.theme, scene, scope), scene)
+    return []
+
+
+def pass_over(ref: Ref, scene: Scene) -> None:
+    """Let blocks be distractors, of which the goal says nothing."""
+    if ref.quant is not None or ref.op not in ("and", "then"):
+        raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
+    for name in ref.names:
+        scene.things[name].extra = True
+        scene.ignored[name] = ref.span
+
+
+def definite(meaning: Meaning) -> bool:
+    """ "the S is a distractor": of a block that may be there already."""
+    if isinstance(meaning, Coord):
+        return all(map(definite, meaning.items))
+    return isinstance(meaning, Pronoun) or (
+        isinstance(meaning, Noun) and meaning.det in ("the", "all", "other", "both")
+    )
+
+
+def further(meaning: Meaning) -> bool:
+    """ "two more green blocks"."""
+    if isinstance(meaning, Coord):
+        return any(map(further, meaning.items))
+    return isinstance(meaning, Noun) and meaning.det in ("another", "other")
+
+
+def none_ignored(goal: g.Goal, scene: Scene) -> None:
+    """Refuse a distractor of which the goal says something."""
+    for name in names_in(goal):
+        if name in scene.ignored:
+            what = said(scene.things[name])
+            raise refuse("contradiction", f"{what} is not to be used, and yet something is said of it",
+                         scene.ignored[name], "say where it should be, or that it is a distractor")  # fmt: skip

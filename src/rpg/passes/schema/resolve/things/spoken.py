@@ -1,0 +1,118 @@
+"""Structures that were spoken of before, and are meant again."""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits
+from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Thing, refuse
+
+_FAMILY = {"line": "row", "column": "row"}
+
+
+def as_it_stands(ref: Ref, scene: Scene) -> list[g.Goal]:
+    """ "Move the tower onto the mat": a structure of the start that is put somewhere is one there, too."""
+    wholes = [(set(built.members), built.kind == "stack") for built in ref.built]
+    told = [x for x in scene.start_goals if isinstance(x, s.Stack | s.Row | s.Grid | s.Figure | s.Spells)]
+    pairs = [x for x in scene.start_goals if isinstance(x, r.On) and isinstance(x.a, tuple) and isinstance(x.b, tuple)]
+    return [
+        *(x for x in told if (set(x.blocks), isinstance(x, s.Stack)) in wholes),
+        *(x for x in pairs if any(built.kind == "stack" and {*x.a, *x.b} <= {*built.members} for built in ref.built)),
+    ]
+
+
+def known_ones(shape: Structure, scene: Scene) -> list[Built]:
+    """Structures brought up before that fit the description."""
+    return _fitting(shape, scene) or _with_its_color(shape, scene)
+
+
+def _fitting(shape: Structure, scene: Scene) -> list[Built]:
+    found = []
+    for built in scene.built:
+        if _FAMILY.get(built.kind, built.kind) != _FAMILY.get(shape.kind, shape.kind):
+            continue
+        things = [scene.things[n] for n in built.members]
+        colors = shape.traits.colors
+        if colors and any(t.color not in colors for t in things):
+            continue
+        if (
+            shape.letter
+            and len(shape.letter) > 1
+            and shape.kind in ("word", "equation")
+            and "".join(t.label or "" for t in things) != shape.letter
+        ):
+            continue
+        if (
+            isinstance(shape.members, Noun)
+            and shape.members.traits.colors
+            and any(t.color not in shape.members.traits.colors for t in things)
+        ):
+            continue
+        if not _of_these(shape, things):
+            continue
+        if (n := exact_size(shape)) is not None and n != len(things):
+            continue
+        found.append(built)
+    return _ranked(shape, _holding(shape, found, scene), scene)
+
+
+def _of_these(shape: Structure, things: list[Thing]) -> bool:
+    """Whether "the tower of green on pink" can be one of these blocks."""
+    items = [x for order in shape.details if isinstance(order, OrderBy) for x in order.items if isinstance(x, Noun)]
+    told = [x.traits for x in items if x.traits == Traits(colors=x.traits.colors, labels=x.traits.labels)]
+    looks = {look for thing in things for look in (thing.color, thing.label)}
+    return all({*traits.colors, *traits.labels} <= looks for traits in told)
+
+
+def _holding(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
+    """ "the tower with A": of several, the one that has that block in it."""
+    whole = shape.members
+    if len(found) < 2 or not isinstance(whole, Noun) or whole.plural or whole.amount not in (None, Amount(1, 1)):
+        return found
+    held = [thing.name for thing in matching(whole.traits, scene, False)] if whole.traits.labels else []
+    having = [built for built in found if {*held} & {*built.members}]
+    return having if len(having) == 1 else found
+
+
+def _with_its_color(shape: Structure, scene: Scene) -> list[Built]:
+    """ "the red tower" after "red on white": the one that has red in it, where no tower is all red."""
+    whole = shape.members
+    one = isinstance(whole, Noun) and not whole.plural and whole.amount in (None, Amount(1, 1))
+    colors = shape.traits.colors
+    if one and isinstance(whole, Noun) and whole.traits == Traits(colors=whole.traits.colors):
+        colors = colors or whole.traits.colors
+    elif whole is not None:
+        return []
+    if shape.det != "the" or not colors:
+        return []
+    there = [built for built in scene.built if built.kind == shape.kind]
+    found = [b for b in there if any(scene.things[n].color in colors for n in b.members)]
+    if not found and (shape.sizes or whole is not None):
+        return []
+    if len(found) > 1 and whole is not None:
+        return []
+    if there and len(found) != 1:
+        raise refuse("ambiguous", "it is not clear which of those spoken of this is", shape.span, "name its blocks")
+    return found
+
+
+def _ranked(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:
+    """ "the first tower", "the left stack": the one of those built that is meant."""
+    rank = shape.traits.rank
+    if rank is None:
+        return found
+    if len(found) > 1 and (rank.isdigit() or rank == "last"):
+        index = len(found) if rank == "last" else int(rank)
+        return found[index - 1 : index]
+    return [built for built in found if scene.sides.get(built.key) == rank]
+
+
+def exact_size(shape: Structure) -> int | None:
+    """The number of blocks along one structure, if it was said."""
+    found = {s.amount for s in shape.sizes if s.amount is not None}
+    if len(found) > 1:
+        raise refuse("contradiction", "two sizes are given", shape.span, "keep one of them")
+    amount = next(iter(found), None)
+    return amount.low if amount is not None and amount.low == amount.high else None

@@ -1,0 +1,151 @@
+""" "Them", "they", "both", "all of them": several blocks that were spoken of before."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NoReturn
+
+from rpg.language.meaning import Meaning, Noun, Pronoun, Traits
+from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, refuse
+
+
+def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    """The blocks that "them" stands for: the last ones told together, else all of the last clause."""
+    own = (
+        [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
+        if scope.role == "landmark"
+        else []
+    )
+    if scope.rel == "between" and (ends := _two_ends(word, own, scene)) is not None:
+        return ends
+    before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
+    for mention in reversed(scene.mentions):
+        if before and mention in own:
+            continue
+        if len(mention.ref.names) > 1:
+            ref = mention.ref
+            if word.word in ("both", "both of them") and len(ref.names) != 2:
+                continue
+            if ref.quant is not None and ref.quant.strict and 0 < ref.quant.low < len(ref.names):
+                raise refuse("ambiguous", f"{word.word!r} could be all of these blocks, or just so many of them",
+                             word.span, "name the blocks that you mean")  # fmt: skip
+            if word.word == "all of them" and (every := _all_of_them(word, mention, own, scene)) is not None:
+                return every
+            _no_rivals(word, mention, own, scene)
+            _no_later_ones(word, mention, own, scene)
+            return replace(
+                ref,
+                quant=None,
+                each=False,
+                op="and" if ref.op == "nor" else ref.op,
+                built=ref.built if len(ref.built) > 1 or _told_together(ref) else (),
+            )
+    last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
+    if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
+        said = [n for m in scene.mentions for n in m.ref.names if not scene.things[n].patch]
+        last = list(dict.fromkeys(said))
+    if word.word == "all of them":
+        last = [n for m in scene.mentions if m not in own for n in m.ref.names if not m.ref.patch]
+        return Ref(names=tuple(dict.fromkeys(last)), plural=True) if last else _nobody(word)
+    if len(set(last)) == 2:
+        _no_pairs(word, set(last), scene)
+    if last:
+        return Ref(names=tuple(last), plural=len(last) > 1)
+    return _nobody(word)
+
+
+def _two_ends(word: Pronoun, own: list[Mention], scene: Scene) -> Ref | None:
+    """ "Red is on the left, a blue tower on the right. White is between them": the two things there are.
+
+    Not the blocks of one tower; None where it stands for two that were told together.
+    """
+    told: dict[tuple[str, ...], Ref] = {}
+    for ref in (m.ref for m in scene.mentions if m not in own and m.ref.names):
+        told[ref.names] = ref if ref.built or ref.names not in told else told[ref.names]
+    whole = [ref for ref in told.values() if len(ref.names) == 1 or [b.kind for b in ref.built] == ["stack"]]
+    apart = sum(len(names) for names in told) == len({n for names in told for n in names})
+    if len(whole) == len(told) == 2 and apart and word.word in ("them", "they"):
+        names = tuple(n for names in told for n in names)
+        return Ref(names=names, parts=tuple(whole), plural=True, op="and")
+    if len(whole) == len(told) and any(ref.built for ref in whole):
+        raise refuse("between-two", "it is not clear between which two things", word.span, "name both")
+    return None
+
+
+def _nobody(word: Pronoun) -> NoReturn:
+    told = f"{word.word!r} refers to something, but nothing was mentioned before"
+    raise refuse("no-referent", told, word.span, "name the blocks")
+
+
+def of_whom(noun: Noun) -> Meaning:
+    """Of what "two of them" are two: of the last ones told together; "all of them" may be more than these."""
+    of_them = isinstance(noun.part_of, Pronoun) and noun.part_of.word in ("them", "these", "those")
+    if of_them and (noun.det, noun.amount, noun.traits) == ("all", None, Traits()):
+        return Pronoun(word="all of them", span=noun.span)
+    return noun.part_of or Pronoun(word="them", span=noun.span)
+
+
+def _all_of_them(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> Ref | None:
+    """ "Put red on blue, and green next to it. All of them ...": all three, for two are both; None where the `last`
+    several are meant, because nothing else was spoken of or this sentence spoke of them."""
+    said = [n for m in scene.mentions if m not in own for n in m.ref.names if not scene.things[n].patch]
+    every = tuple(dict.fromkeys(n for n in said if n in scene.things and not scene.things[n].extra))
+    if set(last.ref.names) >= set(every) or last.ref.patch or last.ref.quant is not None:
+        return None
+    if len(last.ref.names) > 2:
+        if last.sentence == scene.sentence:
+            return None
+        later = {n for m in scene.mentions[scene.mentions.index(last) + 1 :] if m not in own for n in m.ref.names}
+        if not later - set(last.ref.names):
+            raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
+                         "name the blocks that you mean")  # fmt: skip
+    return Ref(names=every, plural=True)
+
+
+def _no_later_ones(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:
+    """Refuse "them" behind "put A, B and C in a row. Put red next to blue": the three, the two, or all five?"""
+    several: dict[int, set[str]] = {}
+    for mention in scene.mentions[scene.mentions.index(last) + 1 :]:
+        if mention.clause not in (last.clause, scene.clause) and mention not in own:
+            several.setdefault(mention.clause, set()).update(n for n in mention.ref.names if not scene.things[n].patch)
+    if any(len(names) > 1 and not names & set(last.ref.names) for names in several.values()):
+        raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
+                     "name the blocks that you mean")  # fmt: skip
+
+
+def _no_pairs(word: Pronoun, last: set[str], scene: Scene) -> None:
+    """Refuse "them" behind "A on B, C on D": the last two, or all of them?"""
+    told = max((m.clause for m in scene.mentions if m.clause < scene.clause), default=0)
+    now = [m for m in scene.mentions if m.clause == told and m.role == "landmark"]
+    before = [m for m in scene.mentions if m.clause == told - 1 and m.role == "landmark"]
+    alike = {m.rel for m in now} & {m.rel for m in before} - {""}
+    apart = not last & {n for m in scene.mentions if m.clause == told - 1 for n in m.ref.names}
+    if alike and apart:
+        raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
+                     "name the blocks that you mean")  # fmt: skip
+
+
+def _no_rivals(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> None:
+    """Refuse "them" behind "a red tower left of a blue tower": the one of them, or both?"""
+    for other in (m for m in scene.mentions if m.clause == last.clause and m not in own and m is not last):
+        if len(other.ref.names) > 1 and not other.ref.patch and not set(other.ref.names) & set(last.ref.names):
+            raise refuse("ambiguous", f"{word.word!r} could be several things spoken of before", word.span,
+                         "name the blocks that you mean")  # fmt: skip
+
+
+def _last_spoken_of(scene: Scene, own: set[str]) -> list[str]:
+    """The blocks of the last clause and of those before it that spoke of one of them, without a clause's `own`."""
+    clauses: dict[int, list[str]] = {}
+    for mention in scene.mentions:
+        there = [n for n in mention.ref.names if n not in own and not scene.things[n].patch]
+        clauses.setdefault(max(-mention.clause, 1 - scene.clause), []).extend(there)
+    last = clauses.get(1 - scene.clause, [])
+    for clause in sorted(clauses):
+        if set(last) & set(clauses[clause]):
+            last = [*clauses[clause], *last]
+    return list(dict.fromkeys(last))
+
+
+def _told_together(ref: Ref) -> bool:
+    """Several towers of which it is not said which block is in which."""
+    return len(ref.built) == 1 and ref.built[0].kind == "towers"

@@ -1,0 +1,206 @@
+"""Objects and descriptions: which fit, which are made, which are still open."""
+
+from __future__ import annotations
+
+import string
+
+from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits, record
+from rpg.passes.schema.resolve.things.world import Scene, Thing, refuse
+
+EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
+
+
+VOWELS = "AEIOU"
+
+
+def fits(thing: Thing, traits: Traits) -> bool:
+    """Whether everything that `traits` says is known to hold of `thing`."""
+    if traits.colors and thing.color not in traits.colors:
+        return False
+    if traits.labels and thing.label not in traits.labels:
+        return False
+    if traits.kind and not _kind_fits(thing, traits.kind):
+        return False
+    if traits.quality and not quality_fits(thing, traits.quality):
+        return False
+    if traits.size and thing.size != traits.size:
+        return False
+    if traits.edge and thing.edge != traits.edge:
+        return False
+    if traits.long and not thing.long:
+        return False
+    return not (traits.shape and thing.patch and thing.shape != traits.shape)
+
+
+def _kind_fits(thing: Thing, kind: str) -> bool:
+    if kind == "plain":
+        return thing.kind is None
+    if kind == "symbol":
+        return thing.kind is not None
+    return thing.kind == kind
+
+
+def quality_fits(thing: Thing, quality: str) -> bool:
+    """Vowel, consonant, even, odd."""
+    label = thing.label or ""
+    match quality:
+        case "vowel":
+            return label != "" and label in VOWELS
+        case "consonant":
+            return label != "" and label in string.ascii_uppercase and label not in VOWELS
+        case "even":
+            return label in "02468" and label != ""
+        case _:
+            return label in "13579" and label != ""
+
+
+def matching(traits: Traits, scene: Scene, patch: bool) -> list[Thing]:
+    """The objects that a description fits, distractors left out."""
+    return [t for t in scene.things.values() if t.patch == patch and not t.extra and fits(t, traits)]
+
+
+def create(traits: Traits, scene: Scene, patch: bool) -> Thing:
+    """Bring an object into the task."""
+    label = traits.labels[0] if traits.labels else None
+    kind = _kind_of(label) if label else (traits.kind if traits.kind != "plain" else None)
+    if traits.quality and not kind:
+        kind = "digit" if traits.quality in ("even", "odd") else "letter"
+    return scene.fresh(
+        patch=patch, color=traits.colors[0] if traits.colors else None, label=label, kind=kind, quality=traits.quality,
+        edge=traits.edge if not patch else None, size=traits.size, shape=traits.shape if patch else None,
+        long=traits.long,
+        extent=(traits.edge, traits.edge) if patch and traits.edge else None, scheme=traits.scheme,
+    )  # fmt: skip
+
+
+def _kind_of(label: str) -> str:
+    if label in string.ascii_uppercase:
+        return "letter"
+    return "digit" if label in string.digits else "symbol"
+
+
+def alike(things: list[Thing]) -> bool:
+    looks = {(t.color, t.label, t.kind, t.size, t.edge, t.shape) for t in things}
+    return len(looks) == 1 and (things[0].color is not None or things[0].label is not None)
+
+
+def further(found: list[Thing], count: int, scene: Scene) -> list[Thing]:
+    """ "another red block" where three were counted, and one of them is spoken of: the next one."""
+    free = [t for t in found if t.declared and t.name not in scene.used]
+    spoken = any(t.declared and t.name in scene.used for t in found)
+    return free[:count] if spoken and len(free) >= count and alike(free) else []
+
+
+def open_to(thing: Thing, traits: Traits) -> bool:
+    """Whether an object's looks are still open to what `traits` says."""
+    if thing.claims or (traits.size and thing.size not in (None, traits.size)):
+        return False
+    if traits.colors and (thing.color is not None or thing.label is not None):
+        return False
+    if traits.labels and (thing.label is not None or (thing.color is not None and thing.kind is None)):
+        return False
+    if traits.labels and thing.quality and not _shows_such(traits.labels, thing.quality):
+        return False
+    return bool(traits.colors or traits.labels or traits.size)
+
+
+def _shows_such(labels: tuple[str, ...], quality: str) -> bool:
+    """Whether a vowel may turn out to be one of these symbols."""
+    return all(quality_fits(Thing(name="", label=label), quality) for label in labels)
+
+
+def give(thing: Thing, traits: Traits) -> None:
+    """Let `thing` have what `traits` says."""
+    thing.claims += 1
+    if traits.colors:
+        thing.color = traits.colors[0]
+    if traits.labels:
+        thing.label = traits.labels[0]
+        thing.kind = _kind_of(traits.labels[0])
+        thing.elastic = None
+    if traits.size:
+        thing.size = traits.size
+    if traits.edge:
+        thing.edge = traits.edge
+        if thing.patch:
+            thing.extent = (traits.edge, traits.edge)
+    if traits.long:
+        thing.long = True
+    if traits.shape and thing.patch:
+        thing.shape = traits.shape
+
+
+def is_open(noun: Noun) -> bool:
+    """Whether a phrase leaves the number of its objects open."""
+    return (
+        noun.amount is None
+        and not (not noun.plural and noun.det in ("a", "the", "bare", "another", "its"))
+        and noun.det != "both"
+    )
+
+
+def elastic(things: list[Thing], noun: Noun, patch: bool) -> list[Thing]:
+    """Mark new objects whose number is open."""
+    if is_open(noun):
+        for thing in things:
+            thing.elastic = _words(noun.traits) + ("patches" if patch else "blocks")
+    return things
+
+
+def _words(traits: Traits) -> str:
+    words = [*traits.colors, {"letter": "letter", "digit": "number"}.get(traits.kind or "", "")]
+    return "".join(w + " " for w in words if w)
+
+
+def compared(meaning: Meaning | None) -> bool:
+    """ "a block of the same colour", "a matching block": told by something else's colour."""
+    if not isinstance(meaning, Noun) or meaning.head == "patch" or meaning.traits.colors or meaning.traits.labels:
+        return False
+    one = not meaning.plural and meaning.det in ("a", "another", "its", "bare")
+    return meaning.traits.matching or (meaning.traits.scheme == "same" and one)
+
+
+@record
+class Premise(Meaning):
+    """What a relative clause takes for granted of some objects."""
+
+    names: tuple[str, ...]
+    condition: Meaning
+
+
+def looks_said(noun: Noun, names: tuple[str, ...], there: dict[str, bool], scene: Scene) -> None:
+    """Refuse further blocks of which no look is said beside ones that have a look (`there`), and symbols not named.
+
+    "Two red blocks on the mat and three on the table": three more red ones, not three of whatever look.
+    """
+    new = [scene.things[name] for name in names if name not in there]
+    if noun.det == "all" and noun.traits.quality and not noun.traits.labels and len(new) == len(names):
+        raise refuse("ambiguous", "it is not said which symbols there are", noun.span, "name them")
+    many = noun.amount
+    if many is not None and many.strict and many.low != many.high and noun.traits == Traits():
+        scene.vague.update(thing.name for thing in new if noun.head == "block" and noun.part_of is None)
+    bare = noun.head == "any" and noun.traits == Traits() and any(there.values())
+    if bare and any(not thing.declared and thing.color is None and not thing.kind for thing in new):
+        raise refuse("ambiguous", "it is not said what these blocks look like", noun.span, "name their colour")
+
+
+def amount_of(meaning: Meaning | None) -> int | None:
+    """The plain number in a noun phrase."""
+    amount: Amount | None = getattr(meaning, "amount", None)
+    return amount.low if amount is not None and amount.low == amount.high else None
+
+
+def plain_colors(theme: Meaning) -> tuple[str, ...]:
+    """The colours of "red and blue", where they are all that is said."""
+    if isinstance(theme, Coord) and theme.op == "and":
+        return tuple(c for item in theme.items for c in plain_colors(item))
+    plain = isinstance(theme, Noun) and theme.amount is None and theme.det == "bare" and theme.head == "any"
+    return theme.traits.colors if plain and isinstance(theme, Noun) and not theme.traits.either else ()
+
+
+def bare_colors(theme: Meaning) -> tuple[str, ...]:
+    """The colours of "red and blue", or of "red and blue blocks"."""
+    named = isinstance(theme, Noun) and theme.plural and theme.amount is None and theme.det == "bare"
+    plain = isinstance(theme, Noun) and theme.traits == Traits(colors=theme.traits.colors)
+    return theme.traits.colors if named and plain and isinstance(theme, Noun) else plain_colors(theme)

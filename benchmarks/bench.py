@@ -153,10 +153,8 @@ def mandated(outcome: Outcome) -> Callable[[], None]:
 def compiles() -> Iterator[Figure]:
     for count in SIZES:
         schema = schema_of(count)
-        repeats = 7 if count < 20 else 3
         outcome = compile_schema(schema)
-        warm = median_time(lambda schema=schema: compile_schema(schema), repeats)  # type: ignore[misc]
-        floor = median_time(mandated(outcome), repeats)
+        warm, floor = alternately(partial(compile_schema, schema), mandated(outcome), 25 if count < 20 else 7)
         yield Figure(f"warm compile, {count} blocks", warm, floor, "MuJoCo's share, awake", most_ratio=1.3)
 
 

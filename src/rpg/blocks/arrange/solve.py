@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import islice, product
 from random import Random
 from typing import NamedTuple
@@ -54,10 +54,17 @@ EFFORTS = (Effort(12, 400), Effort(3, 5000, dense=True), Effort(80, 3000, thorou
 
 
 class Solver:
-    """Goal states of one goal in one world. `tries`: candidate places that may be judged in all."""
+    """Goal states of one goal in one world. `tries`: candidate places that may be judged in all, with these efforts."""
 
-    def __init__(self, goal: g.Goal, world: World, start: BlockState | None, tries: int = 40000) -> None:
-        self.goal, self.world, self.start, self.tries = goal, world, start, tries
+    def __init__(
+        self,
+        goal: g.Goal,
+        world: World,
+        start: BlockState | None,
+        tries: int = 40000,
+        efforts: Sequence[Effort] = EFFORTS,
+    ) -> None:
+        self.goal, self.world, self.start, self.tries, self.efforts = goal, world, start, tries, efforts
         self.reasons: list[Contradiction] = []
 
     def solve(self, rng: Random, vary: bool = False) -> BlockState | None:
@@ -67,7 +74,7 @@ class Solver:
         if vary:
             rng.shuffle(ways)
         try:
-            for effort in EFFORTS:
+            for effort in self.efforts:
                 for literals in map(single, ways):
                     state = self._sweep(literals, rng, effort, budget, vary)
                     if state is not None:

@@ -13,8 +13,8 @@ WORKSPACE_Y = (-0.25, 0.25)
 
 CONTROL_HZ = 20
 TIMESTEP = 0.005
-SUBSTEPS = 10
-"""Physics steps per control step: CONTROL_HZ * SUBSTEPS * TIMESTEP == 1."""
+SUBSTEPS = round(1 / (CONTROL_HZ * TIMESTEP))
+"""Physics steps per control step."""
 
 REST_SPEED = 0.05
 """A block slower than this (m/s) is at rest."""

@@ -6,6 +6,7 @@ Each file of `rpg.blocks.predicates` defines predicates for a family of atoms an
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from random import Random
@@ -41,16 +42,16 @@ class NearMiss:
     state: BlockState
 
 
-class Predicate(Generic[N]):
-    """What an atom means. Subclasses implement every method that applies to their kind of atom.
+class Predicate(ABC, Generic[N]):
+    """What an atom means; of the methods that are not abstract, subclasses override those that apply to their kind.
 
     The lowering to code needs no method: an atom lowers to the call of the BlockTask method named as its kind, with
     its fields as arguments. Its clause in English is in `rpg.blocks.english`, under its kind.
     """
 
+    @abstractmethod
     def evaluate(self, node: N, state: BlockState) -> Verdict:
         """Truth and margin of the atom on `state`."""
-        raise NotImplementedError
 
     def holds(self, node: N, state: BlockState) -> bool:
         """The truth of `evaluate` alone, for judging many states: most are ruled out at a glance."""
@@ -75,9 +76,9 @@ class Predicate(Generic[N]):
         """
         yield from ()
 
+    @abstractmethod
     def near_misses(self, node: N, state: BlockState, rng: Random) -> Iterator[NearMiss]:
         """States a small change away from `state` (which satisfies the atom) that must not satisfy it."""
-        raise NotImplementedError
 
     def supports(self, node: N, world: World) -> Iterable[tuple[str, str]]:
         """Edges (what rests, what it rests on) that the atom demands; "table" is the ground."""

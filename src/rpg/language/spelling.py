@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
@@ -174,7 +174,7 @@ def _one_match(word: str) -> str | None:
     if len(word) < 3:
         return None
     for limit in (1, 2) if len(word) >= LONG_WORD else (1,):
-        close = _families(k for k in nearest(word, limit) if len(k) > 2 and _slip(word, k))
+        close = [k for k in nearest(word, limit) if len(k) > 2 and _slip(word, k)]
         if len(close) > 1:
             close = _likeliest(word, close)
         if close:
@@ -204,10 +204,6 @@ def _likeliest(word: str, close: list[str]) -> list[str]:
         if kept:
             close = kept
     return close
-
-
-def _families(words: Iterable[str]) -> list[str]:
-    return list(words)
 
 
 def read_words(tokens: list[Token]) -> tuple[list[Token], list[str], list[Diagnostic]]:
@@ -253,7 +249,7 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
             word in known and word in ("is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from")
         )
     if before in _SPELLERS or (before == "out" and two in _SPELLERS):
-        return word not in _NOT_LITERAL and (word not in known or not tokens[index].raw.islower() or True)
+        return word not in _NOT_LITERAL
     if (
         (before in _ORDERS or (before == "out" and two in _ORDERS))
         and (index == len(tokens) - 1 or tokens[index + 1].word in _WITH)

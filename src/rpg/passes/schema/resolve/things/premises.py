@@ -5,7 +5,6 @@ from __future__ import annotations
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Coord, In, Loc
-from rpg.passes.schema.resolve.goals.conflicts import clash, required
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.alone import beyond
 from rpg.passes.schema.resolve.places.relations import place
@@ -45,6 +44,3 @@ def _facts(premise: object, scene: Scene) -> list[g.Goal]:
         return facts
     scene.start_goals += [f for f in facts if f not in scene.start_goals]
     return []
-
-
-__all__ = ["clash", "keep_premises", "required"]

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
-from functools import lru_cache
-from typing import Any
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from functools import cached_property, lru_cache
+from typing import Any, NamedTuple
 
 Beginnings = dict[str, list[tuple[str, ...]]]
 
@@ -58,68 +58,131 @@ def words_of(phrase: str) -> tuple[str, ...]:
     return tuple(phrase.split())
 
 
-Place = tuple[int, int, tuple[str, ...]]
-"""A row of slots, a slot of it, and the words said so far in that slot."""
+class Row:
+    """A row of slots, as it is written: slots between spaces; in a slot phrases, with "_" inside, and <classes>, with
+    "|" between them; "?" behind a slot that may be left out, "*" behind one that may also be said several times."""
+
+    def __init__(self, text: str, classes: Classes) -> None:
+        self.classes = classes
+        self.slots: list[tuple[dict[str | None, Any], list[str], str]] = []
+        for part in text.split(" "):
+            names = part.rstrip("?*").split("|")
+            phrases = [name.replace("_", " ") for name in names if not name.startswith("<")]
+            called = [name[1:-1] for name in names if name.startswith("<")]
+            self.slots.append((_grown(phrases), called, part[-1] if part[-1] in "?*" else ""))
+        self.least = max((n + 1 for n, (_, _, kind) in enumerate(self.slots) if not kind), default=1)
+        """As many slots are gone through before the row may be over."""
+
+    @cached_property
+    def firsts(self) -> frozenset[str]:
+        """The words that it begins with."""
+        firsts: set[str] = set()
+        for tree, called, kind in self.slots:
+            firsts |= {word for word in tree if word is not None}
+            firsts.update(*map(self.classes.firsts, called))
+            if not kind:
+                break
+        return frozenset(firsts)
+
+    def words(self) -> Iterator[str]:
+        """The words of its phrases."""
+        branches = [tree for tree, _, _ in self.slots]
+        while branches:
+            for word, below in branches.pop().items():
+                if word is not None:
+                    yield word
+                    branches.append(below)
+
+
+class Classes:
+    """Named lists of rows, which may speak of one another, but not begin with one another."""
+
+    def __init__(self, classes: Mapping[str, Iterable[str]] | None = None) -> None:
+        self.rows = {name: [Row(row, self) for row in rows] for name, rows in (classes or {}).items()}
+        self.words = frozenset(word for rows in self.rows.values() for row in rows for word in row.words())
+        self.begun: dict[str, frozenset[str]] = {}
+
+    def firsts(self, name: str) -> frozenset[str]:
+        """The words that a class begins with."""
+        if name not in self.begun:
+            self.begun[name] = frozenset[str]().union(*(row.firsts for row in self.rows[name]))
+        return self.begun[name]
+
+
+class Place(NamedTuple):
+    """A place in a row: before a slot, or behind words of a phrase in it; and the slot whose class the row is of."""
+
+    row: Row
+    slot: int
+    said: tuple[str, ...]
+    back: Place | None
+
+    def after(self, word: str) -> Iterator[Place]:
+        """Where a word leads."""
+        slots = self.row.slots
+        if self.said:
+            branch = slots[self.slot][0]
+            for said in self.said:
+                branch = branch[said]
+            if word in branch:
+                yield from self._said(self.slot, (*self.said, word), branch[word])
+            return
+        classes = self.row.classes
+        for slot in range(self.slot, len(slots)):
+            tree, called, kind = slots[slot]
+            if word in tree:
+                yield from self._said(slot, (word,), tree[word])
+            for row in (row for name in called if word in classes.firsts(name) for row in classes.rows[name]):
+                if word in row.firsts:
+                    yield from Place(row, 0, (), Place(self.row, slot, (), self.back)).after(word)
+            if not kind:
+                break
+
+    def _said(self, slot: int, said: tuple[str, ...], branch: dict[str | None, Any]) -> Iterator[Place]:
+        """Behind words of a phrase, and where it ends behind the slot."""
+        if None not in branch or len(branch) > 1:
+            yield Place(self.row, slot, said, self.back)
+        if None in branch:
+            yield from Place(self.row, slot, (), self.back)._full()
+
+    def _full(self) -> Iterator[Place]:
+        """Behind a slot in which all is said, and behind the rows that end with it."""
+        row, slot, _, back = self
+        if row.slots[slot][2] == "*":
+            yield self
+        elif slot + 1 < len(row.slots):
+            yield Place(row, slot + 1, (), back)
+        if slot + 1 >= row.least:
+            yield from back._full() if back is not None else (Place(row, len(row.slots), (), None),)
 
 
 class Rows:
-    """Rows of slots, all of them walked at once: a word leads from where a sentence may be to where it may be then.
+    """Rows of slots, all of them walked at once: a word leads from where a sentence may be to where it may be then."""
 
-    A slot is what may stand there, and whether it may be empty.
-    """
-
-    def __init__(self, rows: list[list[tuple[tuple[str, ...], bool]]]) -> None:
-        self.rows = [[(_grown(phrases), optional) for phrases, optional in row] for row in rows]
+    def __init__(self, rows: Iterable[str], classes: Classes) -> None:
+        self.rows = [Row(row, classes) for row in rows]
+        self.words = classes.words.union(*(row.words() for row in self.rows))
+        self.firsts = frozenset[str]().union(*(row.firsts for row in self.rows))
         self.steps: dict[frozenset[Place], Step] = {}
-        self.begin = self.step({place for rank in range(len(rows)) for place in self._from(rank, 0)})
-
-    def step(self, places: set[Place]) -> Step:
-        """The step to these places; each is made once."""
-        key = frozenset(places)
-        if key not in self.steps:
-            self.steps[key] = Step(self, key)
-        return self.steps[key]
-
-    def following(self, place: Place) -> dict[str | None, Any]:
-        """What may follow at a place, word by word."""
-        rank, slot, said = place
-        tree = self.rows[rank][slot][0] if slot < len(self.rows[rank]) else {}
-        for word in said:
-            tree = tree[word]
-        return tree
-
-    def onward(self, place: Place, word: str) -> Iterator[Place]:
-        """Where a word leads from a place."""
-        rank, slot, said = place
-        further = (rank, slot, (*said, word))
-        yield further
-        if None in self.following(further):
-            yield from self._from(rank, slot + 1)
-
-    def _from(self, rank: int, slot: int) -> Iterator[Place]:
-        """The place where a slot of a row begins, and those behind it where it may be empty."""
-        yield rank, slot, ()
-        if slot < len(self.rows[rank]) and self.rows[rank][slot][1]:
-            yield from self._from(rank, slot + 1)
+        self.begin = Step(self, frozenset(Place(row, 0, (), None) for row in self.rows))
 
 
 class Step:
-    """Where a sentence may be in rows. `ends`: the rows that are complete; `words`: those that lead on, from where."""
+    """Where a sentence may be in rows, and whether one of them is complete there."""
 
     def __init__(self, rows: Rows, places: frozenset[Place]) -> None:
         self.rows = rows
-        self.ends = [rank for rank, slot, _ in places if slot == len(rows.rows[rank])]
-        self.words: dict[str, list[Place]] = {}
-        self.next: dict[str, Step] = {}
-        for place in places:
-            for word in rows.following(place):
-                if word is not None:
-                    self.words.setdefault(word, []).append(place)
+        self.places = places
+        self.whole = any(place.slot == len(place.row.slots) for place in places)
+        self.next: dict[str, Step | None] = {}
 
     def after(self, word: str) -> Step | None:
-        """The step behind a word, if any row goes on with it."""
-        found = self.next.get(word)
-        if found is None and word in self.words:
-            onward = {new for place in self.words[word] for new in self.rows.onward(place, word)}
-            found = self.next[word] = self.rows.step(onward)
-        return found
+        """The step behind a word, if any row goes on with it; each is made once."""
+        if word in self.next or word not in self.rows.words:
+            return self.next.get(word)
+        places = frozenset(new for place in self.places for new in place.after(word))
+        steps = self.rows.steps
+        if places and places not in steps:
+            steps[places] = Step(self.rows, places)
+        self.next[word] = steps.get(places)
+        return self.next[word]

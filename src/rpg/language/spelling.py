@@ -11,7 +11,7 @@ from types import CodeType, ModuleType
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import grammar, lexicon
-from rpg.language.grammar.talk.frames import Phrases
+from rpg.language.grammar.talk.slots import Phrases
 from rpg.language.tokens import Token
 
 LONG_WORD = 7

@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser, Results
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Clause, Pronoun
 

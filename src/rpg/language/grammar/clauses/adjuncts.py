@@ -20,7 +20,7 @@ from rpg.language.grammar.structures.orders import READABLE, order
 from rpg.language.grammar.structures.sizes import IN_TOTAL, size_phrase
 from rpg.language.grammar.structures.steps import rising_steps
 from rpg.language.grammar.structures.wholes import wholes
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.standby import all_extra

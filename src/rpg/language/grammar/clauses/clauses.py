@@ -24,7 +24,7 @@ from rpg.language.grammar.structures.each_color import of_each_color
 from rpg.language.grammar.talk.chatter import CHATTER
 from rpg.language.grammar.talk.frames import COMMAND_FRAMES, DONT, FIRST, START_FRAMES, STATE_FRAMES, TAG
 from rpg.language.grammar.talk.framing import CLOSING, FRAMES
-from rpg.language.grammar.talk.slots import Classes, Rows
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.talk.wishes import COMMAND_WISHES, DENIALS, START_WISHES, STATE_WISHES, TAGS
 from rpg.language.grammar.things.alike import all_alike
 from rpg.language.grammar.things.inventory import inventory
@@ -198,10 +198,8 @@ _NO_PLACE = frozenset({"there", "besides", "apart", "aside"})
 """What a place in front of its clause does not begin with: "apart from the red block there are two blue ones"."""
 
 
-_IT_IS = Rows(
-    Classes({}),
-    "it|this|that|here is|are|was",
-    "it must|should|shall|has|have|needs|will|would to? be|stand|lie|exist|stay|become",
+_IT_IS = Patterns(
+    "it|this|that|here is|are|was", "it must|should|shall|has|have|needs|will|would to? be|stand|lie|exist|stay|become"
 )
 """What a text may begin with before anything is there that "it" could be."""
 
@@ -209,7 +207,7 @@ _IT_IS = Rows(
 def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     """Positions after the polite and framing words at i, with what they leave open."""
     found = [(i, "any")]
-    if i == 0 and p.stands(i, _IT_IS.begun) and p.char(0, 0) == 0:
+    if i == 0 and p.stands(i, _IT_IS.firsts) and p.char(0, 0) == 0:
         found += [(j, "end") for j in _IT_IS.matches(p, 0)]
     seen = {j for j, _ in found}
     for start, mode in found:

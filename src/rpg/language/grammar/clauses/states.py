@@ -13,7 +13,7 @@ from rpg.language.grammar.clauses.starts import STARTS, starts_as
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.framing import past
-from rpg.language.grammar.talk.slots import Classes, Rows
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import adjectives, of_quality
 from rpg.language.grammar.things.labels import digits_of, label_list, literal
 from rpg.language.grammar.things.nouns import noun_phrase
@@ -32,6 +32,7 @@ from rpg.language.meaning import (
     Traits,
     Using,
 )
+from rpg.language.phrases import Classes
 
 _MODALS = frozenset({
     "should", "must", "shall", "will", "would", "can", "could", "may", "might", "need", "needs", "has", "have", "ought",
@@ -66,13 +67,13 @@ _PLACES = Classes(
         "its": ("its|their|a|the|his|her",),
     }
 )
-_HAS_PLACE = Rows(
-    _PLACES,
+_HAS_PLACE = Patterns(
     "have|has|get|gets|find|finds|take|takes|has_found|have_found|has_got|takes_up|keeps <its> <place>",
     "'s <place> is|should_be|must_be|will_be|shall_be|has_to_be",
+    classes=_PLACES,
 )
 """Where something is, by the place that it has."""
-_PLACE_OF = Rows(_PLACES, "the <place> of|for")
+_PLACE_OF = Patterns("the <place> of|for", classes=_PLACES)
 
 
 @rule

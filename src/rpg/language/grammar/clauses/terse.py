@@ -11,7 +11,7 @@ from rpg.language.grammar.structures.alternation import alternation_alone
 from rpg.language.grammar.structures.equations import solved
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.parted import parted
-from rpg.language.grammar.talk.slots import Classes, Rows
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.talk.wishes import PEOPLE
 from rpg.language.grammar.things.adjectives import colors
 from rpg.language.grammar.things.amounts import count
@@ -37,9 +37,14 @@ from rpg.language.meaning import (
     Traits,
     Using,
 )
+from rpg.language.phrases import Classes
 
-_READ = Rows(
-    Classes(
+_READ = Patterns(
+    "<person> <may>? then|there|finally? read|see_written|find_written <what>?",
+    "make|let|have it|them|the_table|the_row|the_blocks|the_letters say|read|spell <what>?",
+    "it|they <may>? say|says|read|reads|spell <what>?",
+    "show|display me|us? <what>?",
+    classes=Classes(
         {
             "person": (
                 "you|we|i|one|people|somebody|someone|anyone|everybody|everyone|they",
@@ -56,10 +61,6 @@ _READ = Rows(
             ),
         }
     ),
-    "<person> <may>? then|there|finally? read|see_written|find_written <what>?",
-    "make|let|have it|them|the_table|the_row|the_blocks|the_letters say|read|spell <what>?",
-    "it|they <may>? say|says|read|reads|spell <what>?",
-    "show|display me|us? <what>?",
 )
 """What a word follows that is to be there at the end."""
 _SPELT = (

@@ -10,10 +10,11 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.having import topped, with_more
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.framing import WHEN_DONE, past
-from rpg.language.grammar.talk.slots import Classes, Rows
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Clause, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward
+from rpg.language.phrases import Classes
 
 _STANDS = (
     "there is", "there are", "there should be", "there must be", "is", "are", "should be", "comes", "goes", "sits",
@@ -39,16 +40,18 @@ _VERBS = Classes(
         ),
     }
 )
-_STANDING = Rows(_VERBS, "there? also|then|only? <must> also? <be>", "there? also|then? <is>")
-_THERE_MUST = Rows(_VERBS, "there also|then? <must> also? <be>")
-_THERE_STANDS = Rows(_VERBS, "there also|then? <is>")
+_STANDING = Patterns("there? also|then|only? <must> also? <be>", "there? also|then? <is>", classes=_VERBS)
+_THERE_MUST = Patterns("there also|then? <must> also? <be>", classes=_VERBS)
+_THERE_STANDS = Patterns("there also|then? <is>", classes=_VERBS)
 _FACTS = frozenset({"is", "are", "sits", "stands", "lies", "rests", "lie", "stand", "sit", "rest"})
-_SEEN = Rows(
-    Classes({"line": ("the|this row|line|tower|stack|column|blocks|cubes|letters|digits|numbers|colors|order",)}),
+_SEEN = Patterns(
     "there should|must|shall|has_to? be|is|are",
     "put|it_is|they_are",
     "<line>|it|they should|must|shall|has_to? be|is|are|go|goes|read|reads|show|shows|have|has|run|runs",
     "you|we|i|one can? see|sees|read|reads|find|finds",
+    classes=Classes(
+        {"line": ("the|this row|line|tower|stack|column|blocks|cubes|letters|digits|numbers|colors|order",)}
+    ),
 )
 """What stands between a direction and the list that goes along it."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 
 _VIEWER = "me|us|the_robot|the_viewer|the_camera|you|robot|camera|viewer"
 _NEAR = Patterns(f"nearest|closest|nearer|closer|near|close|next to? {_VIEWER}", "in|at|on the front|near side?")

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.prepositions import relation
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Loc, Meaning, Pronoun

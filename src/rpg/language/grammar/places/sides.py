@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import At, Meaning, Toward
 
 SIDES = {

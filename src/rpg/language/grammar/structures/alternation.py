@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.lists import listed
 from rpg.language.meaning import Meaning, Noun, OrderBy, Traits

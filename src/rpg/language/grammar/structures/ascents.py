@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import OPPOSITE, SIDES
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.labels import run, span_of, symbol
 from rpg.language.meaning import Meaning, Noun, OrderBy, Traits
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.relations import loc
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.grammar.things.theirs import THEIRS
 from rpg.language.meaning import Clause, Loc, Noun, OrderBy, Traits

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import OPPOSITE, SIDES, toward
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Places, Toward, Traits
 

@@ -6,7 +6,7 @@ import re
 from fractions import Fraction
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 
 _WORD_SIGNS = {"plus": "+", "minus": "-", "times": "*", "multiplied by": "*", "divided by": "/", "x": "*"}
 

@@ -13,7 +13,7 @@ from rpg.language.grammar.structures.order_phrases import NAMED
 from rpg.language.grammar.structures.parted import parted
 from rpg.language.grammar.structures.patterns import pattern, spacing
 from rpg.language.grammar.structures.reading import read_out
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import makes_number
 from rpg.language.grammar.things.classes import classes
 from rpg.language.grammar.things.labels import run

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.talk.slots import Classes, Rows
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import colors
 from rpg.language.meaning import Meaning, Pattern, Spacing
+from rpg.language.phrases import Classes
 
 _UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer", "stack": "stack", "tower": "stack",
     "pile": "pile", "group": "pile",
@@ -140,8 +140,18 @@ def _agree(p: Parser, i: int, k: int, unit: str) -> Results[Meaning]:
             yield Pattern(unit=unit, different=different, span=p.span(i, e)), e
 
 
-_GAPLESS = Rows(
-    Classes(
+_GAPLESS = Patterns(
+    "with|having|leaving|there_being? no|zero|not_any <gap> <between>* at_all|whatsoever?",
+    "without a|any? <gap> <between>* at_all|whatsoever?",
+    "so|such|so_that|such_that|in_such_a_way_that|and? there is|are|must_be|should_be|shall_be|will_be|may_be|can_be|"
+    "has_to_be|have_to_be|remains|remain no <gap> <between>* at_all|whatsoever?",
+    "tightly",
+    "flush|packed|pressed|pushed tightly|closely|densely? together",
+    "tightly|closely|densely packed|pressed together?",
+    "touching each_other",
+    "side_by_side and touching",
+    "so_that|such_that|so|with|and? each|every one|block|cube? touching|touches <next>",
+    classes=Classes(
         {
             "between": (
                 "left|remaining|visible|allowed|anywhere",
@@ -154,16 +164,6 @@ _GAPLESS = Rows(
             "next": ("the|its|their? next|neighbor|neighbors|neighboring|adjacent|following|other? one|block|cube?",),
         }
     ),
-    "with|having|leaving|there_being? no|zero|not_any <gap> <between>* at_all|whatsoever?",
-    "without a|any? <gap> <between>* at_all|whatsoever?",
-    "so|such|so_that|such_that|in_such_a_way_that|and? there is|are|must_be|should_be|shall_be|will_be|may_be|can_be|"
-    "has_to_be|have_to_be|remains|remain no <gap> <between>* at_all|whatsoever?",
-    "tightly",
-    "flush|packed|pressed|pushed tightly|closely|densely? together",
-    "tightly|closely|densely packed|pressed together?",
-    "touching each_other",
-    "side_by_side and touching",
-    "so_that|such_that|so|with|and? each|every one|block|cube? touching|touches <next>",
 )
 """No gaps along a line."""
 _TOUCH = Patterns(

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import toward
-from rpg.language.grammar.talk.slots import Classes, Rows
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.lists import listed
 from rpg.language.meaning import Meaning, Noun, OrderBy, Toward
+from rpg.language.phrases import Classes
 
 _READERS = Classes(
     {
@@ -18,9 +18,9 @@ _READERS = Classes(
         "may": ("can|could|should|must|shall|will|may|has_to",),
     }
 )
-_LED = Rows(_READERS, "that|which|and", "so|so_that|such_that|where|in_which <reader>")
-_READ = Rows(_READERS, "<may>? read|reads")
-_SHOW = Rows(_READERS, "<may>? go|goes|run|runs|show|shows|has")
+_LED = Patterns("that|which|and", "so|so_that|such_that|where|in_which <reader>", classes=_READERS)
+_READ = Patterns("<may>? read|reads", classes=_READERS)
+_SHOW = Patterns("<may>? go|goes|run|runs|show|shows|has", classes=_READERS)
 _GO = Patterns(
     ",? where|in_which|whose|so_that|such_that|so|with the|its|their? colors|blocks|cubes|letters|digits|numbers|order|"
     "sequence go|goes|going|run|runs|running",

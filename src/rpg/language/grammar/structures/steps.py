@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.sides import toward
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.meaning import Amount, Manner, Meaning, Size, Toward
 

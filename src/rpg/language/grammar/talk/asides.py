@@ -137,7 +137,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     at = 0
     while at < len(tokens):
         end = max(_standing(words, at, phrases, fits) for phrases, fits in tables)
-        if words[at] in VIEW.begun:
+        if words[at] in VIEW.firsts:
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if end == at:
             out.append(tokens[at])

@@ -6,9 +6,9 @@ Patterns as in `wishes`: rows of slots with what may stand there.
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
-from rpg.language.grammar.talk.frames import Phrases
 from rpg.language.grammar.talk.framing import CLOSING, POINTING
-from rpg.language.grammar.talk.wishes import FINE, PEOPLE, Patterns
+from rpg.language.grammar.talk.slots import Patterns, Phrases
+from rpg.language.grammar.talk.wishes import FINE, PEOPLE
 from rpg.language.tokens import Token
 
 _ERRAND = (

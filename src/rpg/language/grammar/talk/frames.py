@@ -2,22 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
-from rpg.language.grammar.core import Parser
-
-
-class Phrases:
-    """A set of phrases."""
-
-    def __init__(self, *phrases: str) -> None:
-        self.phrases = phrases
-        self.words = frozenset(word for phrase in phrases for word in phrase.split())
-
-    def matches(self, p: Parser, i: int) -> Iterable[int]:
-        """Positions after the phrases that stand at i."""
-        return [j for _, j in p.standing(i, self.phrases)]
-
+from rpg.language.grammar.talk.slots import Phrases
 
 COMMAND_FRAMES = Phrases(
     "want to",

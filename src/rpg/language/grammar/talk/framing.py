@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
-from rpg.language.grammar.talk.slots import Classes, Rows
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.talk.wishes import PEOPLE
+from rpg.language.phrases import Classes
 
 _CLASSES = Classes(
     {
@@ -231,12 +232,12 @@ _CLOSING = (
 )
 """What is said behind a description of it all."""
 
-FRAMES = Rows(_CLASSES, *_FRAME)
-POINTING = Rows(_CLASSES, *_POINTING)
-CLOSING = Rows(_CLASSES, *_CLOSING)
-WHEN_DONE = Rows(_CLASSES, "<time>")
-IN_PICTURE = Rows(_CLASSES, "in|on <pictured>")
-_WHERE = Rows(_CLASSES, "<where>")
+FRAMES = Patterns(*_FRAME, classes=_CLASSES)
+POINTING = Patterns(*_POINTING, classes=_CLASSES)
+CLOSING = Patterns(*_CLOSING, classes=_CLASSES)
+WHEN_DONE = Patterns("<time>", classes=_CLASSES)
+IN_PICTURE = Patterns("in|on <pictured>", classes=_CLASSES)
+_WHERE = Patterns("<where>", classes=_CLASSES)
 
 
 _VIEWS = Classes(
@@ -254,8 +255,7 @@ _VIEWS = Classes(
         "here": ("i|we|you|the_viewer|the_camera sit|sits|stand|stands|am|are|is|look|looks",),
     }
 )
-VIEW = Rows(
-    _VIEWS,
+VIEW = Patterns(
     "when|if|as|while|whenever <person> <look> at|upon? <thing>? from_above|straight_from_above|from_here?",
     "when|if looking|looked|viewed|seen|read at|upon? <thing>? by|from|for <viewer>",
     "when looking|reading at? <thing>",
@@ -267,6 +267,7 @@ VIEW = Rows(
     "from my|our|your|this? point_of_view|perspective|viewpoint|standpoint|angle",
     "from <viewer> 's point_of_view|perspective|viewpoint|standpoint|angle|side",
     "for the viewer|camera|audience|spectator|observer",
+    classes=_VIEWS,
 )
 """Who looks at it, which changes nothing: sides are the viewer's. From elsewhere it would."""
 

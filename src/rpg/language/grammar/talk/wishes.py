@@ -6,11 +6,7 @@ may be left out. What a pattern matches carries nothing of the instruction.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
-from rpg.language.grammar.core import Parser
-from rpg.language.grammar.talk.frames import Phrases
-from rpg.language.phrases import Rows
+from rpg.language.grammar.talk.slots import Patterns
 
 PEOPLE = (
     "customer|customers|client|clients|boss|user|users|teacher|friend|friends|daughter|son|student|students|pupil|"
@@ -38,33 +34,6 @@ _DO = (
     "the_arm_to|that_you|if_you|when_you|you_if_you_could|you_if_you_can|me_to|us_to|me_if_you_could|us_if_you_could"
 )
 _PICTURE = "picture|image|photo|photograph|drawing|sketch|figure|scene|view|arrangement|result|layout|setup|state"
-
-
-class Patterns(Phrases):
-    """Phrases by their parts."""
-
-    def __init__(self, *patterns: str) -> None:
-        super().__init__()
-        rows = [[(_phrases(part), part.endswith("?")) for part in pattern.split(" ")] for pattern in patterns]
-        phrases = (phrase for row in rows for slot, _ in row for phrase in slot)
-        self.words = frozenset(word for phrase in phrases for word in phrase.split())
-        self.begin = Rows(rows).begin
-
-    def matches(self, p: Parser, i: int) -> Iterator[int]:
-        """Positions after the patterns that stand at i."""
-        if not p.stands(i, self.begin.words):
-            return
-        step, j = self.begin.after(p.words[i]), i + 1
-        found: list[tuple[int, int]] = []
-        while step is not None:
-            found += [(rank, j) for rank in step.ends]
-            step, j = step.after(p.words[j]), j + 1
-        for _, j in sorted(found):
-            yield p.reach(j)
-
-
-def _phrases(part: str) -> tuple[str, ...]:
-    return tuple(phrase.replace("_", " ") for phrase in part.rstrip("?").split("|"))
 
 
 FINE = (

@@ -7,7 +7,7 @@ from typing import Any
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.edges import STANDARD, USUAL, edge_told
 from rpg.language.grammar.things.labels import label_list, run

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.grammar.things.standby import NO_ROLE
 from rpg.language.meaning import Clause, Coord, Meaning, Noun, Pronoun

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
-from rpg.language.grammar.talk.slots import Classes, Rows
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import Marks, colors
 from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Size, Using
+from rpg.language.phrases import Classes
 
 _ROLES = "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys"
 _SPOTS = "somewhere|anywhere|on_the_table|on_it|in_the_scene|around|nearby|somewhere_on_the_table|by|there|about|aside"
@@ -77,8 +77,7 @@ _IDLENESS = Classes(
         ),
     }
 )
-NO_ROLE = Rows(
-    _IDLENESS,
+NO_ROLE = Patterns(
     "<may>? <role> <here>*",
     "<not> <just>? play|have|serve|get a|any <part> <here>*",
     "<not> <just>? matter|count|participate|take_part|join_in|concern_us|concern_you|interest_us|contribute|"
@@ -99,14 +98,15 @@ NO_ROLE = Rows(
     "you|we|i|the_robot|one|they <not> <just>? need|use|care_about|have_to_use|need_to_use <here>*",
     "you|we|i|the_robot|one <may> ignore|forget|forget_about|leave_out|skip|disregard|leave_aside <here>*",
     "nobody|no_one needs|uses|wants|cares_about|asks_for|asks_about <here>*",
+    classes=_IDLENESS,
 )
 """What is said of such blocks."""
-_OF_THEM = Rows(
-    _IDLENESS,
+_OF_THEM = Patterns(
     "too|as_well|also? ,? and? that|which|who",
     "too|as_well|also? ,? and|but",
     "too|as_well|also? ,? and|but it|they|this_one|these|those",
     "too|as_well|also? , it|they|this_one|these|those",
+    classes=_IDLENESS,
 )
 
 

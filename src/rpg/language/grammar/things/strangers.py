@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.meaning import Clause, Manner
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, choice
-from rpg.language.grammar.talk.wishes import Patterns
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import Marks
 
 THEIRS = "theirs"

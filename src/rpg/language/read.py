@@ -11,8 +11,8 @@ from rpg.language.grammar.clauses.clauses import tail
 from rpg.language.grammar.core import Parser, TooMuchWork
 from rpg.language.grammar.talk.asides import SOFT
 from rpg.language.grammar.talk.chatter import announces, idle
+from rpg.language.grammar.talk.commands import AFTER_THAT
 from rpg.language.grammar.talk.smalltalk import without_talk
-from rpg.language.grammar.talk.wishes import AFTER_THAT
 from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of
 from rpg.language.tokens import Token

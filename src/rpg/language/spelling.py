@@ -11,7 +11,7 @@ from types import CodeType, ModuleType
 
 from rpg.core.diagnostics import Diagnostic
 from rpg.language import grammar, lexicon
-from rpg.language.grammar.talk.slots import Phrases
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.tokens import Token
 
 LONG_WORD = 7
@@ -90,7 +90,7 @@ def vocabulary() -> frozenset[str]:
             code = getattr(getattr(value, "__wrapped__", value), "__code__", None)
             if code is not None and code.co_filename == module.__file__:
                 words |= _words_in(code)
-            elif isinstance(value, Phrases):
+            elif isinstance(value, Patterns):
                 words |= value.words
             elif isinstance(value, dict | tuple | frozenset):
                 words |= _words_of(value)

@@ -10,7 +10,7 @@ from rpg.language.grammar.clauses.starts import begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.talk.frames import THEN
+from rpg.language.grammar.talk.commands import THEN
 from rpg.language.grammar.things.alike import color_at_last
 from rpg.language.grammar.things.bodies import bodies
 from rpg.language.grammar.things.inventory import inventory

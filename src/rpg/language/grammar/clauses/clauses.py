@@ -22,10 +22,10 @@ from rpg.language.grammar.places.piled import piled
 from rpg.language.grammar.structures.details import part_clause
 from rpg.language.grammar.structures.each_color import of_each_color
 from rpg.language.grammar.talk.chatter import CHATTER
-from rpg.language.grammar.talk.frames import COMMAND_FRAMES, DONT, FIRST, START_FRAMES, STATE_FRAMES, TAG
+from rpg.language.grammar.talk.commands import COMMANDS, DONT, FIRST
 from rpg.language.grammar.talk.framing import CLOSING, FRAMES
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.talk.wishes import COMMAND_WISHES, DENIALS, START_WISHES, STATE_WISHES, TAGS
+from rpg.language.grammar.talk.wishes import DENIALS, STARTS, STATES, TAGS
 from rpg.language.grammar.things.alike import all_alike
 from rpg.language.grammar.things.inventory import inventory
 from rpg.language.grammar.things.nouns import noun_phrase, simple
@@ -213,13 +213,10 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     for start, mode in found:
         for table, kind in (
             (FRAMES, "end"),
-            (COMMAND_FRAMES, "command"),
-            (STATE_FRAMES, "state"),
-            (START_FRAMES, "start"),
+            (COMMANDS, "command"),
+            (STATES, "state"),
+            (STARTS, "start"),
             (FIRST, mode),
-            (COMMAND_WISHES, "command"),
-            (STATE_WISHES, "state"),
-            (START_WISHES, "start"),
             (DENIALS, "denied"),
             (CHATTER, mode),
         ):
@@ -231,7 +228,7 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
                 if start > 0 and p.tokens[start].kind == "number" and p.words[start - 1] != ";":
                     continue
                 dashed = j < p.end and p.words[j] == "," and p.tokens[j].raw != ","
-                j = p.opt(j, ",") if table in (FIRST, START_FRAMES) or dashed else j
+                j = p.opt(j, ",") if table in (FIRST, STARTS) or dashed else j
                 if j not in seen and len(found) < 40:
                     seen.add(j)
                     kept = mode in ("start", "denied") or (mode == "end" and kind == "state")
@@ -359,7 +356,7 @@ def tail(p: Parser, i: int) -> int:
     """The position after closing words that carry nothing ("please", "thanks")."""
     while True:
         j = p.opt(i, ",")
-        k = max((m for tags in (TAG, TAGS, CLOSING) for m in tags.matches(p, j)), default=0)
+        k = max((m for tags in (TAGS, CLOSING) for m in tags.matches(p, j)), default=0)
         if not k:
             return i
         i = k

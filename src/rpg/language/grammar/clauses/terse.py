@@ -11,8 +11,8 @@ from rpg.language.grammar.structures.alternation import alternation_alone
 from rpg.language.grammar.structures.equations import solved
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.parted import parted
+from rpg.language.grammar.talk.people import WHO
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.talk.wishes import PEOPLE
 from rpg.language.grammar.things.adjectives import colors
 from rpg.language.grammar.things.amounts import count
 from rpg.language.grammar.things.bodies import bodies
@@ -40,16 +40,13 @@ from rpg.language.meaning import (
 from rpg.language.phrases import Classes
 
 _READ = Patterns(
-    "<person> <may>? then|there|finally? read|see_written|find_written <what>?",
+    "<person>|<viewer> <may>? then|there|finally? read|see_written|find_written <what>?",
     "make|let|have it|them|the_table|the_row|the_blocks|the_letters say|read|spell <what>?",
     "it|they <may>? say|says|read|reads|spell <what>?",
     "show|display me|us? <what>?",
     classes=Classes(
         {
-            "person": (
-                "you|we|i|one|people|somebody|someone|anyone|everybody|everyone|they",
-                f"the|my|our|your? little|young|other? viewer|camera|observer|spectators|{PEOPLE}",
-            ),
+            **WHO,
             "may": (
                 "can|could|should|must|shall|will|may|has_to|have_to|want_to|wants_to|would_like_to|would_love_to|need_to",
                 "should|must|shall|will be able_to",

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.talk.framing import CLOSING, POINTING
-from rpg.language.grammar.talk.slots import Patterns, Phrases
-from rpg.language.grammar.talk.wishes import FINE, PEOPLE
+from rpg.language.grammar.talk.people import FINE, PEOPLE
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.tokens import Token
 
 _ERRAND = (
@@ -84,7 +84,7 @@ def announces(tokens: list[Token]) -> bool:
     return _wholly(tokens, POINTING)
 
 
-def _wholly(tokens: list[Token], *tables: Phrases) -> bool:
+def _wholly(tokens: list[Token], *tables: Patterns) -> bool:
     p = Parser(tokens)
     start = p.opt(0, ",")
     return any(p.opt(j, ",", ":") == p.end for table in tables for j in table.matches(p, start))

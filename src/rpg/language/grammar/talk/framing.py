@@ -3,20 +3,13 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser
+from rpg.language.grammar.talk.people import PEOPLE, WHO
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.talk.wishes import PEOPLE
 from rpg.language.phrases import Classes
 
 _CLASSES = Classes(
     {
-        "which": (
-            "the|my|our|your|this|that|a|an|one|some|every|their|his|her",
-            f"the|my|our|your robot|camera|viewer|{PEOPLE} 's",
-        ),
-        "person": (
-            "i|we|you|one|people|somebody|someone|anybody|anyone|everybody|everyone|they",
-            f"<which> little|young? viewer|camera|observer|robot|beholder|onlooker|{PEOPLE}",
-        ),
+        **WHO,
         "may": (
             "can|could|may|might|should|must|will|would|shall|do|does|'d|'ll",
             "am|is|are|was|were going? to|supposed_to|meant_to|able_to",
@@ -242,8 +235,7 @@ _WHERE = Patterns("<where>", classes=_CLASSES)
 
 _VIEWS = Classes(
     {
-        "person": ("i|we|you|one|people|somebody|someone|anybody|anyone|everybody|everyone|they", "<viewer>"),
-        "viewer": (f"the|my|our? little|young? viewer|camera|observer|robot|spectator|audience|{PEOPLE}",),
+        **WHO,
         "look": (
             "look|looks|am_looking|are_looking|is_looking|watch|watches|see|sees|view|views|read|reads|am_reading",
         ),

@@ -1,4 +1,4 @@
-"""Phrases as a grammar asks for them: listed one by one, or told by their parts."""
+"""Phrases told by their parts, as a grammar asks for them."""
 
 from __future__ import annotations
 
@@ -10,23 +10,10 @@ from rpg.language.phrases import Classes, Rows
 _NONE = Classes()
 
 
-class Phrases:
-    """A set of phrases."""
-
-    def __init__(self, *phrases: str) -> None:
-        self.phrases = phrases
-        self.words = frozenset(word for phrase in phrases for word in phrase.split())
-
-    def matches(self, p: Parser, i: int) -> Iterable[int]:
-        """Positions after the phrases that stand at i."""
-        return [j for _, j in p.standing(i, self.phrases)]
-
-
-class Patterns(Phrases):
-    """Phrases by their parts: rows of slots, which may speak of classes."""
+class Patterns:
+    """Phrases as rows of slots, which may speak of classes; see `Row` for how they are written."""
 
     def __init__(self, *patterns: str, classes: Classes = _NONE) -> None:
-        super().__init__()
         rows = Rows(patterns, classes)
         self.begin, self.firsts, self.words = rows.begin, rows.firsts, rows.words
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language.grammar.talk.wishes import PEOPLE
+from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.tokens import Token
 
 

@@ -1,134 +1,31 @@
-"""Wishes, questions and pictures around an instruction, by their parts: who wishes, how, for what.
+"""What stands before a state: that it is wished, that it is the end or the start of the task; and what ends a text.
 
-A pattern is a row of slots; each slot lists what may stand there, with "_" inside a phrase and "?" behind a slot that
-may be left out. What a pattern matches carries nothing of the instruction.
+None of it carries anything of the instruction, but for when it is so.
 """
 
 from __future__ import annotations
 
+from rpg.language.grammar.talk.people import EVENTS, FINE, PEOPLE, WISHING
 from rpg.language.grammar.talk.slots import Patterns
 
-PEOPLE = (
-    "customer|customers|client|clients|boss|user|users|teacher|friend|friends|daughter|son|student|students|pupil|"
-    "pupils|class|kid|kids|child|children|little_ones|little_one|team|colleague|colleagues|mother|father|mom|dad|wife|"
-    "husband|grandmother|grandfather|grandma|grandpa|niece|nephew|brother|sister|sponsor|reviewer|reviewers|professor|"
-    "audience|visitors|guests|public|viewers|family"
-)
-"""Whom an instruction may be for."""
-_WHOSE = ("my", "our", "the", "your", "my_little", "my_younger", "my_older", "my_big", "our_little", "the_little")
-_WHO = "|".join(["i|we|you", *(f"{whose}_{who}" for whose in _WHOSE for who in PEOPLE.split("|"))])
-_WOULD = "would|will|should|'d|do|may|might|can|could|must|am|are|is|was|were"
-_ALSO = "have_always|always|just|also|simply|now|like|here|still"
-_WANT = (
-    "asked|be_delighted|be_thankful|be_thrilled|want|wants|wanted|like|likes|love|loves|need|needs|prefer|prefers|wish|wishes|hope|hopes|ask|asks|require|requires|"
-    "expect|expects|imagine|imagines|request|requests|have_in_mind|picture|propose|suggest|envision|look|looking|"
-    "hoping|asking|wondering|wanting|dreaming|thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing"
-)
-_SEE = (
-    "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be|it_that|"
-    "me_for|us_for|you_for|:"
-)
-_DO = (
-    "to|you_to|you_could|you_would|you_can|you_might|the_robot_to|us_to|to_ask_you_to|it_if_you_would|"
-    "it_if_you_could|if_you_could|if_you_would|it_if_you|"
-    "the_arm_to|that_you|if_you|when_you|you_if_you_could|you_if_you_can|me_to|us_to|me_if_you_could|us_if_you_could"
-)
-_PICTURE = "picture|image|photo|photograph|drawing|sketch|figure|scene|view|arrangement|result|layout|setup|state"
-
-
-FINE = (
-    "great|nice|good|lovely|wonderful|perfect|cool|awesome|amazing|fantastic|super|brilliant|kind|helpful|appreciated|"
-    "very_kind|much_appreciated|the_best|fine|fun|enough"
-)
-"""What is said of good work."""
-_EVENTS = (
-    "demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|photo|picture|figure|paper|lesson|"
-    "class|course|lecture|school|homework|exam|project|birthday|party|story|story_time|workshop|practice|training|task|"
-    "session|fun|photograph|poster|slide|slides|thesis|report|website"
-)
-"""What an instruction may be given for."""
-_PREFACES = (
-    "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
-    "engineer ,?",
-    "as|for a|an|your warm_up|warmup|favor|little_favor|test|challenge|quick_test|small_favor|treat|change ,|:?",
-    "to warm_up ,|:",
-    "just? for fun|practice|training|demonstration|the_record|now|today ,|:?",
-    f"for|in the|this|our|my|your|today_'s|tomorrow_'s|a? little|math|spelling|robotics? {_EVENTS} ,|:?",
-    f"for my|our|the|your|these|some? little|younger|older|dear? {PEOPLE}|customer_'s|daughter_'s|son_'s|"
-    "class_'s birthday|party|lesson|room|class? ,|:?",
-    "in_addition|moreover|furthermore|what_is_more ,?",
-    "besides|apart_from_that|apart_from_this|aside_from_that|other_than_that|beyond_that ,?",
-    "so|okay|ok|right|well? ,? the thing|point|deal|idea|question|problem is ,|:|that?",
-    "this|that|here|it is|shows exactly? what|how|the_way i|we|you "
-    "want|need|imagine|picture|see|would_like|expect|wish|have_in_mind|had_in_mind|should_do|should_build|should_see|"
-    "must_do|have_to_do|are_to_do it|things|everything? to_look|to_be|for|done? :|,?",
-    "this|that|here|it is what to_do|to_build|has_to_be_done|should_be_done|needs_to_be_done|must_be_done :|,?",
-    "this|that|here is|are|comes|goes|follows the|my|our|your next|whole|full|first|final? "
-    "task|goal|job|plan|idea|wish|instruction|instructions|picture|result|layout|arrangement|aim|setup|request|order|"
-    "requirement|challenge|mission|assignment|puzzle :|,",
-    "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
-    "easy|simple|quick|hard|tricky one|task|job|question|request|thing|exercise|puzzle|challenge :",
-    "do|would_you_do me|us a|one|this small|little|big? favor ,|:|and please?",
-    "goal|aim|objective|target|task is to?",
-    "per|as_per|following|according_to the|our|my|your? client|customer|boss|teacher|user|manager 's? "
-    "request|wish|order|instruction|instructions ,|:",
-    "before anything|all|everything else ,",
-    "here_is|this_is|that_is the deal|thing|story|point :|,",
-    "whatever you do|happens ,",
-    "no matter what happens? ,",
-    "it is very|really|also? important|essential|crucial|necessary|vital that|to|:",
-    "sorry|apologies|excuse_me to|for bother|bothering|disturb|interrupt you|me? ,? but ,?",
-    "no need to hurry|rush|worry :|,|but|and",
-    "i am? not sure if|whether you can do this|that|it ,? but ,?",
-    "i am? not sure if|whether this|that|it is possible|doable|easy ,? but ,?",
-    "let me|us think|see ,|:|… ,?",
-    "be a friend|good_robot|good_sport|hero|sport? and",
-    f"it would|will be {FINE}|ideal if you|we|the_robot could|would|can?",
-    "mind",
-)
-"""What stands before commands and states alike: whom or what it is for, that there is more of it."""
-
-
-COMMAND_WISHES = Patterns(
-    *_PREFACES,
-    f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? {_DO} {_ALSO}?",
-    "would|will|could|can you be? so|that|as? kind|nice|good|friendly and|as? to?",
-    "be so kind|nice|good and|as to?",
-    "is|would|might there be? a|any|some way|chance|possibility to|you_could|you_can|for_you_to|that_you",
-    "is|would it be? possible|okay|ok|fine|feasible|alright to|for_you_to|if_you|for_the_robot_to|that_you|that_we",
-    "i|we want|need|wish|ask|would_like you",
-    "would|could|are|will you be? so? willing|able|prepared|ready|happy|good|nice|generous enough? to",
-    "would|is it be? too? much|bold|rude to_ask_you|to_ask_for_you|if_i_asked_you|if_we_asked_you|to_expect_you to",
-    "please you",
-    "the_robot|the_arm|the_agent|the_machine|the_gripper|you|we|i is|are|am also|now|just? "
-    "supposed|meant|expected|asked|requested|required|told|instructed|programmed|going|about to",
-    "clean|tidy|sort up|out :|,",
-    "a|the? sequential|final|main|first|simple|small|multi_step|two_step|step_by_step? task|job|exercise|goal :",
-    "how|what about",
-    "why do? not you|we",
-    "do you think|suppose you could|can|would",
-    "can|could|may|might i|we ask|request|trouble|bother you to",
-    "i was? wonder|wondering if|whether you could|can|might",
-    "would|do you mind|care",
-    "any chance you could|can",
-    "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|"
-    "if_we_could",
-    "ask|tell|have|let|make|get|instruct|command|program the|your robot|arm|machine|gripper|manipulator to?",
-    "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
-    "hello|hi|hey|hiya|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
-    "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again|computer|"
-    "assistant|machine|helper|buddy|mate|my_friend|dear_friend ,|:?",
-    "helper|assistant|machine|computer|builder|friend|friends|arm ,|:",
-    "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls ,|: let_us|please?",
-    "to",
-    "the|your|our|my next|main|first|whole|only|actual|new? task|job|goal|mission|exercise|challenge|puzzle|"
-    "plan|idea|aim|"
-    "assignment|request|instruction|wish|setup|objective for_you|today|here|now|this_time? is|:|would_be|"
-    "will_be to|:? :?",
-)
 _BEGINNING = "initial|starting|start|original|opening"
 _STATES = "state|configuration|setup|situation|scene|arrangement|layout|picture|position"
-START_WISHES = Patterns(
+STARTS = Patterns(
+    "starting|start|starts|begin|beginning with|from",
+    "start out with",
+    "to begin with",
+    "initially|originally|currently ,|:?",
+    "given|assume|assuming|suppose that?",
+    "given|currently|initially|before|start|starts|begin|begins|beginning|initial :",
+    "assume initially",
+    "let us say|assume|suppose",
+    "right_now|at_first|as_a_start|at_present|at_the_moment|in_the_beginning",
+    "in the beginning :",
+    "the start is",
+    "the starting point is",
+    "it all starts with",
+    "from a start with",
+    "starting? from a state where",
     f"in|at|from the|our|my {_BEGINNING} {_STATES} ,|:?",
     f"the|our|my? {_BEGINNING} {_STATES} is|has|shows|looks_like_this|looks_like|contains? that|this|as_follows? :|,?",
     f"the|our|my? {_BEGINNING} {_STATES} :",
@@ -149,13 +46,14 @@ START_WISHES = Patterns(
 )
 """What is said after these is so at the start."""
 DENIALS = Patterns(
-    f"{_WHO} do|does|would|should|must|can|may|will not|never ever? want|like|see|wish|expect|have to_see|to_have|"
-    f"that|it_that?",
-    f"{_WHO} never want|wish|like|expect to_see|to_have?",
+    "<who> do|does|would|should|must|can|may|will not|never ever? want|like|see|wish|expect|have to_see|to_have|"
+    "that|it_that?",
+    "<who> never want|wish|like|expect to_see|to_have?",
     "it should|must|may|can|shall|is not|never be? seen|shown|true|allowed|permitted|the_case|okay|acceptable|"
     "ok that|for?",
     "it is forbidden|prohibited that|for?",
     "there should|must be no way that",
+    classes=WISHING,
 )
 """What is said after these must not be."""
 _RESULT = "result|outcome|state|scene|configuration|arrangement|layout|picture|setup|situation"
@@ -171,7 +69,41 @@ _WHEN = (
     "when|if|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|as_long_as|"
     "provided|provided_that|when_and_only_when|by_having"
 )
-STATE_WISHES = Patterns(
+STATES = Patterns(
+    "want to_see|to_have",
+    "i_want_you to_have",
+    "the scene|picture|goal|image|table shows",
+    "the table should show",
+    "level 1|2|3 :",
+    "in_the_end|finally|after|finish :",
+    "in the end|goal|final_configuration",
+    "when you are done|finished",
+    "when finished",
+    "done when",
+    "also|additionally|in_addition|furthermore|moreover ,?",
+    "requirement|goal -?",
+    "the task|goal :",
+    "my wish is that?",
+    "could_you? make it so that?",
+    "let it be that",
+    "let there be",
+    "make|show|give me?",
+    "let|have|get|see|picture|imagine|finally",
+    "build me",
+    "there goes",
+    "make sure that?",
+    "please? ensure that?",
+    "see to it that",
+    "check that",
+    "the goal is that|to_have|for?",
+    "the target is",
+    "it should be that",
+    "it must be that",
+    "it is required that",
+    "it|we|you should|must|has_to end|end_up with",
+    "it ends with",
+    "finish|end|end_up with",
+    "can|could|may i have|get|see",
     "at|by|in the very? end|finish|conclusion of the|this|our episode|task|game|run|trial|simulation|exercise ,|:?",
     "by|at the very? end|finish ,|:?",
     "when|once it|everything is all over|done|finished ,?",
@@ -183,8 +115,8 @@ STATE_WISHES = Patterns(
     "consider|count|regard|take it|this|the_task|the_job|the_episode as? "
     "solved|done|complete|finished|successful|a_success|completed when|if|once|as_soon_as",
     "it would make|makes me|us|them|my_boss|everyone really|very|so? happy|glad|proud to_see|to_have|if|when",
-    f"{_WHO} {_WANT} a|the|some? nice|good? {_PICTURE} of|showing|with",
-    f"{_WHO} says|say|said|thinks|think|believes that|: ,?",
+    "<who> <want> a|the|some? nice|good? <picture> of|showing|with",
+    "<who> says|say|said|thinks|think|believes that|: ,?",
     "a|the|one|any correct|right|valid|good|successful|finished|complete|proper solution|result|answer|outcome "
     "has|shows|is|looks_like|consists_of|contains|would_be|would_have|must_have|must_show|should_have|should_show "
     ":|,?",
@@ -201,17 +133,17 @@ STATE_WISHES = Patterns(
     f"the|our|my final|finished|end|desired|expected|target|goal? deliverable|product|end_product|{_RESULT} "
     "should|must|shall|will|has_to? be|consist_of|consists_of|contain|contains|include|includes|comprise|comprises|is|"
     "feature|features|have|has that|:?",
-    f"{_WHO} should|must|shall|will|have_to|need_to show|see|demonstrate|deliver|present|have|get",
-    f"{_WHO} {_WOULD}? {_ALSO}? {_WANT} {_ALSO}? for|forward_to? {_SEE}?",
-    f"{_WHO} {_WOULD} {_ALSO}? after",
-    f"what|all {_WHO} {_WOULD}? {_ALSO}? {_WANT}|after|asking|going|looking|aiming after|for|of? to_see|to_have|"
-    f"to_get? "
+    "<who> should|must|shall|will|have_to|need_to show|see|demonstrate|deliver|present|have|get",
+    "<who> <would>? <also>? <want> <also>? for|forward_to? <see>?",
+    "<who> <would> <also>? after",
+    "what|all <who> <would>? <also>? <want>|after|asking|going|looking|aiming after|for|of? to_see|to_have|"
+    "to_get? "
     "here|now|today? is that?",
-    f"in|on the|this|my|our final|resulting|finished|target|goal|end? {_PICTURE} ,? we|one|you|i? can? see? ,?",
+    "in|on the|this|my|our final|resulting|finished|target|goal|end? <picture> ,? we|one|you|i? can? see? ,?",
     "the|my|our|this picture|scene|result|layout|arrangement i|we want|need|have_in_mind|imagine|picture|see is|:|: :?",
     "we|you|one|i should|must|can|could|will|would|shall? see|observe|notice that?",
     "it can|should|must|could|shall be seen|shown that?",
-    f"let me|us|{_WHO} see|have|get|admire|find",
+    "let me|us|<who> see|have|get|admire|find",
     "is it possible|okay|true|allowed|fine that",
     "would|is it be? too? much|bold|rude to_ask for",
     "could|can|would|may|might it be that",
@@ -235,7 +167,7 @@ STATE_WISHES = Patterns(
     f"you|we|i|the_robot are|is|have|will_be|will_have|'ve {_DONE} {_WHEN}",
     f"success is|will_be|gets {_DONE} {_WHEN}",
     f"success|completion|victory|a_win is|means|comes|is_given|is_reached only|exactly? {_WHEN}",
-    f"{_WHO} {_WOULD}? call|consider|count|regard|take it|this|that|the_task|the_job as? {_DONE} {_WHEN}",
+    f"<who> <would>? call|consider|count|regard|take it|this|that|the_task|the_job as? {_DONE} {_WHEN}",
     "reach|achieve|attain|get_to|arrive_at|produce|bring_about|obtain|end_in|end_up_in a|the|one? "
     "final|end|goal|target|desired? state|configuration|situation|arrangement|scene|result|layout|setup|outcome "
     "where|in_which|such_that|so_that|with|that_has|that_shows|:",
@@ -271,37 +203,33 @@ STATE_WISHES = Patterns(
     "is|are|has_been|have|have_been|has all? done|finished|completed|complete|ready|over ,",
     "my|our|the|your request|wish|task|goal|job|idea|instruction|aim is quite|very? "
     "simple|easy|clear|this|the_following|as_follows :",
+    classes=WISHING,
 )
 
-_MADE = (
-    "tower|stack|row|line|wall|pyramid|staircase|grid|word|circle|square|structure|first_tower|first_part|first_step"
-)
-_AS_SOON = "but|and? only? when|once|after|as_soon_as|only_after"
-_THERE_BY_THEN = (
-    "standing|built|finished|complete|completed|done|ready|there|in_place|made|in_position|up|achieved|"
-    "accomplished|stable"
-)
-AFTER_THAT = Patterns(
-    f"{_AS_SOON} it|that|this|these|those|they|both is|are|has_been|have_been|was|were|'s already? {_THERE_BY_THEN} ,?",
-    f"{_AS_SOON} the|this|that {_MADE} is|has_been|was|'s already? {_THERE_BY_THEN} ,?",
-    f"{_AS_SOON} the|this|that {_MADE} stands|exists ,?",
-    f"{_AS_SOON} it|this|that stands|exists|has_happened ,?",
-    "after|having doing|done that|this|so ,?",
-    "as the|a next|second|third|fourth|last|final step|thing|action ,|:?",
-    "the next|second|third|fourth|last|final step|thing|action is|: to|:?",
-    "once|when you|we have done|finished that|this|it|so ,?",
-    "once|when you|we are done|finished with that|this|it ,?",
-)
-"""What is told behind these comes after what was told before."""
 TAGS = Patterns(
+    "please|thanks|ok|okay|either|now|too",
+    "thanks a lot",
+    "thank you very_much?",
+    "if you can|could|please",
+    "if possible",
+    "for me",
+    "would|will|can|could you",
+    "as well",
+    "on your own",
+    "at|in the end",
+    "at the end of the task",
+    "when you are done",
+    "once|when finished",
+    "in the final state",
     f"that|which|it|this would|will|'d be so|really|very|just? {FINE}",
     "when|if|whenever you have|find|get|'ve_got? a|the|some? time|moment|minute|chance",
     "so|so_that i|we can|could|may take|get|make|shoot a|some|my|the? nice|good? picture|pictures|photo|photos|video|"
     "photograph of_it|of_them|of_this|of_that|afterwards?",
-    f"for my|our|the|your little? {PEOPLE}|{_EVENTS}",
+    f"for my|our|the|your little? {PEOPLE}|{EVENTS}",
     "real|really|very quick|quickly",
-    f"is|that_is|that_'s|would_be what|all {_WHO} want|wants|need|needs|have_in_mind|would_like|'d_like|am_after|"
+    "is|that_is|that_'s|would_be what|all <who> want|wants|need|needs|have_in_mind|would_like|'d_like|am_after|"
     "am_looking_for|imagine",
     "if you do not mind|if_it_is_not_too_much_trouble|please",
+    classes=WISHING,
 )
 """What an instruction may end with."""

@@ -1,0 +1,185 @@
+"""What stands before a command: to whom it is said, how politely, in which place of several."""
+
+from __future__ import annotations
+
+from rpg.language.grammar.talk.people import EVENTS, FINE, PEOPLE, WISHING
+from rpg.language.grammar.talk.slots import Patterns
+
+_PREFACES = (
+    "as a|an|the user|player|customer|tester|developer|operator|product_owner|manager|parent|teacher|child|robot|"
+    "engineer ,?",
+    "as|for a|an|your warm_up|warmup|favor|little_favor|test|challenge|quick_test|small_favor|treat|change ,|:?",
+    "to warm_up ,|:",
+    "just? for fun|practice|training|demonstration|the_record|now|today ,|:?",
+    f"for|in the|this|our|my|your|today_'s|tomorrow_'s|a? little|math|spelling|robotics? {EVENTS} ,|:?",
+    f"for my|our|the|your|these|some? little|younger|older|dear? {PEOPLE}|customer_'s|daughter_'s|son_'s|"
+    "class_'s birthday|party|lesson|room|class? ,|:?",
+    "in_addition|moreover|furthermore|what_is_more ,?",
+    "besides|apart_from_that|apart_from_this|aside_from_that|other_than_that|beyond_that ,?",
+    "so|okay|ok|right|well? ,? the thing|point|deal|idea|question|problem is ,|:|that?",
+    "this|that|here|it is|shows exactly? what|how|the_way i|we|you "
+    "want|need|imagine|picture|see|would_like|expect|wish|have_in_mind|had_in_mind|should_do|should_build|should_see|"
+    "must_do|have_to_do|are_to_do it|things|everything? to_look|to_be|for|done? :|,?",
+    "this|that|here|it is what to_do|to_build|has_to_be_done|should_be_done|needs_to_be_done|must_be_done :|,?",
+    "this|that|here is|are|comes|goes|follows the|my|our|your next|whole|full|first|final? "
+    "task|goal|job|plan|idea|wish|instruction|instructions|picture|result|layout|arrangement|aim|setup|request|order|"
+    "requirement|challenge|mission|assignment|puzzle :|,",
+    "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
+    "easy|simple|quick|hard|tricky one|task|job|question|request|thing|exercise|puzzle|challenge :",
+    "do|would_you_do me|us a|one|this small|little|big? favor ,|:|and please?",
+    "goal|aim|objective|target|task is to?",
+    "per|as_per|following|according_to the|our|my|your? client|customer|boss|teacher|user|manager 's? "
+    "request|wish|order|instruction|instructions ,|:",
+    "before anything|all|everything else ,",
+    "here_is|this_is|that_is the deal|thing|story|point :|,",
+    "whatever you do|happens ,",
+    "no matter what happens? ,",
+    "it is very|really|also? important|essential|crucial|necessary|vital that|to|:",
+    "sorry|apologies|excuse_me to|for bother|bothering|disturb|interrupt you|me? ,? but ,?",
+    "no need to hurry|rush|worry :|,|but|and",
+    "i am? not sure if|whether you can do this|that|it ,? but ,?",
+    "i am? not sure if|whether this|that|it is possible|doable|easy ,? but ,?",
+    "let me|us think|see ,|:|… ,?",
+    "be a friend|good_robot|good_sport|hero|sport? and",
+    f"it would|will be {FINE}|ideal if you|we|the_robot could|would|can?",
+    "mind",
+)
+"""What stands before commands and states alike: whom or what it is for, that there is more of it."""
+
+
+COMMANDS = Patterns(
+    *_PREFACES,
+    "please|pls|plz just?",
+    "kindly|just|simply|now|next|today|then",
+    "and now?",
+    "also|additionally ,?",
+    "first off|of_all ,?",
+    "to start",
+    "hey|hi|hello|ok|okay|so|well|alright|please|robot|agent ,?",
+    "task|goal|instruction|requirement :|-?",
+    "the|your|our? real|actual? task|job itself? :",
+    "note|reminder to_self|to_myself? :",
+    "in|at the end ,?",
+    "the|your? robot|robot_arm|arm|agent|machine|manipulator|gripper must|should|shall|has_to|needs_to|can|will|is_to",
+    "can|could|would|will you please?",
+    "can|could|shall|should we",
+    "you|we should|must|can|have_to|are_to|will|shall",
+    "let us",
+    "try|attempt|proceed|remember to",
+    "try and",
+    "go ahead and",
+    "feel free to",
+    "help me to?",
+    "i am trying to",
+    "make|be sure to",
+    "make sure you",
+    "take care to",
+    "see if you can",
+    "how about you",
+    "it should be possible to",
+    "do",
+    "want|need you to",
+    "want to",
+    "build me",
+    "use the|your robot|robot_arm|gripper to",
+    "using|with the|your robot|robot_arm|gripper ,",
+    "<who> <would>? <also>? <want> <also>? <do> <also>?",
+    "would|will|could|can you be? so|that|as? kind|nice|good|friendly and|as? to?",
+    "be so kind|nice|good and|as to?",
+    "is|would|might there be? a|any|some way|chance|possibility to|you_could|you_can|for_you_to|that_you",
+    "is|would it be? possible|okay|ok|fine|feasible|alright to|for_you_to|if_you|for_the_robot_to|that_you|that_we",
+    "i|we want|need|wish|ask|would_like you",
+    "would|could|are|will you be? so? willing|able|prepared|ready|happy|good|nice|generous enough? to",
+    "would|is it be? too? much|bold|rude to_ask_you|to_ask_for_you|if_i_asked_you|if_we_asked_you|to_expect_you to",
+    "please you",
+    "the_robot|the_arm|the_agent|the_machine|the_gripper|you|we|i is|are|am also|now|just? "
+    "supposed|meant|expected|asked|requested|required|told|instructed|programmed|going|about to",
+    "clean|tidy|sort up|out :|,",
+    "a|the? sequential|final|main|first|simple|small|multi_step|two_step|step_by_step? task|job|exercise|goal :",
+    "how|what about",
+    "why do? not you|we",
+    "do you think|suppose you could|can|would",
+    "can|could|may|might i|we ask|request|trouble|bother you to",
+    "i was? wonder|wondering if|whether you could|can|might",
+    "would|do you mind|care",
+    "any chance you could|can",
+    "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|"
+    "if_we_could",
+    "ask|tell|have|let|make|get|instruct|command|program the|your robot|arm|machine|gripper|manipulator to?",
+    "right|good|great|fine|alrighty|alright|okay|ok|now|well|so|yes team|everyone|folks|guys|kids? ,|:|so|then so? ,?",
+    "hello|hi|hey|hiya|dear|good_morning|good_evening|good_afternoon|greetings|yo there? "
+    "team|everyone|everybody|all|folks|guys|robot|friend|friends|children|kids|sir|class|there|again|computer|"
+    "assistant|machine|helper|buddy|mate|my_friend|dear_friend ,|:?",
+    "helper|assistant|machine|computer|builder|friend|friends|arm ,|:",
+    "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls ,|: let_us|please?",
+    "to",
+    "the|your|our|my next|main|first|whole|only|actual|new? task|job|goal|mission|exercise|challenge|puzzle|"
+    "plan|idea|aim|"
+    "assignment|request|instruction|wish|setup|objective for_you|today|here|now|this_time? is|:|would_be|"
+    "will_be to|:? :?",
+    classes=WISHING,
+)
+
+FIRST = Patterns(
+    "in|do_it_in|the? two|three|four|2|3|4 steps|stages|phases|moves|parts|actions :",
+    "as the|a|your|our first step|stage|thing|action|move ,|:?",
+    "in this|the_following order :|,",
+    "this is the order :",
+    "the order of_events? is :",
+    "start|begin by",
+    "phase|stage 1|one :",
+    "step 1|2|3|4|one|two|three :?",
+    "first things first :|,?",
+    "to start ,|with_,",
+    "to begin ,?",
+    "first ,|:?",
+    "firstly|second|secondly|third|thirdly|first_of_all|at_first",
+    "1|2|3 :",
+    "picture this",
+    "like this",
+    "as follows",
+    "put|arrange it|everything all? like this",
+    "do this|the_following",
+    "it goes like this",
+    "make it so that?",
+)
+"""What is told behind these is told step by step."""
+DONT = (
+    "do not", "never", "avoid", "do n't", "not", "you are not allowed to", "you are not permitted to",
+    "you are not supposed to", "it is not allowed to", "it is not permitted to", "it is forbidden to",
+    "it is prohibited to", "nobody may", "no one may", "the robot is not allowed to", "the arm is not allowed to",
+    "the robot must not", "the arm must not", "the robot may not", "the robot should not", "you are forbidden to",
+)  # fmt: skip
+"""What is said behind these must not be done."""
+THEN = (
+    "continue with", "continue by", "second of all",
+    "and only then", "only then", "and only afterwards", "only afterwards", "but only then", "and only later",
+    "and not before that", "and only after that", "only after that", "and at last", "at last",
+    "and at the very end",
+    "and finish by", "finish by", "and end by", "end by", "and conclude by", "conclude by", "and finish off by",
+    "and then after that", "and then finally", "and after that", "and afterwards", "and finally", "and then",
+    "then finally", "then after that", "after that", "afterwards", "after which", "thereafter", "followed by",
+    "and next", "and lastly", "next", "finally", "lastly", "then", "subsequently", "before finally",
+    "once that is done", "and subsequently", "after this", "when that is done", "once done", "once this is done",
+    "when done",
+)  # fmt: skip
+_MADE = (
+    "tower|stack|row|line|wall|pyramid|staircase|grid|word|circle|square|structure|first_tower|first_part|first_step"
+)
+_AS_SOON = "but|and? only? when|once|after|as_soon_as|only_after"
+_THERE_BY_THEN = (
+    "standing|built|finished|complete|completed|done|ready|there|in_place|made|in_position|up|achieved|"
+    "accomplished|stable"
+)
+AFTER_THAT = Patterns(
+    f"{_AS_SOON} it|that|this|these|those|they|both is|are|has_been|have_been|was|were|'s already? {_THERE_BY_THEN} ,?",
+    f"{_AS_SOON} the|this|that {_MADE} is|has_been|was|'s already? {_THERE_BY_THEN} ,?",
+    f"{_AS_SOON} the|this|that {_MADE} stands|exists ,?",
+    f"{_AS_SOON} it|this|that stands|exists|has_happened ,?",
+    "after|having doing|done that|this|so ,?",
+    "as the|a next|second|third|fourth|last|final step|thing|action ,|:?",
+    "the next|second|third|fourth|last|final step|thing|action is|: to|:?",
+    "once|when you|we have done|finished that|this|it|so ,?",
+    "once|when you|we are done|finished with that|this|it ,?",
+)
+"""What is told behind these comes after what was told before."""

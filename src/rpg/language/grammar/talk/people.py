@@ -1,0 +1,66 @@
+"""Who speaks, looks on and works, and what of: words that all talk around an instruction shares."""
+
+from __future__ import annotations
+
+from rpg.language.phrases import Classes
+
+PEOPLE = (
+    "customer|customers|client|clients|boss|user|users|teacher|friend|friends|daughter|son|student|students|pupil|"
+    "pupils|class|kid|kids|child|children|little_ones|little_one|team|colleague|colleagues|mother|father|mom|dad|wife|"
+    "husband|grandmother|grandfather|grandma|grandpa|niece|nephew|brother|sister|sponsor|reviewer|reviewers|professor|"
+    "audience|visitors|guests|public|viewers|family"
+)
+"""Whom an instruction may be for."""
+FINE = (
+    "great|nice|good|lovely|wonderful|perfect|cool|awesome|amazing|fantastic|super|brilliant|kind|helpful|appreciated|"
+    "very_kind|much_appreciated|the_best|fine|fun|enough"
+)
+"""What is said of good work."""
+EVENTS = (
+    "demo|demonstration|test|experiment|game|exercise|show|presentation|puzzle|video|photo|picture|figure|paper|lesson|"
+    "class|course|lecture|school|homework|exam|project|birthday|party|story|story_time|workshop|practice|training|task|"
+    "session|fun|photograph|poster|slide|slides|thesis|report|website"
+)
+"""What an instruction may be given for."""
+WHO = {
+    "which": (
+        "the|my|our|your|this|that|a|an|one|some|every|their|his|her",
+        f"the|my|our|your robot|camera|viewer|{PEOPLE} 's",
+    ),
+    "folk": (f"little|young|younger|older|big|dear? {PEOPLE}",),
+    "onlooker": ("<folk>", "little|young? viewer|camera|observer|robot|beholder|onlooker|spectator|spectators"),
+    "who": ("i|we|you", "<which> <folk>"),
+    "person": (
+        "i|we|you|one|people|somebody|someone|anybody|anyone|everybody|everyone|they",
+        "<which> <onlooker>",
+    ),
+    "viewer": ("<which>? <onlooker>",),
+    "robot": ("the|your|our|this? robot|robot_arm|arm|agent|machine|gripper|manipulator",),
+}
+"""Classes of them."""
+WISHING = Classes(
+    {
+        **WHO,
+        "would": ("would|will|should|'d|do|may|might|can|could|must|am|are|is|was|were",),
+        "also": ("have_always|always|just|also|simply|now|like|here|still",),
+        "want": (
+            "asked|be_delighted|be_thankful|be_thrilled|want|wants|wanted|like|likes|love|loves|need|needs|prefer",
+            "prefers|wish|wishes|hope|hopes|ask|asks|require|requires|expect|expects|imagine|imagines|request|requests",
+            "have_in_mind|picture|propose|suggest|envision|look|looking|hoping|asking|wondering|wanting|dreaming",
+            "thinking|appreciate_it|be_happy|be_glad|be_pleased|be_grateful|wishing",
+        ),
+        "see": (
+            "to_see|to_have|to_get|to_find|to_end_up_with|to_be_shown|seeing|having|for|that|it_if|if|of|there_to_be",
+            "it_that|me_for|us_for|you_for|:",
+        ),
+        "do": (
+            "to|you_to|you_could|you_would|you_can|you_might|the_robot_to|the_arm_to|us_to|me_to|to_ask_you_to",
+            "it_if_you_would|it_if_you_could|if_you_could|if_you_would|it_if_you|that_you|if_you|when_you",
+            "you_if_you_could|you_if_you_can|me_if_you_could|us_if_you_could",
+        ),
+        "picture": (
+            "picture|image|photo|photograph|drawing|sketch|figure|scene|view|arrangement|result|layout|setup|state",
+        ),
+    }
+)
+"""What is wished, and how."""

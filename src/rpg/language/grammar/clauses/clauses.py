@@ -155,12 +155,13 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 yield from ((_at(found, lying), end) for found, end in told)
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
-        if isinstance(first, Loc | In | At) and p.words[i] != "separately":
+        where = isinstance(first, Loc | In | At) or _both_places(first)
+        if where and p.words[i] != "separately":
             yield from stands_there(p, i, j, first, mode)
-        placed = isinstance(first, Loc | In | At | Toward)
+        placed = where or isinstance(first, Toward)
         further = _fronted(p, j, mode) if placed and p.words[j - 1] == "," else ()
         wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed else ()
-        for start in wished if isinstance(first, Loc | In | At) else ():
+        for start in wished if where else ():
             yield from stands_there(p, i, start, first, mode)
         found_all = [x for start in wished for x in _plain(p, start, mode)]
         for found, end in [*_plain(p, j, mode), *further, *found_all]:
@@ -180,6 +181,11 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
 
 _SEEN = frozenset({"state", "end", "command"})
 """Frames that may stand behind a place or a direction: "on the left, I'd like to see ..."."""
+
+
+def _both_places(first: Meaning) -> bool:
+    """ "behind and to the left of it", "to the front left of it"."""
+    return isinstance(first, Coord) and all(isinstance(x, Loc | In | Coord) for x in first.items)
 
 
 def _at(found: Meaning, place: Meaning) -> Meaning:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.cornered import cornered
 from rpg.language.grammar.places.regions import named, named_regions
 from rpg.language.grammar.structures.alternation import alternation_alone
 from rpg.language.grammar.structures.equations import solved
@@ -93,6 +94,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """Clauses without a verb."""
     yield from _placed(p, i, mode)
     yield from _place_first(p, i, mode)
+    yield from cornered(p, i)
     yield from _spelt(p, i)
     yield from _solved(p, i)
     yield from kept_clear(p, i)

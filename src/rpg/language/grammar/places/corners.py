@@ -28,6 +28,8 @@ def _told(p: Parser, k: int, across: str, along: str) -> list[tuple[str, int]]:
         return [(f"{along}_{across}_corner", k)]
     start = p.any_of(k, _LINKS) or k
     found: list[tuple[str, int]] = []
+    if not along and (way := p.peek(start, _DEPTHS)) is not None:
+        found += _told(p, p.reach(start + 1), across, way)
     if not along:
         for table, way in ((_NEAR, "near"), (_FAR, "far")):
             for end in table.matches(p, start):

@@ -206,7 +206,8 @@ _NOTED = (
 )  # fmt: skip
 _GAPS_OF = (
     "with a gap of", "with gaps of", "leaving a gap of", "with a spacing of", "leaving gaps of", "at intervals of",
-    "with a distance of", "with spacing of",
+    "with a distance of", "with spacing of", "with a space of", "leaving a space of", "with spaces of",
+    "with a separation of", "leaving a distance of",
 )  # fmt: skip
 
 
@@ -273,6 +274,9 @@ _ELSEWHERE = Patterns(
 """Not where a block is found."""
 
 
+_BY_FACES = frozenset({"gap", "gaps", "space", "spaces"})
+
+
 @choice
 def _spaced(p: Parser, i: int) -> Results[Meaning]:
     """ "leaving a 2 cm gap between them", "with gaps of 2 cm"."""
@@ -287,7 +291,7 @@ def _spaced(p: Parser, i: int) -> Results[Meaning]:
             if end := p.any_of(k, _OF_CENTERS):
                 yield _each_other(p, i, end, low, high, "centres"), end
     if j := p.any_of(i, _GAPS_OF):
-        measure = "faces" if "gap" in p.words[i:j] or "gaps" in p.words[i:j] else "centres"
+        measure = "centres" if _BY_FACES.isdisjoint(p.words[i:j]) else "faces"
         for (low, high), k in bounds(p, j):
             end = p.any_of(k, _BETWEEN_FACES) or k
             yield _each_other(p, i, end, low, high, measure), end

@@ -58,10 +58,10 @@ _SIMPLE = {
 _CHOICE = ("left", "right")
 
 
-_DIRECT = ("directly", "exactly", "straight", "precisely", "squarely")
+DIRECT = ("directly", "exactly", "straight", "precisely", "squarely")
 
 
-_CLOSE = ("immediately", "right", "just")
+CLOSE = ("immediately", "right", "just")
 
 
 _LOOSE_TOO = ("front", "behind", "apart")
@@ -111,7 +111,7 @@ def side_relation(p: Parser, i: int) -> Results[tuple[str, str]]:
 def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
     """A relation that wants a landmark: (name, modifiers)."""
     starts: list[tuple[tuple[str, ...], int]] = [((), i)]
-    for words, mod in ((_DIRECT, "directly"), (_CLOSE, "immediate"), (_LOOSE, "somewhere")):
+    for words, mod in ((DIRECT, "directly"), (CLOSE, "immediate"), (_LOOSE, "somewhere")):
         if i < p.end and p.words[i] in words:
             starts.append(((mod,), p.opt(p.reach(i + 1), "and")))
     for mods, j in starts:

@@ -16,7 +16,7 @@ def _half(word: str) -> str | None:
     return _HALVES.get(word)
 
 
-def _of_table(p: Parser, i: int) -> int:
+def of_table(p: Parser, i: int) -> int:
     j = p.any_of(i, ("of", "on", "in")) or (i if p.lex(i, lexicon.TABLE) is False else 0)
     if not j:
         return 0
@@ -55,15 +55,15 @@ def _lead(p: Parser, i: int) -> int:
     return p.opt(j, "the", "a", "any", "one") if j > i else i
 
 
-_CORNERS = (
+EVERY_CORNER = (
     "each corner", "every corner", "each of the corners", "each of the four corners", "every one of the corners",
     "every one of the four corners", "all four corners", "all corners", "the four corners", "all the corners",
     "the corners",
 )  # fmt: skip
-_EACH_CORNER = (
+EACH_CORNER = (
     "per corner", ", one per corner", "one per corner",
     *(f"{lead} {which}" for lead in ("in", "at", "on", "into", "to", "one in", ", one in", ", one block in",
-                                     ", one each in") for which in _CORNERS),
+                                     ", one each in") for which in EVERY_CORNER),
 )  # fmt: skip
 
 
@@ -71,20 +71,20 @@ _EACH_CORNER = (
 def region(p: Parser, i: int) -> Results[In]:
     """A region, with or without "of the table" where its name alone is plain."""
     exact = p.opt(i, "exactly", "right", "precisely", "just", "directly", "somewhere", "anywhere")
-    if k := p.any_of(exact, _EACH_CORNER) if p.stands(i, (",", "one", "per")) else 0:
-        end = _of_table(p, k)
+    if k := p.any_of(exact, EACH_CORNER) if p.stands(i, (",", "one", "per")) else 0:
+        end = of_table(p, k)
         yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
     j = _lead(p, exact)
     if j == exact:
         return
     for name, k, plain in _names(p, j):
-        end = _of_table(p, k)
+        end = of_table(p, k)
         if end:
             yield In(region=name, span=p.span(i, end)), end
         elif plain:
             yield In(region=name, vague=name in ("corner", "edge") or name.endswith("half"), span=p.span(i, k)), k
-    if k := p.any_of(exact, _EACH_CORNER):
-        end = _of_table(p, k)
+    if k := p.any_of(exact, EACH_CORNER):
+        end = of_table(p, k)
         yield In(region="each_corner" if end else "each_corner?", span=p.span(i, end or k)), end or k
     if j := p.any_of(i, ("on the table's", "to the table's", "in the table's", "at the table's")):
         pass
@@ -95,7 +95,7 @@ def region(p: Parser, i: int) -> Results[In]:
 
 def named_regions(p: Parser, i: int) -> list[tuple[str, int]]:
     """Regions that their names alone tell: "near right corner", "left half of the table"."""
-    return [(name, _of_table(p, k) or k) for name, k, plain in _names(p, i) if plain or _of_table(p, k)]
+    return [(name, of_table(p, k) or k) for name, k, plain in _names(p, i) if plain or of_table(p, k)]
 
 
 def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
@@ -137,6 +137,11 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
     if k := p.one(j, "corner"):
         found.append(("corner", k, True))
     found += [(name, k, True) for name, k in told_corners(p, j)]
+    for phrase, name in (("opposite corner", "opposite_corner"), ("diagonally opposite corner", "opposite_corner"),
+                         ("opposite one", "opposite_corner"), ("opposite corners", "opposite_corners"),
+                         ("diagonally opposite corners", "opposite_corners")):  # fmt: skip
+        if (k := p.seq(j, phrase)) and (p.words[k - 1] != "one" or "corner" in p.words[:j]):
+            found.append((name, k, True))
     if k := p.any_of(j, ("other half", "opposite half", "other side", "opposite side")):
         found.append(("other_half", k, p.words[k - 1] == "half"))
     if k := p.any_of(j, ("half", "side")):
@@ -144,7 +149,7 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
             ("nearest the robot", "near_half"),
                              ("near the robot", "near_half"), ("farthest from the robot", "far_half"),
                              ("furthest from the robot", "far_half"), ("far from the robot", "far_half")):  # fmt: skip
-            of = _of_table(p, k) or k
+            of = of_table(p, k) or k
             if e := p.seq(of, phrase):
                 found.append((name, e, True))
     return found

@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.diagonals import diagonal
+from rpg.language.grammar.places.flanks import flanking
 from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare
 from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.outside import neither, outside
-from rpg.language.grammar.places.prepositions import relation, side_relation
+from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
@@ -19,7 +21,10 @@ _COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"}
 
 @rule
 def loc(p: Parser, i: int) -> Results[Meaning]:
-    """One statement of place, perhaps negated."""
+    """One statement of place, perhaps negated; "still on the mat" is where the one before is, too."""
+    if k := p.one(i, "still"):
+        yield from _loc(p, k)
+        return
     j = p.one(i, "not")
     if j and p.stands(j, _COMPARED):
         j = 0
@@ -56,6 +61,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from centred_on(p, i)
     yield from outside(p, i)
     yield from neither(p, i)
+    yield from flanking(p, i)
+    yield from diagonal(p, i)
     for (name, mods), j in relation(p, i):
         if p.words[j - 1] == "by" and p.figure(j) is not None:
             continue
@@ -165,9 +172,11 @@ def _between(p: Parser, i: int) -> Results[Meaning]:
 @choice
 def _possessive(p: Parser, i: int) -> Results[Meaning]:
     """ "on its left", "to its right", "on the blue block's left side"."""
-    j = p.any_of(i, ("on", "to", "at"))
+    close = p.one(i, frozenset((*DIRECT, *CLOSE)))
+    j = p.any_of(close or i, ("on", "to", "at"))
     if not j:
         return
+    mods = () if not close else ("immediate",) if p.words[i] in CLOSE else ("directly",)
     if k := p.one(j, frozenset({"its", "their"})):
         owners: list[tuple[Meaning, int]] = [
             (Pronoun(word="it" if p.words[j] == "its" else "them", span=p.span(j, k)), k)
@@ -175,7 +184,8 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
     else:
         owners = [(o, p.one(k, "'s")) for o, k in noun_phrase(p, j) if p.one(k, "'s")]
     for owner, k in owners:
-        k = p.any_of(k, ("immediate",)) or k
+        if nearest := p.one(k, frozenset({"immediate", "direct"})):
+            mods, k = ("immediate",) if p.words[k] == "immediate" else ("directly",), nearest
         for word, name in (
             ("left", "left"),
             ("right", "right"),
@@ -186,7 +196,8 @@ def _possessive(p: Parser, i: int) -> Results[Meaning]:
         ):
             if end := p.one(k, word):
                 end = p.any_of(end, ("hand side", "side")) or end
-                yield Loc(rel=name, landmark=owner, span=p.span(i, end)), end
+                near = mods if name not in ("on", "beside") else ()
+                yield Loc(rel=name, landmark=owner, mods=near, span=p.span(i, end)), end
 
 
 @choice

@@ -223,6 +223,8 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
         j = p.any_of(j, _OF_IT) or j
         if isinstance(place, At) and p.words[j : j + 1] == ["one"]:  # "the top one red" is no top of one red block
             continue
+        if p.words[j] == "of" and p.follows(j, ("left", "right")):  # "right of the red block" is beside it
+            continue
         lines = list(_cells(p, i, j, place))
         yield from lines
         for theme, k in _looks(p, p.any_of(j, (", which is", "which is")) or p.any_of(j, IS) or j):

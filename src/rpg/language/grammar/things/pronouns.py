@@ -12,6 +12,9 @@ _NOUNS = frozenset(
 _PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
 
 
+_FINITE = frozenset({"should", "must", "may", "can", "is", "are", "shall", "touches", "lies", "stands", "has", "ought",
+                     "will", "rests", "sits", "goes", "needs", "touch", "be"})  # fmt: skip
+"""What follows "neither" where that is the subject by itself."""
 _OF_THEM = ("of them", "of these", "of those")
 
 
@@ -30,6 +33,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Pronoun(word=p.words[i], span=p.span(i, j)), j
     if j := p.one(i, frozenset({"all", "these", "those"})):
         yield from _all_three(p, i, j)
+    if (j := p.any_of(i, ("neither", "neither one", "neither of the two"))) and p.stands(j, _FINITE):
+        yield Pronoun(word="neither of them", span=p.span(i, j)), j
     if j := p.one(i, frozenset({"him", "her", "he", "she"})):
         yield Pronoun(word="it", span=p.span(i, j)), j
     for _, j in p.standing(

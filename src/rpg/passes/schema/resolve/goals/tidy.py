@@ -14,7 +14,26 @@ from rpg.passes.schema.resolve.things.world import Scene
 
 def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
     """Rewrites that keep the meaning of the whole."""
-    return _open_tops(_stack_patches(goal))
+    return _open_tops(_stack_patches(_diagonals(goal)))
+
+
+def _diagonals(goal: g.Goal) -> g.Goal:
+    """ "Behind it and to its left": along each axis alone, for no block is more behind than left and more left than
+    behind at once."""
+
+    def change(node: g.Goal) -> g.Goal:
+        if not isinstance(node, g.All):
+            return node
+        across = {(x.a, x.b) for x in node.goals if isinstance(x, r.LeftOf | r.RightOf) and not x.directly}
+        deep = {(x.a, x.b) for x in node.goals if isinstance(x, r.InFrontOf | r.Behind) and not x.directly}
+        sides = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind
+        goals = tuple(
+            x.model_copy(update={"somewhere": True}) if isinstance(x, sides) and (x.a, x.b) in across & deep else x
+            for x in node.goals
+        )
+        return node if goals == node.goals else node.model_copy(update={"goals": goals})
+
+    return transform(goal, change)
 
 
 def once(goals: Iterable[g.Goal]) -> tuple[g.Goal, ...]:

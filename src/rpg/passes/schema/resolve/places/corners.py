@@ -7,8 +7,9 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH
 from rpg.language.meaning import Amount, In, Meaning, Noun, Pronoun, Traits
-from rpg.passes.schema.resolve.goals.logic import Atoms
+from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
+from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.things import alike
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
@@ -17,6 +18,8 @@ CORNERS = ("far_left_corner", "far_right_corner", "near_left_corner", "near_righ
 
 def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
     """ "a red block in each corner": as many again for every corner; "four blocks in the four corners": one in each."""
+    if meaning.region.startswith("opposite"):
+        return _opposite_corners(theme, meaning, scene, span)
     names = theme.names
     if theme.quant is not None or theme.op != "and" or theme.built or theme.patch or meaning.negated or not names:
         raise refuse("ambiguous", "it is not clear which blocks go into the corners", span, "say what each corner gets")
@@ -59,6 +62,30 @@ def one_for_each_corner(theme: Meaning, places: list[Meaning], scene: Scene) -> 
     if corner and one and len(there) == len(CORNERS):
         return Pronoun(word="everything", span=theme.span)
     return theme
+
+
+_DIAGONAL = {
+    "far_left_corner": "near_right_corner", "near_right_corner": "far_left_corner",
+    "far_right_corner": "near_left_corner", "near_left_corner": "far_right_corner",
+}  # fmt: skip
+
+
+def _opposite_corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
+    """ "red in the far left corner and blue in the opposite one"; "red and blue in opposite corners": any two such."""
+    if meaning.region == "opposite_corner":
+        if scene.region not in _DIAGONAL:
+            raise refuse("no-referent", "it is not said which corner the opposite one is", meaning.span,
+                         "say 'the far left corner'")  # fmt: skip
+        where = _DIAGONAL[scene.region]
+        return [spread(theme, lambda a: r.InRegion(a=a, region=where, span=span), span, together=True)]  # type: ignore[arg-type]
+    units = [part.names for part in theme.parts] or [(name,) for name in theme.names]
+    if len(units) != 2 or theme.quant is not None or theme.op != "and" or meaning.negated or scene.denying:
+        raise refuse("ambiguous", "two things can be in opposite corners", span, "name two blocks")
+    ways = [
+        conj([r.InRegion(a=units[0], region=one, span=span), r.InRegion(a=units[1], region=other, span=span)], span)  # type: ignore[arg-type]
+        for one, other in _DIAGONAL.items()
+    ]
+    return [disj(ways, span)]
 
 
 _OPPOSITE = {"left_half": "right_half", "right_half": "left_half", "near_half": "far_half", "far_half": "near_half"}

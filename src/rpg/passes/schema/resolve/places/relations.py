@@ -15,6 +15,7 @@ from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, neg
 from rpg.passes.schema.resolve.places.alone import none_beyond, none_there, only_here, only_on
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.corners import corners, the_other_half
+from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.mutual import none_another, reciprocal
 from rpg.passes.schema.resolve.places.patches import (
     each_its_own,
@@ -60,7 +61,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
     if theme.op == "only" and not (isinstance(meaning, Loc) and meaning.landmark is not None):
         raise refuse("misplaced", "'only' does not fit this", theme.span, "say what the other blocks should not do")
     match meaning:
-        case In(region="each_corner" | "each_corner?"):
+        case In(region="each_corner" | "each_corner?" | "opposite_corner" | "opposite_corners"):
             return corners(theme, meaning, scene, span)
         case In(vague=True) if any(_has_such(built, meaning.region, scene) for built in scene.built):
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
@@ -208,8 +209,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         return [_table(theme, loc, scene, span)]
     if (shared := each_its_own(theme, mark, loc, scene)) is not None:
         return [x for one, other in shared for x in related(one, other, loc, scene, span)]
-    if loc.rel in ("between", "sandwiched"):
-        return [between(theme, mark, loc, scene, span)]
+    if loc.rel in ("between", "sandwiched", "flank"):
+        return [(flanked if loc.rel == "flank" else between)(theme, mark, loc, scene, span)]
     if (
         theme.quant is not None
         and theme.quant.high == 0

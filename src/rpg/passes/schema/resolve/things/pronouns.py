@@ -43,6 +43,9 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return _there(word, scene)
     if word.word in ("it", "that", "this", "the first one"):
         return _it(word, scene, scope)
+    if word.word == "neither of them" and scope.role == "theme":
+        two = them(replace(word, word="both"), scene, scope)
+        return replace(two, quant=Amount(0, 0, True), plural=True, op="and")
     if word.word in ("nothing", "nothing else", "none of them", "neither of them"):
         names = tuple(t.name for t in scene.blocks() if not t.extra)
         beyond = Traits() if word.word == "nothing else" else None
@@ -103,7 +106,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return again[-1].ref
     rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):
-        return _parallel(list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
+        return _parallel(word, list(rivals.values()), scene, scope) or _decide(word, scene, list(rivals.values()))
     return _built_there(word, list(rivals.values()), scene, scope) or single[-1].ref
 
 
@@ -121,11 +124,12 @@ def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scop
     return _decide(word, scene, rivals)
 
 
-def _parallel(rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
+def _parallel(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
     """What "it" is where the clause before says something of just that kind; None where nothing settles it.
 
     "Brown goes left of it and black right of it" is one thing in one sentence. "Red must be on the patch, and blue must
-    not be on it", "a red block left of the patch and a blue one right of it": of the patch again.
+    not be on it", "a red block left of the patch and a blue one right of it": of the patch again. "To the left of red
+    put blue; to its right green": of what came first in the sentence.
     """
     marks = [m for m in rivals if m.role == "landmark"]
     if len(marks) != 1 or not scope.rel:
@@ -133,6 +137,12 @@ def _parallel(rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
     before, again = marks[0].rel, scope.rel
     kept_off = before in ("on", "in") and again in ("not on", "not in", "not above", "off")
     if marks[0].ref.patch and kept_off:
+        return marks[0].ref
+    others = [m for m in rivals if m is not marks[0]]
+    first = all(marks[0].ref.span < m.ref.span for m in others) and not any(
+        m.ref.span < word.span for m in scene.mentions if m.clause == scene.clause and m.role == "theme"
+    )
+    if first and {before, again} in _ACROSS:
         return marks[0].ref
     if marks[0].sentence != scene.sentence:
         return None

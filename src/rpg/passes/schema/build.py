@@ -48,6 +48,7 @@ from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.goals.contradictions import check
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.orders.told_places import places_told
+from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.things import finish
@@ -211,6 +212,7 @@ def _resolved(
         raise _no_goal(scene, text)
     goal = brought_about(keep_premises(goal, scene), scene)
     check_counted(chains, scene, text)
+    settle_sides(scene)
     chosen = finish.choose(scene)
     goal = tidy(goal, scene)
     check(goal, scene)

@@ -201,12 +201,19 @@ def _side_after(first: Meaning, second: Meaning) -> bool:
 
 def _next_clause(first: Meaning, second: Meaning) -> bool:
     """ "G next to F and H to the left of them": the last of a list with a place right behind it begins a clause."""
-    if _side_after(first, second):
+    if _side_after(first, second) or _of_the_patch(first, second):
         return True
     if not (isinstance(first, Loc) and isinstance(second, Loc) and isinstance(second.landmark, Pronoun)):
         return False
     mark = first.landmark
     return isinstance(mark, Coord) or (isinstance(mark, Noun) and len(mark.traits.labels) > 1)
+
+
+def _of_the_patch(first: Meaning, second: Meaning) -> bool:
+    """ "on the mat on the left": the side tells which mat it is, if there are several."""
+    mark = first.landmark if isinstance(first, Loc) else None
+    plain = isinstance(mark, Noun) and mark.head == "patch" and not (mark.traits.colors or mark.traits.rank)
+    return plain and isinstance(second, At) and second.side in ("left", "right", "front", "back")
 
 
 _STACKED = ("stacked", "stacked up", "all stacked", "all stacked up", "piled up", "one stacked on the other")

@@ -9,6 +9,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.manners import direction
 from rpg.language.grammar.clauses.remade import remade, reverse
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import digits_of, literal
@@ -118,6 +119,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
                     quality = Quality(traits=Traits(**marks), span=p.span(k, end))
                     yield Clause(verb="be", theme=theme, adjuncts=(quality,), span=p.span(i, end), word=word), end
         after = [(f, e) for f, e in adjuncts(p, k + 1) if f] if p.words[k : k + 1] == [","] else []
+        after += [x for x in adjuncts(p, k + 1) if x[0] and on_its_own(x[0][0])] if p.stands(k, ("each",)) else []
         after += adjuncts(p, k - 1) if lemma in ("lift", "pick") and p.words[k - 1] == "off" else []
         for found, end in [*adjuncts(p, k), *after]:
             if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":

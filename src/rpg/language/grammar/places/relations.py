@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
@@ -63,6 +64,9 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from neither(p, i)
     yield from flanking(p, i)
     yield from diagonal(p, i)
+    if p.stands(i, ("per",)) and p.peek(i + 1, lexicon.PATCH) is False:
+        each = Noun(head="patch", det="each", span=p.span(i, i + 2))
+        yield Loc(rel="on", landmark=each, span=each.span), p.reach(i + 2)
     for (name, mods), j in relation(p, i):
         if p.words[j - 1] == "by" and p.figure(j) is not None:
             continue
@@ -144,6 +148,12 @@ def _either_place(p: Parser, i: int) -> Results[Meaning]:
         for second, end in _loc(p, k) if k else ():
             if isinstance(first, Loc) and isinstance(second, Loc):
                 yield Coord(op="or", items=(first, second), span=p.span(i, end)), end
+
+
+def on_its_own(place: Meaning) -> bool:
+    """ "(red and blue each) on a mat of its own"."""
+    mark = place.landmark if isinstance(place, Loc) and place.rel == "on" else None
+    return isinstance(mark, Noun) and mark.head == "patch" and mark.traits.scheme == "different"
 
 
 @choice

@@ -11,6 +11,7 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.edges import STANDARD, USUAL, edge_told
 from rpg.language.grammar.things.labels import label_list, run
+from rpg.language.grammar.things.patch_sides import patch_side
 from rpg.language.meaning import Traits
 
 
@@ -184,6 +185,7 @@ def adjective(p: Parser, i: int) -> Results[Marks]:
         yield Marks({"rank": str(ordinal)}), i + 1
     if p.words[i : i + 1] == ["last"]:
         yield Marks({"rank": "last"}), p.reach(i + 1)
+    yield from ((Marks(told), j) for told, j in patch_side(p, i))
     for (labels, more), j in label_list(p, i):
         sign = labels[0] in "+-*/="
         plural = lexicon.BLOCK.get(p.words[j], lexicon.SYMBOL.get(p.words[j]) if sign else None)

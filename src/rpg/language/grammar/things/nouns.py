@@ -18,7 +18,7 @@ from rpg.language.grammar.things.labels import label_list, literal
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.standby import further_extras
 from rpg.language.grammar.things.strangers import STRANGERS
-from rpg.language.grammar.things.theirs import in_their_colors
+from rpg.language.grammar.things.theirs import of_patch
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
 
 _APART = frozenset({"own", "separate", "distinct"})
@@ -346,7 +346,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         tried.append((told, k))
     yield from of_edges(p, i, j, noun)
     yield from bracketed(p, i, j, noun)
-    for update, k in in_their_colors(p, j) if noun.head == "patch" and not noun.traits.colors else ():
+    for update, k in of_patch(p, j) if noun.head == "patch" and not noun.traits.colors else ():
         if (told := _with(noun, update, p.span(i, k))) is not None:
             yield told, k
     for update, k in further_extras(p, j, noun):

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import Marks
+from rpg.language.grammar.things.patch_sides import side_behind
 
 THEIRS = "theirs"
 """The scheme of patches of which there is one in every colour of the blocks."""
@@ -33,3 +37,9 @@ def in_their_colors(p: Parser, j: int) -> Results[Marks]:
 
 
 _WORDS = frozenset({"color", "colors", "match", "each", "them", "block", "cube", "blocks", "cubes", "one"})
+
+
+def of_patch(p: Parser, j: int) -> Results[Mapping[str, Any]]:
+    """What may tell a patch behind the noun: "the mats of their colours", "the mat on the left"."""
+    yield from in_their_colors(p, j)
+    yield from side_behind(p, j)

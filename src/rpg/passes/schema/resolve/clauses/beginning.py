@@ -14,6 +14,7 @@ from rpg.language.meaning import (
     In,
     Into,
     Loc,
+    Manner,
     Meaning,
     Noun,
     Pronoun,
@@ -36,7 +37,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
-    chains = tuple(map(_there_too, chains))
+    chains = tuple(_all_begun(_there_too(chain)) for chain in chains)
     if (picture := _pictured(chains, text)) is not None:
         return picture
     told = [_facts(chain, bold) for chain in chains]
@@ -106,6 +107,20 @@ def _there_too(chain: Chain) -> Chain:
                 clause = replace(clause, verb="exist", mode="given")
         told.append(clause)
     return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
+
+
+def _all_begun(chain: Chain) -> Chain:
+    """ "Red is on the mat and blue on the patch at the start": what ends the sentence is said of both facts."""
+    clauses = [c for c in chain.clauses if isinstance(c, Clause) and c.lemma == "fact" and c.mode == "goal"]
+    if len(clauses) < len(chain.clauses) or len(clauses) < 2 or {*chain.links} != {"and"}:
+        return chain
+    times = [[a.kind for a in c.adjuncts if isinstance(a, Manner) and a.kind in _TIMES] for c in clauses]
+    if any(times[:-1]) or "start" not in times[-1]:
+        return chain
+    return replace(chain, clauses=tuple(replace(c, mode="start") for c in clauses))
+
+
+_TIMES = ("start", "finally", "time")
 
 
 def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:

@@ -44,6 +44,7 @@ from rpg.passes.schema.resolve.places.centred import by_centring, centred
 from rpg.passes.schema.resolve.places.corners import one_for_each_corner
 from rpg.passes.schema.resolve.places.moved import is_moved
 from rpg.passes.schema.resolve.places.moved import moved as far_moved
+from rpg.passes.schema.resolve.places.patches import one_for_each_patch
 from rpg.passes.schema.resolve.places.placing import Goals, distractors, is_shape, parts_alone, places
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.places.stacking import Towers
@@ -262,7 +263,7 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     ):
         each = Pronoun(word="each other", span=clause.span)
         spec.places.append(Loc(rel="apart", landmark=each, span=clause.span))
-    said = one_for_each_corner(said, spec.places, scene)
+    said = one_for_each_patch(one_for_each_corner(said, spec.places, scene), spec.places, scene)
     theme = refer(counted(said, spec, clause), scene, replace(scope, need_each=2 if shape == "towers" else 1))
     by_sandwiching(clause, spec)
     in_sequence(clause, theme, spec, scene)

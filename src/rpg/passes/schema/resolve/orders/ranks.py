@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.language.meaning import At, Noun, Traits
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
+from rpg.passes.schema.resolve.places.sided_patches import sided_patch
 from rpg.passes.schema.resolve.things.things import alike, matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
@@ -17,6 +18,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     """The block at a place of the structure spoken of last, or the extreme in size."""
 
     rank = noun.traits.rank or ""
+    if rank.startswith("@"):
+        return sided_patch(noun, rank[1:], scene, scope)
     if rank.startswith("#"):
         return _numbered(noun, rank[1:], scene)
     if rank in ("largest", "smallest", "larger", "smaller"):

@@ -9,7 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH
-from rpg.language.meaning import Amount, Loc, Noun
+from rpg.language.meaning import Amount, Loc, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
@@ -63,6 +63,19 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
 def _on_any(theme: Ref, patches: tuple[str, ...], span: Span) -> g.Goal:
     """Each of the blocks, or so many of them, on any of the patches."""
     return spread(theme, lambda a: disj([r.OnPatch(a=a, patch=p, span=span) for p in patches], span), span)
+
+
+def like_the_last(loc: Loc, scene: Scene) -> bool:
+    """Whether a landmark without a noun is a patch like the last one: "red on the green patch, blue on (the) yellow".
+
+    Behind "nothing on the green patch" and "the green patch stays empty" only "the yellow one" is.
+    """
+    before = scene.last_landmark_patch and scene.last_landmark_at < loc.span[0]
+    told = [m for m in scene.mentions if m.clause < scene.clause]
+    last = [m for m in told if m.clause == told[-1].clause]
+    if isinstance(loc.landmark, Noun) and loc.landmark.det == "the" and loc.landmark.head == "any":
+        return before or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))
+    return before and not any(m.ref.everything and m.ref.quant is not None for m in last)
 
 
 def _unnamed(lots: list[tuple[str, ...]], scene: Scene) -> bool:
@@ -178,6 +191,8 @@ def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: 
     noun = loc.landmark
     if not isinstance(noun, Noun) or noun.head != "patch" or loc.rel not in ("on", "in") or loc.negated:
         return None
+    if theme.det == "no two" and theme.everything:
+        return _not_together(theme, noun, scene, scope, span)
     if noun.traits.scheme != "different" or noun.traits.colors or theme.quant is not None or theme.op != "and":
         return None
     units: list[tuple[str, ...]] = (
@@ -198,7 +213,18 @@ def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: 
             wanted=len(units),
             there=len(mark.names),
         )
-    return [_dealt(units, mark.names, span)]
+    return [dealt(units, mark.names, span)]
+
+
+def _not_together(theme: Ref, noun: Noun, scene: Scene, scope: Scope, span: Span) -> Atoms:
+    """ "no two blocks are on the same mat", "... on the red mat": one at most."""
+    same = noun.traits.scheme == "same"
+    named = () if same else refer(noun, scene, replace(scope, role="landmark", pool=(), need=None)).names
+    patches = [t.name for t in scene.things.values() if t.patch] if same else named
+    if len(theme.names) < 2 or len(patches) < 1 + same:
+        raise refuse("ambiguous", "it is not said which blocks and patches these are", span,
+                     "say first which blocks and which patches there are")  # fmt: skip
+    return [_so_many(theme.names, p, 0, 1, span) for p in patches]
 
 
 def _so_many(names: tuple[str, ...], patch: str, least: int, most: int, span: Span) -> g.Goal:
@@ -206,7 +232,23 @@ def _so_many(names: tuple[str, ...], patch: str, least: int, most: int, span: Sp
     return g.Count(over=names, at_least=least, at_most=most, goal=on, span=span)
 
 
-def _dealt(units: list[tuple[str, ...]], patches: tuple[str, ...], span: Span) -> g.Goal:
+def one_for_each_patch(theme: Meaning, places: list[Meaning], scene: Scene) -> Meaning:
+    """ "one block on each patch", of as many different blocks as there are patches: exactly one on each."""
+    each = [
+        p for p in places if isinstance(p, Loc) and p.rel == "on" and not p.negated and isinstance(p.landmark, Noun)
+    ]
+    every = any(isinstance(p.landmark, Noun) and p.landmark.head == "patch" and p.landmark.det == "each" for p in each)
+    plain = isinstance(theme, Noun) and theme.head == "block" and theme.traits == Traits() and theme.part_of is None
+    if not every or not plain or not isinstance(theme, Noun) or theme.amount != Amount(1, 1):
+        return theme
+    patches = [t for t in scene.things.values() if t.patch]
+    blocks = [t for t in scene.blocks() if t.declared and not t.extra]
+    looks = {(t.color, t.label) for t in blocks}
+    told = len(blocks) == len(patches) == len(looks) and len(blocks) > 1
+    return replace(theme, amount=Amount(1, 1, True)) if told else theme
+
+
+def dealt(units: list[tuple[str, ...]], patches: tuple[str, ...], span: Span) -> g.Goal:
     """One unit on each patch at most, every unit on one."""
     if all(len(u) == 1 for u in units):
         names = tuple(u[0] for u in units)

@@ -26,7 +26,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.centred import centred
-from rpg.passes.schema.resolve.places.patches import matching_patches
+from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
 from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.things.refer import refer
@@ -222,21 +222,18 @@ def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, 
                 left=len(ref.names),
                 right=len(mark.names),
             )
+        if scene.alike and mark.patch:
+            return [dealt([(name,) for name in ref.names], mark.names, where)]
         one_sort = any(alike([scene.things[n] for n in x.names]) for x in (ref, mark))
         if scene.alike and not one_sort:
             raise refuse("ambiguous", "it is not said which goes on which", item.span, "name what each goes on")
         goals: Goals = []
         for a, b in zip(ref.names, mark.names, strict=True):
             single = replace(item, landmark=Pronoun(word="@" + b, span=item.span))
-            goals += _direct(
-                Ref(names=(a,), span=ref.span), Ref(names=(b,), patch=mark.patch, span=mark.span), single, scene, where
-            )
+            one, other = Ref(names=(a,), span=ref.span), Ref(names=(b,), patch=mark.patch, span=mark.span)
+            goals += related(one, other, single, scene, where)
         return goals
     return place(ref, item, scene, scope, where)
-
-
-def _direct(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Goals:
-    return related(theme, mark, loc, scene, span)
 
 
 def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) -> Goals | None:

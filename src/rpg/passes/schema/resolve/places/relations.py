@@ -20,6 +20,7 @@ from rpg.passes.schema.resolve.places.mutual import none_another, reciprocal
 from rpg.passes.schema.resolve.places.patches import (
     each_its_own,
     indefinite,
+    like_the_last,
     matching_patches,
     on_patches,
     on_separate_patches,
@@ -137,8 +138,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
     if (none := none_another(theme, loc, scene, span, _relate)) is not None:
         return none
-    before = scene.last_landmark_patch and scene.last_landmark_at < loc.span[0]
-    like = scope.like_patch or (before and loc.rel in ("on", "in"))
+    like = scope.like_patch or (loc.rel in ("on", "in") and like_the_last(loc, scene))
     if (apart := on_separate_patches(theme, loc, scene, scope, span)) is not None:
         return apart
     if (found := _any_of_them(theme, loc, scene)) is not None:

@@ -282,12 +282,9 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if len(noun.traits.labels) > 1 or (len(noun.traits.colors) > 1 and not noun.traits.either):
         return listed(noun, scene, scope, patch)
     if noun.det == "no" and noun.traits == Traits() and noun.head == "block":
-        return Ref(
-            names=tuple(t.name for t in scene.blocks() if not t.extra),
-            quant=Amount(0, 0, True),
-            plural=True,
-            everything=True,
-        )
+        names = tuple(t.name for t in scene.blocks() if not t.extra)
+        det = "no" if noun.amount is None else "no two"
+        return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, det=det)
     if noun.traits.either:
         return _alternatives(noun, scene, scope, patch)
     names = denied(noun, scene, patch) or counted_among(noun, scene, patch) or select(noun, scene, scope, patch)

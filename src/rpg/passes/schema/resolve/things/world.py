@@ -141,6 +141,7 @@ class Scene:
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
     `sized`: the size that is said of all blocks, with its words.
+    `patch_sides`: patches by the side on which they lie, and where that was said last.
     """
 
     things: dict[str, Thing] = field(default_factory=dict)
@@ -192,6 +193,8 @@ class Scene:
     kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
     sized: tuple[Traits, Span] | None = None
     ignored: dict[str, Span] = field(default_factory=dict)
+    patch_sides: dict[str, str] = field(default_factory=dict)
+    patch_sides_at: Span = (0, 0)
 
     def assume(self, text: str) -> None:
         """Record a default that was taken."""

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.grammar.talk.asides import without_asides
-from rpg.language.grammar.talk.chatter import untitled
+from rpg.language.grammar.talk.shape_last import shape_ahead
+from rpg.language.grammar.talk.titles import title
 from rpg.language.spelling import read_words
 from rpg.language.tokens import tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
@@ -53,10 +55,21 @@ class BuiltinFrontEnd:
     def _read(self, text: str, name: str | None, seed: int, author: str | None) -> Reading:
         guard(text)
         tokens, strays = tokenize(text)
-        words, notes, wrong = read_words(tokens)
+        if over := title(tokens):
+            strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
+        words, notes, wrong = read_words(tokens[over:])
         if wrong or strays:
             return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
-        found = build(untitled(without_asides(words)), text, notes, name=name, seed=seed, author=author)
+        words = without_asides(words)
+        try:
+            found = build(words, text, notes, name=name, seed=seed, author=author)
+        except Refusal:
+            if (ahead := shape_ahead(words)) is None:
+                raise
+            with suppress(Refusal):
+                found = build(ahead, text, notes, name=name, seed=seed, author=author)
+                return found.task, found.notes
+            raise
         return found.task, found.notes
 
     def _again(self, text: str, name: str | None, seed: int, author: str | None) -> TaskSchema | None:

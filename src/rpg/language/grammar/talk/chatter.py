@@ -70,8 +70,6 @@ CHATTER = Patterns(
     "the|my table|desk|workspace is messy|untidy|a_mess|in_disorder",
 )
 """Whole sentences that ask for nothing. Disorder is how things begin anyway."""
-_TITLES = frozenset({"level", "task", "exercise", "problem", "example", "question", "puzzle", "challenge", "scene",
-                     "scenario", "instruction", "job", "mission", "number", "round", "riddle"})  # fmt: skip
 
 
 def idle(tokens: list[Token]) -> bool:
@@ -88,13 +86,3 @@ def _wholly(tokens: list[Token], *tables: Patterns) -> bool:
     p = Parser(tokens)
     start = p.opt(0, ",")
     return any(p.opt(j, ",", ":") == p.end for table in tables for j in table.matches(p, start))
-
-
-def untitled(tokens: list[Token]) -> list[Token]:
-    """The words of a text without the title in front of it: "Level 5: ...", "Question: ..."."""
-    if not tokens or tokens[0].word not in _TITLES:
-        return tokens
-    at = 2 if len(tokens) > 2 and tokens[1].kind == "number" else 1
-    ends = (":", ".", ",") if at == 2 else (":",)
-    told = len(tokens) > at + 1 and tokens[at].kind == "punct" and tokens[at].word in ends
-    return tokens[at + 1 :] if told else tokens

@@ -43,7 +43,7 @@ from rpg.passes.schema.resolve.places.stacking import separately
 from rpg.passes.schema.resolve.structures.figures import check_built
 from rpg.passes.schema.resolve.structures.groups import attribute_of, sort_into
 from rpg.passes.schema.resolve.structures.structures import either, make, stack_built
-from rpg.passes.schema.resolve.things.members import certain, of_look_alikes
+from rpg.passes.schema.resolve.things.members import certain, of_look_alikes, picked_for
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import bare_colors, plain_colors
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -299,7 +299,7 @@ def _into(theme: Ref, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goal
         raise refuse("misplaced", "this is nothing that blocks can form", target.span)
     if target.det == "the":
         check_built(target)
-    theme = certain(theme, scene)
+    theme = certain(picked_for(target, theme, spec, scene), scene)
     built, goals = make(target, spec, theme, scene, scope)
     if uses_orders(built):
         spec.orders = []

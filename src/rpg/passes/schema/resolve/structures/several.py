@@ -26,6 +26,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line
+from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import declared
 from rpg.passes.schema.resolve.things.operands import foot
 from rpg.passes.schema.resolve.things.things import amount_of, matching
@@ -99,6 +100,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         raise refuse("unsupported-structure", f"so many {shape.kind}s at once are not understood", shape.span,
                      f"name each {shape.kind} by itself")  # fmt: skip
     _one_gap(shape, spec)
+    shape, theme = several_from_stock(shape, count, spec, theme, scene)
     looks, axis = told_looks(spec, count)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     if not any(isinstance(look, Noun) and look.amount is not None for look in looks):

@@ -17,6 +17,7 @@ from rpg.passes.schema.resolve.orders.positions import alternatives, lengthened
 from rpg.passes.schema.resolve.orders.reading import legible
 from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, stepped, symbols, towers
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
+from rpg.passes.schema.resolve.things.from_stock import from_stock
 from rpg.passes.schema.resolve.things.members import members_of
 from rpg.passes.schema.resolve.things.spoken import exact_size, known_ones
 from rpg.passes.schema.resolve.things.things import amount_of
@@ -187,7 +188,7 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if shape.dims:
         return _thick(shape, spec, theme, scene, scope)
     spec.patterns = [p for p in spec.patterns if p.unit != "stack"]
-    shape, theme = lengthened(shape, spec, theme, scene)
+    shape, theme = lengthened(from_stock(shape, spec, theme), spec, theme, scene)
     need = exact_size(shape)
     source = shape.members or (spec.usings[0].members if spec.usings else None)
     least = shape.size is not None and shape.size.high is None
@@ -289,8 +290,9 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         )
     if any(t.axis == "z" for t in spec.toward) and (shape.kind == "line" or shape.kind == "column"):
         return _stack(replace(shape, kind="stack"), spec, theme, scene, scope)
-    shape, theme = lengthened(shape, spec, theme, scene)
-    names = members_of(shape, spec, theme, exact_size(shape), amount_of(shape.members) or 4, scene, scope)
+    shape, theme = lengthened(from_stock(shape, spec, theme), spec, theme, scene)
+    least = shape.size.low if shape.size is not None and shape.size.high is None else None
+    names = members_of(shape, spec, theme, exact_size(shape) or least, amount_of(shape.members) or 4, scene, scope)
     if len(names) < 2:
         raise refuse("too-few", "one block is no line", shape.span, "name at least two blocks", blocks=len(names))
     node = row_node(names, shape.kind, spec, scene, scope, shape.span, shape.upright is False)

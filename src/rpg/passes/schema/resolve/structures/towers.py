@@ -8,6 +8,7 @@ from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.language.meaning import Meaning, Noun, Pattern, Structure, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members, some_of
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
@@ -36,6 +37,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     if sorted_by not in (None, "color"):
         raise refuse("misplaced", "several towers are told apart by colour only", shape.span, "say what is in each")
     count = shape.amount.low if shape.amount and shape.amount.low > 1 else None
+    shape, theme = several_from_stock(shape, count, spec, theme, scene)
     per = shape.extent("size", "high", "layers") or (scene.each[0] if scene.each else None)
     equal = spec.manner("equal") is not None
     theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)

@@ -144,7 +144,8 @@ def certain(ref: Ref, scene: Scene) -> Ref:
 
 def of_look_alikes(theme: Ref, spec: Spec, scene: Scene) -> Ref:
     """ "stack two of the three white blocks": of look-alikes it does not matter which, and no more of them."""
-    told = theme.quant is not None and theme.op == "and" and not theme.mixed and theme.quant.low == theme.quant.high
+    told = theme.quant is not None and theme.op == "and" and not theme.mixed
+    told = told and theme.quant is not None and theme.quant.high in (None, theme.quant.low)
     things = [scene.things[n] for n in theme.names]
     if spec.places or spec.sizes:
         return theme
@@ -155,10 +156,17 @@ def of_look_alikes(theme: Ref, spec: Spec, scene: Scene) -> Ref:
         return theme
     if not alike(things) or not 1 < theme.quant.low < len(things):
         return theme
-    spec.sizes.append(Size(what="size", amount=Amount(theme.quant.low, theme.quant.low), span=theme.span))
+    least = theme.quant.low
+    spec.sizes.append(Size(what="size", amount=Amount(least, theme.quant.high), span=theme.span))
     scene.whole = theme.names
-    scene.parted.update(theme.names[: theme.quant.low])
-    return certain(theme, scene)
+    scene.parted.update(theme.names[:least])
+    return certain(replace(theme, quant=Amount(least, least)), scene)
+
+
+def picked_for(target: Structure, theme: Ref, spec: Spec, scene: Scene) -> Ref:
+    """ "Put (at least) three of the five blue blocks in a row": of look-alikes it does not matter which."""
+    one = target.kind in ("stack", "row", "line", "column") and not (target.plural or target.sizes)
+    return of_look_alikes(theme, spec, scene) if one and theme.quant is not None else theme
 
 
 def _fix_parts(named: Ref) -> None:

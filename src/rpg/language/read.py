@@ -8,10 +8,11 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.chains import chain
 from rpg.language.grammar.clauses.clauses import tail
+from rpg.language.grammar.clauses.links import emphasised, next_step
 from rpg.language.grammar.core import Parser, TooMuchWork
 from rpg.language.grammar.talk.asides import SOFT
 from rpg.language.grammar.talk.chatter import announces, idle
-from rpg.language.grammar.talk.commands import AFTER_THAT
+from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
 from rpg.language.grammar.talk.smalltalk import without_talk
 from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of
@@ -141,6 +142,10 @@ def read_sentences(tokens: list[Token]) -> list[Sentence]:
             sentences[n] = Sentence("then", sentences[n].readings)
         if sentences[n - 1].link == "then" and Parser(read[n][0]).any_of(0, _LAST):
             sentences[n] = Sentence("then", sentences[n].readings)
+        p = Parser(read[n][0])
+        over = sentences[n].link == "and" and any(next_step(p, k) for k in WHEN_OVER.matches(p, 0))
+        if over and any(map(_asks, sentences[:n])):
+            sentences[n] = Sentence("then", sentences[n].readings)
     for n, (part, sentence) in enumerate(read):
         if sentence.link == "then" and any(AFTER_THAT.matches(Parser(part), 0)) and not any(map(_asks, sentences[:n])):
             raise Refusal([stuck(Parser(part))])
@@ -266,10 +271,10 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
     for phrase in _THEN:
         part = phrase in ("second", "third") and p.words[j := p.seq(start, phrase)] in lexicon.STRUCTURE
         if (j := p.seq(start, phrase)) and not (phrase == "next" and p.words[j] == "to") and not part:
-            link, start = "then", p.opt(j, ",", ":")
+            link, start = "then", emphasised(p, p.opt(j, ",", ":"))
             break
     if link == "and" and (j := max(AFTER_THAT.matches(p, start), default=0)):
-        link, start = "then", p.opt(j, ",", ":")
+        link, start = "then", emphasised(p, p.opt(j, ",", ":"))
     try:
         found = [(cost_of(c), n, c) for n, (c, j) in enumerate(chain(p, start)) if _ends(p, j)]
     except TooMuchWork:

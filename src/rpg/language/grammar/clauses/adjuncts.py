@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import absolute
@@ -221,23 +222,19 @@ _AFTER_STACKED = frozenset({",", ";", "and", "with", "from", "in", "by"})
 """What "stacked" is said of all of a clause before: ", stacked in rainbow order", but not ", stacked on the mat"."""
 
 
+_IN_ANOTHER = (
+    "in another", "in the other", "in a second", "into another", "into the other", "in another one", "in the other one",
+)  # fmt: skip
+_PARTS_OF_TABLE = frozenset({"corner", "edge", "half", "side"})
+"""Of these there are others, too: "the white ones in one corner, the black ones in another"."""
+
+
 @choice
 def _into(p: Parser, i: int) -> Results[Meaning]:
     for target, k in simple(p, i + 1) if p.words[i : i + 1] == ["to"] and p.words[i + 1] in _ONE else ():
         if isinstance(target, Structure):
             yield Into(structure=target, span=p.span(i, k)), k
-    if j := p.any_of(
-        i,
-        (
-            "in another",
-            "in the other",
-            "in a second",
-            "into another",
-            "into the other",
-            "in another one",
-            "in the other one",
-        ),
-    ):
+    if (j := p.any_of(i, _IN_ANOTHER)) and _PARTS_OF_TABLE.isdisjoint(p.words[:i]):
         yield Into(structure=Structure(kind="again", span=p.span(i, j)), span=p.span(i, j)), j
     if j := p.any_of(i, ("so that the equation is right", "so that the equation is correct",
         "so that the equation is true", "so the equation is correct", "so that the equation holds",
@@ -266,6 +263,13 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 continue
             if not any(isinstance(part, Structure) for part in parts_of(members)):
                 yield Using(members=members, lead=lead, span=p.span(i, k), cost=1), k
+    of = p.one(i, "of") if p.follows(i, _SPOTS) else 0
+    for members, k in noun_phrase(p, of) if of else ():
+        many = all(isinstance(x, Noun) and x.head != "patch" and x.det == "bare" and (x.plural or x.amount)
+                   and (x.head == "block" or x.traits.colors)
+                   for x in getattr(members, "items", (members,)))  # fmt: skip
+        if many and members != Noun(head="block", plural=True, span=members.span):
+            yield Using(members=members, lead="of", span=p.span(i, k), cost=1), k
     if k := p.any_of(i, _PLUS):
         yield from ((Using(members=found, lead="with", span=p.span(i, e)), e) for found, e in noun_phrase(p, k)
                     if all_extra(found))  # fmt: skip
@@ -289,6 +293,8 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
                 yield Using(members=members, span=p.span(i, k), cost=1), k
 
 
+_SPOTS = frozenset({*lexicon.PATCH, *lexicon.TABLE, "edge", "corner", "half"})
+"""Behind a place "of" tells the blocks of the structure in front of it: "a tower on the mat of three red blocks"."""
 _PLUS = ("plus", ", plus", "and", ", and", "along with", "together with", ", along with", "besides", ", besides")
 """Before distractors that come with what is to be done."""
 _TOTAL = frozenset({"total", "altogether", "all"})

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.clauses import clause
+from rpg.language.grammar.clauses.links import emphasised, linked
 from rpg.language.grammar.clauses.starts import begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.talk.commands import THEN
 from rpg.language.grammar.things.alike import color_at_last
 from rpg.language.grammar.things.bodies import bodies
 from rpg.language.grammar.things.inventory import inventory
@@ -57,7 +57,7 @@ def chain(p: Parser, i: int) -> Results[Chain]:
         j = p.opt(j, "you", "that")
         fronts = [*gerund_clause(p, j), *chain(p, j)]
         for front, k in fronts:
-            for main, end in chain(p, p.one(k, ",") or k) if k < p.end else ():
+            for main, end in chain(p, emphasised(p, k)) if k < p.end else ():
                 both = (main, front) if order == "before" else (front, main)
                 clauses = (*both[0].clauses, *both[1].clauses)
                 links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
@@ -95,7 +95,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
     if len(had) > 16:
         return
     yield from _told_of_it(p, i, had, links, at)
-    for link, j in _link(p, at):
+    for link, j in linked(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
         if previous is not None and previous.negated and link in ("before", "after"):
             continue
@@ -354,43 +354,3 @@ def _mere_time(item: Meaning) -> bool:
     """ "..., the blue ones first": by itself this says of nothing where it should be."""
     bare = isinstance(item, Clause) and item.verb == "be" and item.adjuncts
     return bool(bare) and all(isinstance(a, Manner) and a.kind == "time" for a in getattr(item, "adjuncts", ()))
-
-
-_EARLIER = (
-    "but first", "but before that", "and before that", "but only after", "only after", "only once", "but only once",
-    "but not before", "not before",
-)  # fmt: skip
-
-
-@rule
-def _link(p: Parser, i: int) -> Results[str]:
-    """How a clause goes on: the word for it in a chain's links."""
-    j = p.opt(i, ",", ";")
-    if k := p.any_of(j, _EARLIER):
-        yield "after", p.opt(k, ",")
-    elif (k := p.any_of(j, THEN)) and not (p.words[k - 1] == "next" and p.words[k] == "to"):
-        yield "then", p.opt(k, ",")
-    elif k := p.any_of(j, ("before you", "before the robot", "before")):
-        yield "before", k
-    elif k := p.any_of(j, ("after",)):
-        yield "after", k
-    elif k := p.any_of(j, ("or else", "or")):
-        yield "or", k
-    elif k := p.any_of(j, _ALSO):
-        both = p.opt(k, "also", "both")
-        yield "and", both
-        if p.words[k] == "that" and p.rarely(_TELLING):
-            yield "and", k + 1
-        if both > k and p.words[k] == "both":
-            yield "and", k
-        if p.words[k : k + 1] == [","]:
-            yield "and", k + 1
-    elif j > i:
-        yield "and", j
-
-
-_TELLING = frozenset({"see", "sees", "shows", "show", "want", "sure", "expect", "means", "such", "so", "when", "is"})
-"""What has several clauses with "that" behind it."""
-_ALSO = ("and also", "and make sure that", "and ensure that", "and", "while also", "while", "but also", "but",
-    "as well as", "also", "whereas", "&",
-         "yet", "although", "though")  # fmt: skip

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
+from rpg.language.grammar.clauses.addressed import addressed
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.denials import denied_of_all
@@ -82,6 +83,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
     if mode in ("command", "any", "end"):
         yield from _command(p, i)
         yield from covered(p, i)
+        yield from addressed(p, i)
     yield from gap(p, i)
     yield from centering(p, i)
     yield from state(p, i, when)

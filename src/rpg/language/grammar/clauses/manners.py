@@ -77,9 +77,13 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
         yield Manner(kind="extra", span=p.span(i, j)), j
     for phrase, j in p.standing(i, _LITTLE):
         kind, value = _LITTLE[phrase]
+        if phrase == "still" and j < p.end and not p.stands(j, _CLAUSE_ENDS):
+            continue
         yield Manner(kind=kind, value=value, span=p.span(i, j)), j
 
 
+_CLAUSE_ENDS = frozenset({",", ";", "and", "but", "while", "when", "as", "at", "throughout", "until"})
+"""Only with these behind it "still" says that nothing moves: "still on the mat" is where something else is, too."""
 _NO_MORE_OF = frozenset({"exactly", "precisely"})
 _NO_MORE = ("not more", "no more", "no more and no less", "not more and not less", "no more , no less", "no less",
             "no more no less", "not more , not less", "neither more nor less",

@@ -94,6 +94,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """Clauses without a verb."""
     yield from _placed(p, i, mode)
     yield from _place_first(p, i, mode)
+    yield from _figure_first(p, i, mode)
     yield from cornered(p, i)
     yield from _spelt(p, i)
     yield from _solved(p, i)
@@ -228,6 +229,19 @@ def _place_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 verb = "build" if isinstance(theme, Structure) else "be"
                 place = In(region=region, span=p.span(i, j))
                 yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=1), k
+
+
+@rule
+def _figure_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "in a row with gaps of 2 cm: three yellow cubes": what blocks form, said in front of a colon."""
+    for found, j in adjuncts(p, i) if p.stands(i, ("in", "as", "into")) else ():
+        colon = p.one(j, ":") if found and isinstance(found[0], Into) else 0
+        for theme, k in noun_phrase(p, colon) if colon else ():
+            if not isinstance(theme, Noun | Coord) or getattr(theme, "head", "") == "patch":
+                continue
+            for more, end in adjuncts(p, k):
+                said = Clause(verb="arrange", theme=theme, adjuncts=(*found, *more), mode=mode, span=p.span(i, end))
+                yield replace(said, cost=1), end
 
 
 @choice

@@ -11,6 +11,7 @@ from rpg.language.grammar.clauses.remade import remade, reverse
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.orders import order
+from rpg.language.grammar.structures.sizes import AS_HIGH
 from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import digits_of, literal
 from rpg.language.grammar.things.likes import like_with_like
@@ -109,6 +110,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
         yield from _taken_off(p, i, k, theme) if sense == "pick" else ()
         k = p.opt(k, *_BEHIND.get(sense, ()))
+        k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
         if sense == "use":
             yield from _use(p, i, k, theme)
         if lemma == "separate":

@@ -8,6 +8,7 @@ from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import SIDES, at
+from rpg.language.grammar.structures.apposed import AMID
 from rpg.language.grammar.structures.parts import part, part_statement, unit_of
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.standby import AS_EXTRAS
@@ -190,6 +191,7 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     j = p.any_of(j, ("with", "where", "whose", "having")) or j
     unit = unit_of(had[-1]) if isinstance(had[-1], Absolute) else ""
     more = list(_one_absolute(p, j, unit))
+    more += _besides_these(p, j, had) if not then else ()
     if then:
         more = [(one, end) for one, end in more if not _relative_to_it(one)]
         more += [
@@ -207,6 +209,20 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
             whole = (*had, *parts)
             yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
             yield from _absolute_more(p, i, end, whole)
+
+
+def _besides_these(p: Parser, i: int, had: tuple[Meaning, ...]) -> Results[Absolute]:
+    """ "(a tower of three with red in the middle) and two white blocks": these are all others of the whole."""
+    if not all(isinstance(x, Absolute) and isinstance(x.adjuncts[0], At) for x in had):
+        return
+    for theme, k in simple(p, i):
+        if not isinstance(theme, Noun) or theme.det != "bare" or theme.head == "patch" or theme.part_of or theme.cost:
+            continue
+        look, many = theme.traits, theme.amount
+        told = Traits(colors=look.colors, labels=look.labels, kind=look.kind) == look != Traits()
+        if many is not None and many.low == many.high and told and (k >= p.end or p.words[k] in (",", ";")):
+            rest = Places(side="rest", unit="block", several=many.low, span=p.span(i, k))
+            yield Absolute(theme=replace(theme, amount=None), adjuncts=(rest,), span=rest.span), k
 
 
 _ONWARD = {
@@ -309,6 +325,7 @@ def _no_place(mark: Meaning | None) -> bool:
 
 
 _LINES = frozenset({"row", "line"})
+_PYRAMID = frozenset({"pyramid", "pyramids"})
 _MARKS = frozenset({"it", "them", "that", "this", "the", "those", "both"})
 
 
@@ -326,8 +343,10 @@ def _places(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
             )
     for found, k in at(p, i):
         yield (found,), k
-        if isinstance(found, At) and found.side == "top" and (end := p.any_of(p.opt(k, ","), _ON_THEM)):
-            yield (found,), end
+        pyramid = p.anywhere(_PYRAMID)
+        if isinstance(found, At) and found.side == "top":
+            on_them = p.any_of(p.opt(k, ","), _ON_THEM) or (p.any_of(p.opt(k, ","), AMID) if pyramid else 0)
+            yield from (((found,), end) for end in (on_them,) if end)
     if k := p.any_of(i, _RESTING):
         yield (At(side="top", span=p.span(i, k)),), k
     for found, k in manner(p, i):

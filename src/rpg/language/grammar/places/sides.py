@@ -41,6 +41,13 @@ _BEGINNING = {
     "bottom up": ("bottom", "z"), "top down": ("top", "z"), "upward": ("bottom", "z"),
     "starting at the top": ("top", "z"), "starting at the front": ("front", "x"),
     "starting with the bottom": ("bottom", "z"), "from near to far": ("front", "x"),
+    **{f"{word} first": (side, axis) for words, side, axis in (
+        (("nearest", "frontmost", "closest", "nearest to me", "closest to me"), "front", "x"),
+        (("farthest", "furthest", "farthest away", "furthest away"), "back", "x"),
+        (("leftmost", "left end", "left"), "left", "y"), (("rightmost", "right end", "right"), "right", "y"),
+        (("topmost", "highest", "uppermost", "top"), "top", "z"),
+        (("bottommost", "lowest", "lowermost", "bottom"), "bottom", "z"),
+    ) for word in words},
     "from far to near": ("back", "x"), "away from the robot": ("front", "x"), "towards the robot": ("back", "x"),
 }  # fmt: skip
 """Where an order begins, and its axis."""
@@ -148,6 +155,8 @@ def at(p: Parser, i: int) -> Results[Meaning]:
     for word, k in p.standing(p.opt(i, "the"), _EXTREMES):
         side = _EXTREMES[word]
         far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0
+        if p.words[far or k] == "first":  # "leftmost first": how a line is told
+            continue
         if far or p.words[k] not in ("to", "from"):
             yield At(side=side, span=p.span(i, far or k)), far or k
     if j := p.any_of(i, _EITHER_END):

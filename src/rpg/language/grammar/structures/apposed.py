@@ -52,6 +52,10 @@ _BELOW = ("at the bottom", "on the bottom", "in the bottom row", "in the bottom 
           "at the base", "on the ground", "in the first layer", "as the base", "down below")  # fmt: skip
 _ABOVE = ("above", "on top", "on top of that", "above that", "at the top", "above them", "on them", "on those",
           "on top of those", "on top of them", "at the very top", "in the next", "in the middle", "next")  # fmt: skip
+AMID = ("in the middle", "in the center", "centered", "centrally", "in between", "between them", "over the gap",
+        "centered on them", "centered over them", "over the middle", "across both", "across them", "astride them",
+        "over the joint", "on the middle", "centered above them")  # fmt: skip
+"""Where the next layer of a pyramid lies anyway."""
 _THEN = (", then", ", and then", "then", "and then", ", and", "and", ",", ", finally", ", and finally", "followed by",
          ", followed by", ", next", "and finally")  # fmt: skip
 
@@ -67,6 +71,7 @@ def layers_told(p: Parser, j: int) -> Results[Size]:
     while True:
         at = p.any_of(at, _BLOCKS) or at
         at = p.any_of(at, _BELOW if left == number else _ABOVE) or at
+        at = p.any_of(p.opt(at, ","), AMID) or at if left < number else at
         if left == 1:
             break
         k = p.any_of(at, _THEN)

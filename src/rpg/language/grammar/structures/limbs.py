@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
-from rpg.language.meaning import Size
+from rpg.language.meaning import Amount, Manner, Size
 
 _OF_T = {
     **dict.fromkeys(("bar", "top bar", "crossbar", "cross bar", "horizontal bar", "crosspiece"), "bar"),
@@ -60,3 +61,41 @@ def limb(p: Parser, i: int, kind: str) -> Results[Size]:
         for phrase, end in p.standing(k, named) if k else ():
             end = p.any_of(end, ("on top", "at the top", "at the far side")) or end
             yield Size(what=named[phrase], amount=found, span=p.span(i, end)), end
+
+
+_SET_OFF = (",", ":", "with", ", with", "from", "of", "made of", "using", ": with", "that is", "which is")
+_UP = Patterns(
+    "blocks|cubes|bricks|block|cube|of_them? going|straight? up|upward|upwards|away|away_from_me|upright|high|tall",
+    "blocks|cubes|bricks|of_them? for|as|in the|its|a? stem|long_arm|long_side|upright",
+)
+_MORE = ("more", "further", "extra", "additional", "another")
+_ALONG = Patterns(
+    "block|blocks|cube|cubes|one|of_them? for|as|in|forming|making the|its|a? foot|base|short_arm",
+    "block|blocks|cube|cubes|one|of_them? for|as|in|forming|making? the|its|a? foot|base|short_arm? "
+    "pointing|going|turning|sticking|sticking_out|out|at_the_bottom|at_the_foot? to|on|towards|at the|its "
+    "left|right side?",
+)
+
+
+@rule
+def arms_told(p: Parser, i: int) -> Results[tuple[tuple[Size, ...], tuple[Manner, ...]]]:
+    """ "(an L:) three blocks up and one more to the right": one block that is no more than the corner is no arm."""
+    start = p.any_of(i, _SET_OFF)
+    for high, j in amounts.amount(p, start) if start else ():
+        for k in _UP.matches(p, j) if high.low == high.high else ():
+            joint = p.any_of(k, (", and", ", then", "and then", "and", ",", "plus", ", plus"))
+            another = p.any_of(joint, ("another", "a further", "an extra")) if joint else 0
+            for wide, m in [*amounts.amount(p, another or joint), *([(Amount(1, 1), another)] if another else [])]:
+                further = p.opt(m, *_MORE)
+                more = another > 0 or further > m or wide == Amount(1, 1)
+                for end in _ALONG.matches(p, further) if wide.low == wide.high else ():
+                    span = p.span(i, end)
+                    foot = Amount(wide.low + more, wide.low + more)
+                    sizes = [
+                        Size(what="long arm", amount=high, span=span),
+                        Size(what="short arm", amount=foot, span=span),
+                    ]
+                    sizes += [Size(what="shared", span=span)] if more else []
+                    side = next((w for w in p.words[further:end] if w in ("left", "right")), None)
+                    way = (Manner(kind="pointing:foot", value=side, span=span),) if side else ()
+                    yield (tuple(sizes), way), end

@@ -13,8 +13,8 @@ from rpg.language.grammar.structures.apposed import a_lot_each, layers_told, sym
 from rpg.language.grammar.structures.ascents import measures
 from rpg.language.grammar.structures.each_line import EACH, one_line_each
 from rpg.language.grammar.structures.gradients import gradient
-from rpg.language.grammar.structures.limbs import LIMBED, limb
-from rpg.language.grammar.structures.sizes import IN_TOTAL, ends_in_lines, lines_of, size_phrase
+from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
+from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
@@ -58,6 +58,7 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
         yield from _one_each(p, i, k, sized)
         for whole, end in _members(p, i, k, sized):
             yield whole, end
+            yield from ((whole, tall) for tall in (AS_HIGH.matches(p, end) if base.kind == "stack" else ()))
             yield from counted_pile(p, i, end, whole)
             yield from _one_each(p, i, end, whole)
             for lot, last in each_of(p, end) if base.plural else ():
@@ -230,6 +231,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         traits = replace(base.traits, colors=named)
         yield replace(base, traits=traits, details=(*base.details, pattern), span=p.span(i, k)), k
     limbs = limb(p, j, base.kind) if base.kind in LIMBED else ()
+    for (arms, way), k in arms_told(p, j) if base.kind == "L" else ():
+        yield replace(base, sizes=(*base.sizes, *arms), details=(*base.details, *way), span=p.span(i, k)), k
     if plain and base.kind in _FLAT and (lead := p.any_of(j, ("in", "all in"))):
         for (named, either), k in colors(p, lead):
             if not either and len(named) == 1 and (k >= p.end or p.words[k] in _CLOSED):

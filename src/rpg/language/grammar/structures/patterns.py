@@ -167,8 +167,13 @@ _GAPLESS = Patterns(
 )
 """No gaps along a line."""
 _TOUCH = Patterns(
-    "where|so_that|such_that|with|in_which|and|, all|each|every|their? the? block|blocks|cube|cubes|they|one|faces? "
-    "touch|touches|touching their|its|the|each? both? next|neighbor|neighbors|other_one|next_one|next_block",
+    "where|so|so_that|such_that|with|in_which|and|while|, all|each|every|their|both? of_them? the? "
+    "block|blocks|cube|cubes|they|one|faces? all|each|both|must|should|just|directly? touch|touches|touching both|all? "
+    "their|its|the|each|a? direct|immediate|respective? both? "
+    "next|neighbor|neighbors|other_one|next_one|next_block|neighboring_block|neighboring_blocks|adjacent_block|"
+    "adjacent_blocks|neighboring_cube|neighboring_cubes|next_cube|one_beside_it|one_next_to_it|ones_beside_it",
+    "so|so_that|such_that|with|where|and|, the|all? neighbors|neighboring_blocks|neighboring_cubes|adjacent_blocks|"
+    "adjacent_cubes all|just|must|should? touch|touching each_other|one_another?",
     ",? with? the|their? faces|sides|cubes|blocks touching",
     ",? touching cubes|blocks|bricks",
 )

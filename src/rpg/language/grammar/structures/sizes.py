@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.meaning import Size
 
@@ -19,6 +20,12 @@ _PARTS = {
     "stories": "layers", "floors": "layers",
     "rows": "rows", "columns": "columns", "layer": "layers", "row": "rows", "column": "columns",
 }  # fmt: skip
+AS_HIGH = Patterns(
+    ",? as high|tall up? as possible|you_can|we_can|it_can|they_can|can_be|it_can_be|they_go|it_goes|they_will_go|"
+    "it_will_go|they_can_go|it_can_go|they_get|it_gets|it_can_get|you_can_get|you_can_get_it|you_can_make_it|you_manage|"
+    "they_will_reach|they_reach|it_will_get|you_can_go"
+)
+"""What says no more of blocks that are counted or named than that all of them are to be in the tower."""
 _BASES = ("base", "foundation", "bottom", "footprint", "bottom layer", "bottom row", "ground floor")
 
 _BELOW = ("below", "at the bottom", "at the base", "on the bottom", "as its base", "as a base", "as the base",

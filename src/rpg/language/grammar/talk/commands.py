@@ -67,7 +67,7 @@ COMMANDS = Patterns(
     "let us",
     "try|attempt|proceed|remember to",
     "try and",
-    "go ahead and",
+    "go ahead? and?",
     "feel free to",
     "help me to?",
     "i am trying to",
@@ -163,6 +163,10 @@ THEN = (
     "once that is done", "and subsequently", "after this", "when that is done", "once done", "once this is done",
     "when done",
 )  # fmt: skip
+WHEN_OVER = Patterns(
+    "when|once|after|as_soon_as you|we|the_robot? are|have|is|'re|'ve|'s? done|finished|ready|through ,?"
+)
+"""What a further step stands behind; what is said of the end may stand there as well."""
 _MADE = (
     "tower|stack|row|line|wall|pyramid|staircase|grid|word|circle|square|structure|first_tower|first_part|first_step"
 )
@@ -179,7 +183,7 @@ AFTER_THAT = Patterns(
     "after|having doing|done that|this|so ,?",
     "as the|a next|second|third|fourth|last|final step|thing|action ,|:?",
     "the next|second|third|fourth|last|final step|thing|action is|: to|:?",
-    "once|when you|we have done|finished that|this|it|so ,?",
+    "once|when|as_soon_as you|we have|'ve done|finished that|this|it|so ,?",
     "once|when you|we are done|finished with that|this|it ,?",
 )
 """What is told behind these comes after what was told before."""

@@ -212,8 +212,17 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
             raise refuse("misplaced", "nothing is left for this", place.span, "leave it out")
         if not taken:
             raise refuse("misplaced", "it is not said of which other part this is the rest", place.span, "say it")
+        all_left(place, len(left))
         found.append((item, place, [left]))
     return found
+
+
+def all_left(place: At | Places | None, left: int) -> None:
+    """ "the other two": so many places have to be left."""
+    told = place.several if isinstance(place, Places) and place.unit in ("", "block", "cell") else None
+    if place is not None and told not in (None, left):
+        raise refuse("count-mismatch", f"{left} places are left for these, but {told} are told", place.span,
+                     f"say {left}", places=left, named=told)  # fmt: skip
 
 
 def in_turn(item: Absolute) -> bool:

@@ -10,7 +10,7 @@ from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Size, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.mirrored import mirrored
-from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
+from rpg.passes.schema.resolve.orders.parts import Groups, all_left, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of, matching, open_to
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
@@ -205,6 +205,7 @@ def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ..
     left = [k for k in range(len(names)) if k not in held]
     if not left or not held:
         raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")
+    all_left(place_of(item), len(left))
     free = tuple(n for n in names if (n,) not in held.values())
     place = Places(side="rest", unit="block", span=item.span)
     found = standing(item, place, [left], free, scene)
@@ -245,7 +246,7 @@ def _told_through(shape: Structure, spec: Spec, theme: Ref | None) -> Structure 
     if theme is not None or shape.sizes or not (source is None or (bare and amount_of(source) is None)):
         return None
     places = [place_of(item) for item in spec.absolutes]
-    if (total := _ends_and_rest(spec, places)) is not None:
+    if (total := _ends_and_rest(spec, places) or _and_others(spec, places)) is not None:
         return replace(shape, sizes=(Size(what="size", amount=Amount(total, total), span=shape.span),))
     sides = [place.side if place is not None and place.index in (None, 1) else "" for place in places]
     told = "next" in sides[1:] and sides[0] != "next" and set(sides[1:-1]) <= {"next"}
@@ -274,6 +275,15 @@ def _ends_and_rest(spec: Spec, places: list[At | Places | None]) -> int | None:
     at = sides.index(ends[0])
     each = counts[at] == 1 or getattr(places[at], "each", False)
     return total + (counts[at] or 0) if each else total
+
+
+def _and_others(spec: Spec, places: list[At | Places | None]) -> int | None:
+    """ "red at the bottom and two blue ones": how many these are."""
+    rest = places[-1] if len(places) > 1 else None
+    if not isinstance(rest, Places) or rest.side != "rest" or rest.several is None:
+        return None
+    single = all(isinstance(x, At) and x.index is None and x.side != "next" for x in places[:-1])
+    return rest.several + sum(amount_of(item.theme) or 1 for item in spec.absolutes[:-1]) if single else None
 
 
 _BOTH = ({"left", "right"}, {"top", "bottom"}, {"front", "back"})

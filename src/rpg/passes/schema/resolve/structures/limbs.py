@@ -55,4 +55,4 @@ def _of_l(shape: Structure, count: int | None) -> list[Sides]:
     whole = long + short - 1
     if count is None:
         return [(long, short)] if "shared" in told else [(long, short), (long, short + 1)]
-    return [(long, short)] if count == whole else []
+    return [(long, short)] if count == whole else [(long, short + 1)] if count == whole + 1 else []

@@ -195,12 +195,13 @@ class In(Meaning):
 
 @record
 class OrderBy(Meaning):
-    """How the members of a line are ordered."""
+    """How the members of a line are ordered, or by what groups are told apart (`values`: those that were named)."""
 
     by: str
     items: tuple[Meaning, ...] = ()
     first: str | None = None
     attribute: str = "color"
+    values: tuple[str, ...] = ()
     descending: bool = False
     reverse: bool = False
 

@@ -26,7 +26,6 @@ from rpg.language.meaning import (
     Pronoun,
     Quality,
     Size,
-    Structure,
     Traits,
     cost_of,
     parts_of,
@@ -36,10 +35,11 @@ from rpg.language.tokens import Token
 from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
+from rpg.passes.schema.lots import parted_lists, same_cubes
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, patience
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun, start_first
-from rpg.passes.schema.resolve.clauses.chains import chain_goals, join
+from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.kept import brought_about
@@ -51,6 +51,7 @@ from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
+from rpg.passes.schema.resolve.structures.unbuilt import check_known
 from rpg.passes.schema.resolve.things import finish
 from rpg.passes.schema.resolve.things.counted import counted_later
 from rpg.passes.schema.resolve.things.inventory import each_agrees
@@ -81,6 +82,8 @@ def build(
             found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
             if (token := unfounded(words, found.task, found.chosen)) is not None:
                 raise _lost(token)
+            parted_lists(words, found.task)
+            same_cubes(words, found.task)
         except Refusal as refusal:
             code = refusal.diagnostics[0].code
             if code in FINAL and best is None:
@@ -204,8 +207,9 @@ def _resolved(
     )
     stated: dict[int, list[g.Goal]] = {}
     for n in order:
-        scene.sentence = n
+        scene.sentence, loose = n, len(scene.loose)
         stated[n] = chain_goals(chains[n], scene)
+        at_their_times(links[max(n, 1) : n + 2], stated[n], loose, scene)
     links, sequence = in_time(links, chains, (0, len(text)))
     goal = join([(links[n], stated[n]) for n in sequence], scene, (0, len(text)))
     if isinstance(goal, g.All) and not goal.goals:
@@ -262,23 +266,7 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
                 there=count,
                 needed=there,
             )
-    made_up = [t for t in scene.things.values() if t.invented and t.color is not None]
-    named = [t for t in scene.things.values() if not t.invented and not t.extra and not t.patch]
-    if (
-        made_up
-        and named
-        and any(
-            isinstance(x, Structure) and x.det == "the" and x.members is None and x.letter is None
-            for c in chains
-            for x in parts_of(c)
-        )
-    ):
-        raise refuse(
-            "no-referent",
-            "a structure is spoken of as known, but it is not said which blocks it is made of",
-            chains[0].span,
-            "name its blocks",
-        )
+    check_known(chains, scene)
     some = any(_selects(part) for chain in chains for part in parts_of(chain))
     told = (
         set(names_in(goal))

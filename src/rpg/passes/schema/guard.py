@@ -17,6 +17,9 @@ _FOREIGN = re.compile(
     re.IGNORECASE,
 )  # fmt: skip
 
+_FLOOR = re.compile(r"\b(?:on|onto|to|off|from) the floor\b(?! of)", re.IGNORECASE)
+"""The table, or what lies below it?"""
+
 
 def guard(text: str) -> None:
     """Refuse what no grammar need look at."""
@@ -64,4 +67,11 @@ def guard(text: str) -> None:
         first = _FOREIGN.search(text)
         raise refuse(
             "other-language", "only English is understood here", first.span() if first else None, "say it in English"
+        )
+    if found := _FLOOR.search(text):
+        raise refuse(
+            "ambiguous",
+            "this could be the table, or the floor below it, which is out of reach",
+            found.span(),
+            "say 'on the table'",
         )

@@ -11,6 +11,7 @@ from rpg.language.grammar.clauses.starts import begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.absolutes import STARTING
 from rpg.language.grammar.things.alike import color_at_last
 from rpg.language.grammar.things.bodies import bodies
 from rpg.language.grammar.things.inventory import inventory
@@ -122,7 +123,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
                 item = replace(item, cost=item.cost + 2)
             item = _less_likely(previous, item)
-            item = _same_letters(previous, item) if link == "or" and previous is not None else item
+            item = _same_letters(previous, item) if link in ("or", "then") and previous is not None else item
             item = still_begun(p, j, k, previous, item) if link == "and" else item
             whole = (*had, item)
             yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
@@ -136,7 +137,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             nor = isinstance(previous.theme, Coord) and previous.theme.op == "nor"
             neither = link == "or" and (previous.negated or nor)
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
-                item = _same_letters(previous, item) if link == "or" else _less_likely(previous, item)
+                item = _same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
                 same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link
                 if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
@@ -210,6 +211,8 @@ def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bo
         return True
     if _other_side(p, k, previous, item):
         return True
+    if p.any_of(j, STARTING) and isinstance(shape, Noun | Coord) and not getattr(item, "adjuncts", ()):
+        return True  # "a row of A, B, C, starting with C": which comes first, and not what there is at the start
     return previous.lemma == "tally" and _of_the_list(p, j, k, item)
 
 
@@ -319,7 +322,7 @@ def _shared(had: tuple[Meaning, ...], item: Meaning) -> tuple[Meaning, ...]:
 
 
 def _same_letters(before: Clause, item: Meaning) -> Meaning:
-    """ "spell TEA or EAT": either word is of the same cubes."""
+    """ "spell TEA or EAT", "spell TEA, then EAT": either word is of the same cubes."""
     one, two = before.theme, item.theme if isinstance(item, Clause) else None
     if not (isinstance(one, Structure) and isinstance(two, Structure) and isinstance(item, Clause)):
         return item

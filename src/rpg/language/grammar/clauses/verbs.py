@@ -290,7 +290,10 @@ _MUST_BE = ("should be", "must be", "has to be", "have to be", "goes", "go", "st
 
 
 def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
-    """ "..., not the blue block", "... and no blue one", "..., the others elsewhere": the place before, denied."""
+    """ "..., not the blue block", "... and no blue one", "..., the others elsewhere": the place before, denied.
+
+    Behind a place on, or beside, a block it is this block that another is told from: "red on green, not (on) blue".
+    """
     place = before.adjuncts[0] if len(before.adjuncts) == 1 and before.verb in ("be", "place") else None
     if not isinstance(place, Loc | In) or place.negated or before.negated:
         return
@@ -305,10 +308,22 @@ def _elsewhere(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         flat = isinstance(place, In) or (isinstance(mark, Noun) and mark.head == "patch")
         if not denied and ended and flat and isinstance(theme, Noun) and theme.det == "no" and theme.head != "patch":
             yield replace(before, theme=theme, span=p.span(i, j), cost=0), j
+        if denied and block and ended and isinstance(place, Loc) and _blocks(mark):
+            yield replace(before, theme=_same(before), adjuncts=(replace(place, landmark=theme),), negated=True,
+                          span=p.span(i, j), cost=0), j  # fmt: skip
+            continue
         if denied and block and ended:
             ends = j
         if told and ends:
             yield replace(before, theme=theme, negated=True, span=p.span(i, ends), cost=0), ends
+
+
+def _blocks(mark: Meaning | None) -> bool:
+    return isinstance(mark, Coord) or (isinstance(mark, Noun) and mark.head != "patch")
+
+
+def _same(before: Clause) -> Meaning | None:
+    return Pronoun(word="same", span=before.theme.span) if before.theme is not None else None
 
 
 def _told_elsewhere(found: tuple[Meaning, ...], before: Clause) -> bool:

@@ -38,12 +38,12 @@ _PART_LEADS = (
 )  # fmt: skip
 """What only a statement about a part of the structure follows, beside the others."""
 _EXTREMES = {"smallest": "smallest", "largest": "largest", "biggest": "largest"}
-_STARTING = ("starting with", "beginning with", "starting from", "start with", "begin with")
+STARTING = ("starting with", "beginning with", "starting from", "start with", "begin with")
 
 
 def starting(p: Parser, i: int) -> Results[Absolute]:
     """ "starting with the red one (at the bottom)": what comes first in a line."""
-    j = p.any_of(p.opt(i, ","), _STARTING)
+    j = p.any_of(p.opt(i, ","), STARTING)
     for theme, k in simple(p, j) if j else ():
         if not isinstance(theme, Noun) or theme.head == "patch":
             continue

@@ -68,7 +68,7 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
         each = Noun(head="patch", det="each", span=p.span(i, i + 2))
         yield Loc(rel="on", landmark=each, span=each.span), p.reach(i + 2)
     for (name, mods), j in relation(p, i):
-        if p.words[j - 1] == "by" and p.figure(j) is not None:
+        if p.words[j - 1] == "by" and (p.figure(j) is not None or p.words[j] in _SORTED_BY):
             continue
         ends = p.words[i + 1 : j] == ["the", "top", "of"] and p.words[i] == "at"
         for landmark, k in noun_phrase(p, j):
@@ -105,6 +105,10 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from _bare(p, i)
 
 
+_SORTED_BY = frozenset(
+    {"letter", "letters", "number", "numbers", "digit", "digits", "label", "symbol", "kind", "type", "size", "value"}
+)
+"""Behind "by" these are no landmarks: "groups by letter"."""
 _SIDES = ("left", "right", "front", "behind")
 
 

@@ -51,7 +51,7 @@ def parted(p: Parser, i: int) -> Results[OrderBy]:
         second, m = _one(p, p.opt(p.opt(home, ","), "and"))
         attribute = _OPPOSED.get(frozenset({first, second})) if second else None
         for end in _homes(p, m, second) if attribute else ():
-            yield OrderBy(by="parted", attribute=str(attribute), span=p.span(i, end)), end
+            yield OrderBy(by="parted", attribute=str(attribute), values=(first, second), span=p.span(i, end)), end
 
 
 def _homes(p: Parser, i: int, kind: str) -> Iterator[int]:

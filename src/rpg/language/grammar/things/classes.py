@@ -35,11 +35,12 @@ def classes(p: Parser, i: int) -> Results[Meaning]:
             joint = p.one(p.opt(end, ","), "and")
             for (third, three), last in _class(p, joint) if joint else ():
                 if attribute == other == third and len({one, two, three}) == 3:
-                    yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, last)), last
+                    named = (one, two, three)
+                    yield OrderBy(by="attribute", attribute=attribute, values=named, span=p.span(i, last)), last
         joint = p.one(p.opt(k, ","), "and")
         for (other, two), end in _class(p, joint) if joint else ():
             if attribute == other and one != two:
-                yield OrderBy(by="attribute", attribute=attribute, span=p.span(i, end)), end
+                yield OrderBy(by="attribute", attribute=attribute, values=(one, two), span=p.span(i, end)), end
 
 
 def _class(p: Parser, i: int) -> Results[tuple[str, str]]:

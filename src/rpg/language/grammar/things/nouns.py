@@ -369,7 +369,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
                 marked = replace(noun.traits, colors=(named,))
                 yield replace(noun, traits=marked, span=p.span(i, k), cost=noun.cost + 2), k
     for base, at in tried:
-        for condition, end in relative(p, at, base.head):
+        for condition, end in relative(p, at, base.head, base.plural):
             k = p.opt(end, ",") if p.words[at : at + 1] == [","] else end
             if isinstance(condition, Traits):
                 more = {n: getattr(condition, n) for n in Traits.__dataclass_fields__}

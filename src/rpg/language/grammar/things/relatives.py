@@ -10,7 +10,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.standby import NO_ROLE
-from rpg.language.meaning import Loc, Meaning, Noun, Traits
+from rpg.language.meaning import Loc, Meaning, Noun, That, Traits
 
 _THAT = frozenset({"that", "which", "who", "what"})
 _SHOW = frozenset(
@@ -26,8 +26,9 @@ _WHOSE_COLOR = ("whose color is", "which color is", "that color is", "where the 
 
 
 @rule
-def relative(p: Parser, i: int, head: str) -> Results[Any]:
-    """Traits, or a tuple of conditions (places)."""
+def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
+    """Traits, or a tuple of conditions: places, or `That` of kind "whole" where a verb in the singular behind several
+    blocks is of the structure that they form."""
     from rpg.language.grammar.places.relations import loc
 
     comma = p.opt(i, ",")
@@ -54,8 +55,12 @@ def relative(p: Parser, i: int, head: str) -> Results[Any]:
         start = that
         while start < p.end and p.words[start] in lexicon.POSTURE | {"currently", "already", "initially"}:
             start = p.reach(start + 1)
-        if start > that or p.words[that : that + 1] == ["touches"]:
-            yield from _conditions(p, start, loc, comma > i)
+        whole = plural and p.words[that] in _SINGULAR
+        for places, k in _conditions(p, start, loc, comma > i) if start > that or p.words[that] == "touches" else ():
+            yield (tuple(That(kind="whole", clauses=x, span=x.span) for x in places) if whole else places), k
+
+
+_SINGULAR = frozenset({"is", "stands", "lies", "sits", "rests", "touches"})
 
 
 _CARRY = (

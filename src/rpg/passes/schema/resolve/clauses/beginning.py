@@ -8,6 +8,7 @@ from functools import partial
 from typing import TypeGuard
 
 from rpg.language.meaning import (
+    At,
     Chain,
     Clause,
     Coord,
@@ -37,7 +38,8 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
-    chains = tuple(_all_begun(_there_too(chain)) for chain in chains)
+    now = _as_it_is_now(chains[0], text, chains[1:])
+    chains = tuple(map(_all_begun, (now, *map(_there_too, chains[1:]))))
     if (picture := _pictured(chains, text)) is not None:
         return picture
     told = [_facts(chain, bold) for chain in chains]
@@ -49,7 +51,6 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
         x or (n < max(undone, default=0) and (_facts(chains[n]) or _looked_at(chains, n, text)))
         for n, x in enumerate(told)
     ]
-    told = [x or _moved_next(chains[n : n + 2]) for n, x in enumerate(told)]
     chains = tuple(_heap_first(chain, chains[n + 1 : n + 2]) for n, chain in enumerate(chains))
     ordered = [n for n, chain in enumerate(chains) if _ordered(chain)]
     heaped = [
@@ -59,6 +60,10 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     ]
     heaped += [n for n in range(max(ordered, default=0)) if _presented(chains, n, text)]
     heaped += _going_on(chains, final)
+    plain = [_facts(chain) and not final[n] and _unframed(chains, n, text) for n, chain in enumerate(chains)]
+    for n in reversed(range(len(chains) - 1)):
+        if plain[n] and (_moved_next(chains[n], chains[n + 1], text) or (plain[n + 1] and n + 1 in heaped)):
+            heaped.append(n)
     found = []
     for n, chain in enumerate(chains):
         if n in heaped or (told[n] and any(m > n for m in (*commands, *undone))):
@@ -70,6 +75,24 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
             chain = replace(chain, clauses=clauses)
         found.append(chain)
     return tuple(found)
+
+
+_NOW = re.compile(r"(?:(?:ok|okay|so|right|well),? )?now,?", re.IGNORECASE)
+
+
+def _as_it_is_now(chain: Chain, text: str, more: tuple[Chain, ...]) -> Chain:
+    """ "Now red is on blue, afterwards blue is on red": what is so now is the start of what comes afterwards."""
+    facts = 0
+    for link, clause in zip(chain.links, chain.clauses, strict=True):
+        if not isinstance(clause, Clause) or not _fact(clause, True) or (facts and link != "and"):
+            break
+        facts += 1
+    later = facts < len(chain.clauses)
+    if not facts or not (later or more) or _NOW.fullmatch(text[: chain.clauses[0].span[0]].strip()) is None:
+        return _there_too(chain)
+    begun = tuple(replace(c, mode="start") for c in chain.clauses[:facts] if isinstance(c, Clause))
+    links = (*chain.links[:facts], "and", *chain.links[facts + 1 :]) if later else chain.links
+    return replace(chain, clauses=(*begun, *chain.clauses[facts:]), links=links)
 
 
 def _of_its_end(chains: tuple[Chain, ...], n: int, text: str) -> bool:
@@ -199,20 +222,39 @@ def _undoes(chain: Chain) -> bool:
     return any(isinstance(c, Clause) and c.verb in ("swap", "unstack", "reverse") for c in chain.clauses)
 
 
-def _moved_next(chains: tuple[Chain, ...]) -> bool:
+def _moved_next(before: Chain, after: Chain, text: str) -> bool:
     """ "the red block is on the green block. Move it next to the blue block": what is told of a block that the very
-    next sentence moves.
+    next sentence moves, or says to belong elsewhere ("It has to go to the left half"), or what is told before another
+    block is put somewhere ("Put the white block on top").
     """
-    if len(chains) < 2 or not _facts(chains[0]) or len(chains[0].clauses) > 1:
+    fact, order = before.clauses[-1], after.clauses[0]
+    if not _facts(before) or not isinstance(fact, Clause) or not isinstance(order, Clause) or order.negated:
         return False
-    fact, order = chains[0].clauses[0], chains[1].clauses[0]
-    if not isinstance(fact, Clause) or not isinstance(order, Clause) or order.negated or order.mode != "command":
+    if isinstance(fact.theme, Noun) and fact.theme.head == "patch":
         return False
+    if not any(isinstance(a, Loc | In | At) for a in order.adjuncts) or _BESIDES.search(text[slice(*order.span)]):
+        return False
+    if (order.verb, order.mode) == ("place", "command"):
+        return True
+    wanted = order.mode == "goal" and (order.verb == "place" or (order.verb, order.lemma) == ("be", ""))
+    return wanted and len(before.clauses) == 1 and _same_one(fact, order)
+
+
+_BESIDES = re.compile(r"\b(?:also|too|as well|still|both|in addition|additionally)\b", re.IGNORECASE)
+_PLAINLY = re.compile(r"\W*(?:(?:ok|okay|so|now|well|hi|hello|hey|listen|robot|look)\W+)*", re.IGNORECASE)
+"""What may stand before a fact that nobody asks for."""
+
+
+def _unframed(chains: tuple[Chain, ...], n: int, text: str) -> bool:
+    before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
+    return _PLAINLY.fullmatch(re.split(r"[.;!?]", before)[-1]) is not None
+
+
+def _same_one(fact: Clause, order: Clause) -> bool:
     theme = order.theme
     same = isinstance(theme, Noun) and isinstance(fact.theme, Noun) and theme.traits == fact.theme.traits
     named = isinstance(theme, Noun) and theme.det == "the" and same
-    it = isinstance(theme, Pronoun) and theme.word in ("it", "them")
-    return (named or it) and order.verb == "place" and any(isinstance(a, Loc | In) for a in order.adjuncts)
+    return named or (isinstance(theme, Pronoun) and theme.word in ("it", "them"))
 
 
 def _ordered(chain: Chain) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import replace
 
 from rpg.ir import goal as g
@@ -41,10 +42,12 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         towers = Towers.of(scene) if link != "or" else towers
         if link == "or":
             towers.after(scene, start=False, denied=True)
+        loose = len(scene.loose)
         goals = clause_goals(clause, scene, starts)
         if link == "or":
             towers.after(scene, start=False, denied=True)
         goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+        at_their_times((link, after), goals, loose, scene)
         if clause.mode == "given" and "before" in (link, after):
             raise refuse("ambiguous", "it is not said what is before what", clause.span, "say where they should be")
         if after == "or" and len(goals) > 1:
@@ -61,6 +64,15 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if both:
             stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
+
+
+def at_their_times(links: Collection[str], goals: Collection[object], loose: int, scene: Scene) -> None:
+    """Note "put red on blue, then move it to the left": of what, when it is on blue already?"""
+    if not goals and not _TIMES.isdisjoint(links):
+        scene.untimed += scene.loose[loose:]
+
+
+_TIMES = frozenset({"then", "before"})
 
 
 def _no_exception(clause: Clause, link: str) -> None:
@@ -228,6 +240,7 @@ def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
         return stages[0] if stages else []
     goals = [conj(stage) for stage in stages]
     _still_later(goals, scene, chain.span)
+    _swaps_later(goals, chain.span)
     made = []
     for index, goal in enumerate(goals):
         later = goals[index + 1 :]
@@ -235,6 +248,17 @@ def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
         _lasts(goal, undone, chain.span)
         made.append(g.Stage(goal=goal, undone=undone))
     return [g.Sequence(stages=tuple(made), span=chain.span)]
+
+
+def _swaps_later(goals: list[g.Goal], span: tuple[int, int]) -> None:
+    """Refuse "put red on blue, then swap them": they swap the places that they have then, not those of the start."""
+    placed: set[str] = set()
+    for goal in goals:
+        for swap in (x for x in required(goal) if isinstance(x, r.Swapped)):
+            if placed & set(names_in(swap)):
+                raise refuse("ambiguous", "blocks that were moved before swap other places than those of the start",
+                             swap.span or span, "say where each of them should be at the end")  # fmt: skip
+        placed |= {n for x in required(goal) for n in (names_in(x) if getattr(x, "blocks", ()) else _subjects(x))}
 
 
 def _lasts(goal: g.Goal, undone: bool, span: tuple[int, int] | None) -> None:
@@ -283,6 +307,7 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
     if len(stages) > 1:
         fixed = []
         _still_later([stage.goal for stage in stages], scene, span)
+        _swaps_later([stage.goal for stage in stages], span)
         for index, stage in enumerate(stages):
             undone = any(_undone(after.goal, stage.goal, scene) for after in stages[index + 1 :])
             _lasts(stage.goal, undone, span)

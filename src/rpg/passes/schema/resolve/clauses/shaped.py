@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, That, Traits
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
 from rpg.passes.schema.resolve.clauses.fitting import uses_orders
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -88,13 +88,19 @@ def _where_all_of_it_is(clause: Clause, spec: Spec, scope: Scope) -> Clause:
         return clause
     items = shape.members.items if isinstance(shape.members, Coord) else (shape.members,)
     last = items[-1]
-    if not isinstance(last, Noun) or last.det != "bare" or last.amount or not last.conditions:
+    if not isinstance(last, Noun) or not last.conditions:
         return clause
-    if last.head != "any" and not last.traits.labels:
+    told = [x.clauses for x in last.conditions if isinstance(x, That) and x.kind == "whole"]
+    if not told:
+        if len(items) > 1 and last.det == "a" and not scope.start:
+            raise refuse("ambiguous", "it is not clear whether this is of the block or of all of it",
+                         last.conditions[0].span, "say it in a sentence of its own")  # fmt: skip
+        if last.det != "bare" or last.amount or (last.head != "any" and not last.traits.labels):
+            return clause
+        told = list(last.conditions)
+    if len(told) < len(last.conditions) or not all(isinstance(x, Loc | In) for x in told):
         return clause
-    if not all(isinstance(x, Loc | In) for x in last.conditions):
-        return clause
-    spec.places += last.conditions
+    spec.places += told
     kept = replace(last, conditions=())
     members = replace(shape.members, items=(*items[:-1], kept)) if isinstance(shape.members, Coord) else kept
     return replace(clause, theme=replace(shape, members=members))

@@ -27,7 +27,8 @@ from rpg.language.meaning import (
 
 @dataclass
 class Spec:
-    """What a clause says besides its verb and theme. `left`: what nobody has used yet; `lined`: towers in a row."""
+    """What a clause says besides its verb and theme. `left`: what nobody has used yet; `lined`: towers in a row;
+    `values`: the kinds that groups were said to be of."""
 
     orders: list[OrderBy] = field(default_factory=list)
     toward: list[Toward] = field(default_factory=list)
@@ -43,6 +44,7 @@ class Spec:
     thats: list[That] = field(default_factory=list)
     qualities: list[Quality] = field(default_factory=list)
     parts: list[Places] = field(default_factory=list)
+    values: tuple[str, ...] = ()
     listed: bool = False
     lined: bool = False
     any_way: bool = False

@@ -28,6 +28,16 @@ def check(goal: g.Goal, scene: Scene) -> None:
     _direction_cycles(parts)
     _turned_in_words(parts)
     _between_neighbours(parts)
+    _of_those_that_stay(parts)
+
+
+def _of_those_that_stay(parts: list[g.Goal]) -> None:
+    """Refuse "all blocks to the right half, but red stays where it is": is red to be there or not?"""
+    stays = [x for x in parts if isinstance(x, r.Stayed)]
+    for there in (x for x in parts if isinstance(x, r.InRegion | r.OnPatch)):
+        if any({*members(stay.a)} < {*members(there.a)} for stay in stays):
+            raise refuse("ambiguous", "a block that is to stay is one of those to be put somewhere", there.span,
+                         "say 'all but the red one', or name the blocks that are to be there")  # fmt: skip
 
 
 def _between_neighbours(parts: list[g.Goal]) -> None:

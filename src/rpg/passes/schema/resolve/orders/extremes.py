@@ -73,7 +73,8 @@ def directed(
                 return order.model_copy(update={"first": first, "descending": descending})
         return None
     ways = [(side, row), (OPPOSITE[side], row[::-1])]
-    for begin, way in ways[:1] if order.descending and kind != "stack" else ways:
+    one_way = (order.descending and kind != "stack") or (starts and order.by in ("label", "number", "size"))
+    for begin, way in ways[:1] if one_way else ways:
         if _fits(way, placed, free):
             forget_side(scene)
             return order.model_copy(update={"first": begin})

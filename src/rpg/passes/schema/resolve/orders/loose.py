@@ -3,13 +3,26 @@
 from __future__ import annotations
 
 from rpg.ir import goal as g
-from rpg.passes.schema.resolve.things.world import Scene
+from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
 def settle(goal: g.Goal, scene: Scene) -> g.Goal:
     """Work what `scene.loose` holds into the goal."""
     if not scene.loose and not scene.denied:
         return goal
+    _at_their_times(scene)
     from rpg.passes.schema.resolve.places.sides import place_loose
 
     return place_loose(goal, scene)
+
+
+def _at_their_times(scene: Scene) -> None:
+    """Refuse "put red on blue, then move it to the left": of what, when it is on blue already?
+
+    "On the left red, then green" is no order in time, and neither is what is told of a line.
+    """
+    lines = [set(b.members) for b in scene.built if b.kind in ("row", "line", "column", "word")]
+    late = [span for ref, _, span in scene.untimed if not any(line.issuperset(ref.names) for line in lines)]
+    if late and all(getattr(place, "side", "") != "next" for _, place, _ in scene.loose):
+        raise refuse("ambiguous", "this could be a side of the table or of what is spoken of before", late[0],
+                     "say 'to the left half of the table', or of what")  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import At, Noun, Traits
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
@@ -142,6 +143,9 @@ def _among_alike(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     index = int(rank) if rank.isdigit() else -1 if rank == "last" else None
     if index is not None and not -1 <= index <= len(built.members):
         return None
+    if any(set(built.members) <= {*names_in(fact)} for fact in scene.start_goals):
+        raise refuse("ambiguous", "blocks that look alike are not told apart by where they are at the start",
+                     noun.span, "give them colours, or say what is where at the end")  # fmt: skip
     name = built.members[0]
     place = At(side=side, index=index, span=noun.span)
     scene.loose.append((Ref(names=(name,), span=noun.span), place, noun.span))

@@ -13,7 +13,7 @@ from rpg.passes.schema.resolve.structures.grouped import group_size, told_lots
 from rpg.passes.schema.resolve.structures.towers import STACK_COLORS
 from rpg.passes.schema.resolve.things.members import declared, members_of, new_members
 from rpg.passes.schema.resolve.things.things import VOWELS, alike
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse, said
 
 Made = tuple[list[Built], list[g.Goal]]
 DEFAULT_GROUPS = 3
@@ -101,8 +101,9 @@ def attribute_of(spec: Spec) -> str | None:
     """What blocks are sorted by, if it was said."""
     found = next((o for o in spec.orders if o.by == "attribute"), None)
     if found is not None:
-        again = replace(found, span=(0, 0))
-        spec.orders = [o for o in spec.orders if replace(o, span=(0, 0)) != again]
+        again = replace(found, span=(0, 0), values=())
+        spec.values = next((o.values for o in spec.orders if o.attribute == found.attribute and o.values), ())
+        spec.orders = [o for o in spec.orders if replace(o, span=(0, 0), values=()) != again]
         spec.patterns = [p for p in spec.patterns if p.unit not in ("pile", "stack") or p.attribute != found.attribute]
         return found.attribute
     pattern = next((p for p in spec.patterns if p.unit in ("pile", "stack")), None)
@@ -155,6 +156,7 @@ def sort_into(
     fill(things, attribute, shape.amount.low if shape and shape.amount and shape.amount.low > 1 else None, scene)
     keyed: dict[str, list[str]] = {}
     for thing in things:
+        _fits_in(thing, attribute, spec, span)
         keyed.setdefault(value_of(thing, attribute), []).append(thing.name)
     if len(keyed) < 2:
         raise refuse(
@@ -182,7 +184,20 @@ def sort_into(
     return built, [s.GroupBy(groups=groups, by=attribute, outliers=outliers_of(spec), span=span)]  # type: ignore[arg-type]
 
 
+def _fits_in(thing: Thing, attribute: str, spec: Spec, span: Span) -> None:
+    """Refuse "A, B, 3 and a green block into letters and digits": a block that is of none of the groups."""
+    label = thing.label or ""
+    wanted = {"vowel": label.isalpha(), "parity": label.isdigit(), "label": bool(label)}.get(attribute, True)
+    if not wanted or (spec.values and value_of(thing, attribute) not in spec.values):
+        raise refuse("ambiguous", f"it is not said to which group {said(thing)} belongs", span,
+                     "leave it out, or say where it should be")  # fmt: skip
+
+
 def _guess(things: list[Thing], scene: Scene) -> str:
+    kinds = {t.kind for t in things}
+    if len(kinds) > 1 and len({(t.kind, t.color) for t in things}) > len({t.color for t in things}) > 1:
+        raise refuse("ambiguous", "by colour, or by letters, numbers and plain blocks?", None,
+                     "say 'by color' or 'by kind'")  # fmt: skip
     if len({t.color for t in things}) > 1 or all(t.color is None and t.kind is None for t in things):
         scene.assume("what to sort by is not said: colour")
         return "color"

@@ -33,8 +33,10 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
 
 def _facts(premise: object, scene: Scene) -> list[g.Goal]:
     """What a premise says of the end; what it says of the start is noted. Its landmark may have one of its own."""
-    if not isinstance(premise, Premise) or not isinstance(premise.condition, Loc | In):
+    if not isinstance(premise, Premise):
         return []
+    if not isinstance(premise.condition, Loc | In):
+        raise refuse("misplaced", "it is not clear of what this is said", premise.span, "say it in its own sentence")
     theme = Ref(names=premise.names, span=premise.span)
     if isinstance(getattr(premise.condition, "landmark", None), Coord):
         raise refuse("ambiguous", "it is not clear which block is where", premise.span, "say it of each block")

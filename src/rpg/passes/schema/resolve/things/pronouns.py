@@ -236,6 +236,7 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
         taken = set(scene.things) - (set(scene.whole) - scene.parted)
     left = [t for t in matching(noun.traits, scene, patch) if t.name not in taken] or _of_the_last(noun, scene, patch)
     count = noun.amount.low if noun.amount else None
+    _of_all(noun, left, scene, patch)
     if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
         left = more
     elif noun.det == "another" or not left:
@@ -279,6 +280,14 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     scene.used.update(names)
     scene.parted.update(names)
     return Ref(names=names, patch=patch, plural=len(names) > 1)
+
+
+def _of_all(noun: Noun, left: list[Thing], scene: Scene, patch: bool) -> None:
+    """Refuse "the others" where nobody was spoken of before, so that they would be all."""
+    whole = {t.name for t in scene.blocks() if not t.extra}
+    if noun.det == "other" and noun.traits == Traits() and not patch and left and whole == {t.name for t in left}:
+        raise refuse("no-referent", "of no block is anything said before, so that there are no others", noun.span,
+                     "say first what becomes of the one that is no other")  # fmt: skip
 
 
 def _of_the_last(noun: Noun, scene: Scene, patch: bool) -> list[Thing]:

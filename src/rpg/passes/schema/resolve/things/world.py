@@ -182,6 +182,7 @@ class Scene:
     sides: dict[int, str] = field(default_factory=dict)
     free_runs: dict[tuple[tuple[str, ...], ...], tuple[int, ...]] = field(default_factory=dict)
     loose: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
+    untimed: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     denied: list[tuple[Ref, Meaning, Span]] = field(default_factory=list)
     only: list[str] = field(default_factory=list)
     held: dict[str, Span] = field(default_factory=dict)

@@ -1,0 +1,75 @@
+"""What a list behind "two towers" is divided into: words that part it must come to something in the task."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from itertools import combinations
+
+from rpg.ir import goal as g
+from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import Spells, Towers
+from rpg.ir.walk import atoms
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+from rpg.passes.schema.resolve.things.world import refuse
+
+_ANEW = frozenset({"other", "others", "another", "more", "further", "new", "separate", "second", "too", "also"})
+"""What says that a second word is of other cubes than the first."""
+_TOWERS = frozenset({"towers", "stacks", "piles"})
+_ENDS = frozenset({".", ";", "!", "?", "(", ")"})
+
+
+def parted_lists(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "two towers: A, B, C and D, E" where any towers of these blocks would do: which is in which?"""
+    found = [atom for atom in atoms(task.goal) if isinstance(atom, Towers) and atom.each is None]
+    if not found:
+        return
+    counts = {one.count for one in found}
+    for index, token in enumerate(words[:-1]):
+        lot = _list(words, index + 2) if token.word in _TOWERS and words[index + 1].word in (":", ",") else []
+        if lot and _parted(lot, counts):
+            raise refuse("ambiguous", "it is not clear which blocks form which tower",
+                         (lot[0].span[0], lot[-1].span[1]), "say 'one tower of A and B, one of C and D'")  # fmt: skip
+
+
+def same_cubes(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "spell CAT, then CATS": with the cubes of the first word, or with others?"""
+    if not any(isinstance(part, g.Sequence) for part in (task.goal, *getattr(task.goal, "goals", ()))):
+        return
+    spelt = [atom for atom in atoms(task.goal) if isinstance(atom, Spells)]
+    for one, two in combinations(spelt, 2):
+        contained = not Counter(one.word) - Counter(two.word) or not Counter(two.word) - Counter(one.word)
+        if contained and not {*one.blocks} & {*two.blocks} and _ANEW.isdisjoint(t.word for t in words):
+            raise refuse("ambiguous", "with the cubes of the first word, or with others?", two.span,
+                         "say 'with the same letters', or 'with other cubes'")  # fmt: skip
+
+
+def _list(words: Sequence[Token], begin: int) -> list[Token]:
+    """The blocks listed from here to the end of the sentence; none where it says anything else."""
+    lot: list[Token] = []
+    for token in words[begin:]:
+        if token.word in _ENDS:
+            break
+        lot.append(token)
+    return lot if all(map(_listed, lot)) else []
+
+
+def _listed(token: Token) -> bool:
+    said = token.word in lexicon.COLOR or token.word in lexicon.BLOCK or token.word in lexicon.NUMBER
+    symbol = token.kind == "number" or (token.kind == "word" and len(token.raw) == 1 and token.raw.isupper())
+    return said or symbol or token.word in (",", "and", "to", "a", "one", "ones", "blocks", "cubes")
+
+
+def _parted(lot: list[Token], counts: set[int | None]) -> bool:
+    """Whether "and" stands between lists, or as many lots are listed as there are towers, each with its number."""
+    here = [token.word for token in lot]
+    joints = [n for n, word in enumerate(here) if word == "and"]
+    if any("," in here[n + 1 :] or "and" in here[n + 1 :] for n in joints):
+        return True
+    items = [n for n in range(len(here)) if (n == 0 or here[n - 1] in (",", "and")) and here[n] != "and"]
+    colors = any(word in lexicon.COLOR for word in here)
+    if not colors:  # "A B and C D", but not "A, B, C and D"
+        plain = [word for word in here if word not in (",", "and")]
+        return len(plain) > len(items) and not any(word in lexicon.BLOCK for word in plain)
+    return len(items) in counts and all(lot[n].kind == "number" or here[n] in lexicon.NUMBER for n in items)

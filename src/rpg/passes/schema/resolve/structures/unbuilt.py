@@ -1,0 +1,45 @@
+"""Structures that are spoken of as if they were known, though nothing says what they are made of."""
+
+from __future__ import annotations
+
+from rpg.language.meaning import Chain, Loc, Noun, Structure, Traits, parts_of
+from rpg.passes.schema.resolve.things.world import Scene, refuse
+
+
+def check_known(chains: tuple[Chain, ...], scene: Scene) -> None:
+    """Refuse "the tower" of made-up blocks beside named ones, and "on the red stack" of nobody knows how many."""
+    parts = [part for chain in chains for part in parts_of(chain)]
+    shapes = [part for part in parts if isinstance(part, Structure)]
+    made_up = any(t.invented and t.color is not None for t in scene.things.values())
+    named = any(not (t.invented or t.extra or t.patch) for t in scene.things.values())
+    if made_up and named and any(x.det == "the" and x.members is None and x.letter is None for x in shapes):
+        raise refuse(
+            "no-referent",
+            "a structure is spoken of as known, but it is not said which blocks it is made of",
+            chains[0].span,
+            "name its blocks",
+        )
+    marks = [part.landmark for part in parts if isinstance(part, Loc)]
+    for mark in marks if any(told.startswith(_UNSAID) for told in scene.assumptions) else ():
+        if not isinstance(mark, Structure) or mark.plural or mark.det not in ("the", "bare") or not _open(mark):
+            continue
+        if not any(other is not mark and other.kind == mark.kind for other in shapes):
+            raise refuse("no-referent", "this is spoken of as known, but it is not said how many blocks it has",
+                         mark.span, f"say 'a {mark.kind} of three red blocks', for example")  # fmt: skip
+
+
+_UNSAID = "the number of"
+
+
+def _open(shape: Structure) -> bool:
+    """Whether no more is said of a structure than its kind and the colours of its blocks."""
+    members = shape.members
+    plain = members is None or (
+        isinstance(members, Noun)
+        and members.amount is None
+        and members.det == "bare"
+        and members.traits == Traits(colors=members.traits.colors)
+        and len(members.traits.colors) == 1
+        and members.plural
+    )
+    return plain and not (shape.sizes or shape.dims or shape.letter or shape.details)

@@ -10,7 +10,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.edges import STANDARD, USUAL, edge_told
-from rpg.language.grammar.things.labels import label_list, run
+from rpg.language.grammar.things.labels import label_list, look_at, run
 from rpg.language.grammar.things.patch_sides import patch_side
 from rpg.language.meaning import Traits
 
@@ -217,6 +217,8 @@ _SHOWING = frozenset({"marked", "labelled", "labeled", "numbered", "lettered"})
 """Behind a mere number, what tells the blocks: "two cubes marked X and three marked O"."""
 _LABEL_NOUNS = frozenset({"letter", "letters", "label", "labels", "number", "numbers", "digit", "digits", "symbol",
                           "symbols", "sign"})  # fmt: skip
+_CALLED = frozenset({"number", "letter", "digit", "numbers", "letters"})
+"""What stands between a block and the symbol by which it is called: "the block number 3"."""
 _LABEL_PLURALS = frozenset(word for word in _LABEL_NOUNS if word.endswith("s"))
 _KINDS = {"letter": "letter", "letters": "letter", "number": "digit", "numbers": "digit", "digit": "digit",
           "digits": "digit", "symbols": "symbol", "symbol": "symbol"}  # fmt: skip
@@ -367,6 +369,8 @@ def _symbols_after(p: Parser, i: int) -> Results[Marks]:
     if j := p.one(i, "from"):
         yield from ((Marks({"labels": labels}), k) for labels, k in run(p, j) if k < p.end and labels[0] < labels[-1])
     yield from _labelled(p, i)
+    if (j := p.one(i, _CALLED)) and p.follows(i, lexicon.BLOCK) and not look_at(p, i - 2):
+        yield from ((Marks({"labels": labels}), k) for (labels, more), k in label_list(p, j, True) if not more)
     if p.follows(i, ("blocks", "cubes", "bricks")):
         for (listed, either), k in colors(p, p.opt(i, ":")):
             if len(listed) > 1 and not either and not _goes_on(p, k):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import string
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 
 _AND = frozenset({"and", "&", "plus"})
@@ -95,6 +96,14 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
             at = k + 1
         readings.append(((tuple(labels), False), at))
     yield from reversed(readings)
+
+
+def look_at(p: Parser, i: int) -> bool:
+    """Whether a look stands at i: "red block number 2" is the second of the red ones."""
+    if i < 0:
+        return False
+    letter = len(p.tokens[i].raw) == 1 and p.tokens[i].raw.isupper()
+    return letter or p.tokens[i].kind != "word" or p.words[i] in lexicon.COLOR
 
 
 def _bare_row(p: Parser, at: int) -> bool:

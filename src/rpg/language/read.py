@@ -10,6 +10,7 @@ from rpg.language.grammar.clauses.chains import chain
 from rpg.language.grammar.clauses.clauses import tail
 from rpg.language.grammar.clauses.links import emphasised, next_step
 from rpg.language.grammar.core import Parser, TooMuchWork
+from rpg.language.grammar.structures.levels import in_one
 from rpg.language.grammar.talk.asides import SOFT
 from rpg.language.grammar.talk.chatter import announces, idle
 from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
@@ -134,7 +135,7 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
-    parts = _with_predicates(split(tokens))
+    parts = in_one(_with_predicates(split(tokens)))
     read = [found for part in [part for part in parts if not idle(part)] or parts for found in _read(part)]
     sentences = [sentence for _, sentence in read]
     for n in range(1, len(read)):

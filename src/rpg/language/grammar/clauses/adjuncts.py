@@ -245,7 +245,8 @@ def _into(p: Parser, i: int) -> Results[Meaning]:
         yield Into(structure=Structure(kind="stack", det="a", span=p.span(i, j)), span=p.span(i, j)), j
     for _, j in p.standing(i, _INTO):
         for target, k in simple(p, j):
-            if isinstance(target, Structure):
+            ordered = p.words[k] == "order" and getattr(target, "kind", "") == "gradient"  # "in rainbow order: ..."
+            if isinstance(target, Structure) and not ordered:
                 yield Into(structure=target, span=p.span(i, k)), k
         for target, k in noun_phrase(p, j):
             if isinstance(target, Coord) and all(isinstance(x, Structure) for x in target.items):

@@ -10,6 +10,7 @@ from rpg.language.grammar.places.cornered import cornered
 from rpg.language.grammar.places.regions import named, named_regions
 from rpg.language.grammar.structures.alternation import alternation_alone
 from rpg.language.grammar.structures.equations import solved
+from rpg.language.grammar.structures.order_told import order_told
 from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.parted import parted
 from rpg.language.grammar.talk.people import WHO
@@ -103,6 +104,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _nobody_there(p, i)
     yield from _all_colored(p, i)
     yield from _ordered(p, i)
+    yield from order_told(p, i)
     for found, j in alternation_alone(p, i):
         yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j)), j
     if i == 0:

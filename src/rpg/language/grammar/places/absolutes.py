@@ -48,8 +48,10 @@ def starting(p: Parser, i: int) -> Results[Absolute]:
         if not isinstance(theme, Noun) or theme.head == "patch":
             continue
         first = Places(side="first", unit="block", index=1, span=theme.span)
-        yield Absolute(theme=theme, adjuncts=(first,), span=p.span(i, k)), k
-        for side, end in at(p, k):
+        sides = at(p, k)
+        if not sides:
+            yield Absolute(theme=theme, adjuncts=(first,), span=p.span(i, k)), k
+        for side, end in sides:
             yield Absolute(theme=theme, adjuncts=(side,), span=p.span(i, end)), end
 
 

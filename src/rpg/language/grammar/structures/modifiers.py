@@ -23,7 +23,8 @@ MODIFIERS = {
 EDGES = {"edges": True, "edge": True, "sides": True, "side": True, "size": True}
 
 
-OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/", "product": "*"}
+OPERATORS = {"addition": "+", "subtraction": "-", "multiplication": "*", "division": "/", "product": "*",
+             "sum": "+"}  # fmt: skip
 
 
 NOWHERE = (0, 0)

@@ -12,6 +12,8 @@ _MESSY = (
 )  # fmt: skip
 _TOGETHER = ("mixed up", "jumbled up", "mixed", "jumbled", "thrown together", "lumped together", "mixed together",
              "thrown", "heaped up", "heaped", "piled up", "piled", "dumped")  # fmt: skip
+_SPECTRUM = "red , orange , yellow , green , cyan , blue , purple and pink"
+"""All the colours of the rainbow."""
 _PHRASES = {
     **{f"{how} {what}": what for how in ("scattered", "strewn") for what in ("blocks", "cubes", "bricks", "boxes")},
     **{f"{on} the {floor}": f"{on} the table" for on in ("on", "onto", "to") for floor in ("floor", "ground")},
@@ -44,6 +46,11 @@ _PHRASES = {
         for touch in ("touches", "touch", "may touch", "is touching", "must touch", "should touch", "is next to")
         for other in ("another", "any other", "the other", "each other", "another one", "any of the others")
     },
+    **{f"{every}{rainbow}": _SPECTRUM
+       for every in ("all ", "all eight ", "all of ", "all the ", "all of the ", "the ", "the eight ", "all the eight ",
+                     "one of each of the ")
+       for rainbow in ("rainbow colors", "colors of the rainbow", "colors of a rainbow", "color of the rainbow")
+       if every != "the " or rainbow == "rainbow colors"},
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
 }  # fmt: skip
 """What people write, and what it is read as."""
@@ -67,7 +74,8 @@ def rephrased(tokens: list[Token]) -> list[Token]:
             at += 1
             continue
         span = (tokens[at].span[0], tokens[at + len(said) - 1].span[1])
-        out += [Token("word", word, word, span) for word in _PHRASES[" ".join(said)].split()]
+        plain = _PHRASES[" ".join(said)].split()
+        out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
         at += len(said)
     return out
 

@@ -79,9 +79,15 @@ def _more(p: Parser, items: tuple[Meaning, ...], at: int) -> Results[tuple[Meani
     if j == at or len(items) > 30:
         return
     for item, k in simple(p, j):
-        if isinstance(item, Noun):
+        if isinstance(item, Noun) and not _next_part(items[0], item):
             yield (*items, item), k
             yield from _more(p, (*items, item), k)
+
+
+def _next_part(first: Meaning, item: Noun) -> bool:
+    """ "(the first row is) red, the second green": the next part with its look, and no second green block."""
+    bare = isinstance(first, Noun) and first.det == "bare" and first.traits.rank is None
+    return bare and item.det == "the" and item.traits.rank is not None
 
 
 _RUN = 3

@@ -198,6 +198,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return centred(spec, scene, clause.span)
     if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
         return goals
+    if clause.lemma in _ORDERING and clause.theme is not None:
+        spec.orders.append(OrderBy(by=_ORDERING[clause.lemma], span=clause.word or clause.span))
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):
         return shaped(clause, spec, scene, scope)
     if clause.theme is None:
@@ -253,8 +255,6 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     """Blocks that a verb arranges, with what the verb itself says of their order and their places."""
     if clause.lemma == "line" and not spec.intos:
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.word or clause.span), span=clause.span))
-    if clause.lemma in _ORDERING:
-        spec.orders.append(OrderBy(by=_ORDERING[clause.lemma], span=clause.word or clause.span))
     if clause.verb == "stack" and not _kind_of_shape(spec) and any(map(on_matching_patches, spec.places)):
         spec.patterns.append(Pattern(unit="stack", span=clause.span))
     shape = _kind_of_shape(spec)

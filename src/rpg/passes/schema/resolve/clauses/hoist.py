@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language.meaning import (
     Absolute,
+    At,
     Chain,
     Clause,
     Coord,
@@ -64,7 +65,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if said.lemma == "listed":
                 kept.insert(0, ("and", _there_are(said, _last(found))))
                 continue
-            if _in_outline(found, said, link):
+            if _in_outline(found, said, link) or (link not in ("then", "or") and _on_the_part(found, said)):
                 continue
             if (inside := in_the_middle(said)) is not None and _new(inside[1]):
                 built = replace(said, verb="build", lemma="", theme=inside[1], adjuncts=(inside[0],))
@@ -89,6 +90,29 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
         replace(chains[n], clauses=tuple(c for _, c in found[n]), links=tuple(link for link, _ in found[n]))
         for n in left
     )
+
+
+def _on_the_part(found: list[list[tuple[str, Meaning]]], said: Clause) -> bool:
+    """ "Build a tower of four blocks. The bottom one is black. On it there is a white one.": the next of the four."""
+    last = _last(found)
+    place = said.adjuncts[0] if len(said.adjuncts) == 1 else None
+    if last is None or _unlooked(last) < 2 or said.verb != "be" or said.negated:
+        return False
+    if not isinstance(place, Loc) or place.rel not in ("on", "above") or place.negated:
+        return False
+    upon = isinstance(place.landmark, Pronoun) and place.landmark.word in ("it", "that", "this", "that one")
+    said_of = last.adjuncts or (last.theme.details if isinstance(last.theme, Structure) else ())
+    told = said_of[-1].items[-1] if said_of and isinstance(said_of[-1], Coord) else said_of[-1] if said_of else None
+    part = told.adjuncts[0] if isinstance(told, Absolute) else None
+    if not upon or not isinstance(part, At) or part.side not in ("bottom", "middle", "next") or said.mode == "start":
+        return False
+    if not isinstance(said.theme, Noun) or place.rel == "above":
+        raise refuse("ambiguous", "this could be the next block of the tower, or one above all of it", said.span,
+                     "say 'the second block from the bottom', or 'on top of the tower'")  # fmt: skip
+    onward = Absolute(theme=said.theme, adjuncts=(At(side="next", whole="on", span=place.span),), span=said.span)
+    line = max(n for n, lot in enumerate(found) if lot)
+    found[line][-1] = (found[line][-1][0], replace(last, adjuncts=(*last.adjuncts, onward)))
+    return True
 
 
 def _asked_again(found: list[list[tuple[str, Meaning]]], said: Clause, link: str) -> bool:

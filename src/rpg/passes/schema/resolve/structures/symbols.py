@@ -217,9 +217,10 @@ def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scop
         theme = refer(source, scene, Scope(role="member"))
     elif source is not None:
         spec.usings.insert(0, Using(members=source, span=source.span))
-    if theme is None and source is None and text is None and shape.letter is None:
-        theme = _there(scene)
+    if theme is None and source is None and text is None:
+        theme = _there(scene, shape.letter)
     if theme is not None and text is None and any(scene.things[n].label for n in theme.names):
+        theme = with_signs(theme, shape, scene)
         check_solvable(theme.names, scene, shape.span)
         return _equation_node(theme.names, None, spec, shape, scene)
     if theme is None and text is None:
@@ -227,10 +228,34 @@ def equation(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scop
     return _equation_node(_cubes(chosen, spec, theme, scene, scope, shape.span), text, spec, shape, scene)
 
 
-def _there(scene: Scene) -> Ref | None:
-    """ "Use 2, 3, 5, + and =. Form an equation.": of the cubes that there are, where one of them shows "="."""
+def _there(scene: Scene, operator: str | None) -> Ref | None:
+    """ "Use 2, 3, 5, + and =. Form an equation.": of the cubes that there are, where one of them shows "=".
+
+    Where it is said what sort of equation it is, its numbers do.
+    """
     found = [t for t in scene.blocks() if t.declared and t.kind in ("digit", "symbol")]
-    return Ref(names=tuple(t.name for t in found)) if any(t.label == "=" for t in found) else None
+    told = any(t.label == "=" for t in found) or (operator is not None and any(t.label for t in found))
+    return Ref(names=tuple(t.name for t in found)) if told else None
+
+
+def with_signs(theme: Ref, shape: Structure, scene: Scene) -> Ref:
+    """ "a true subtraction with 9, 4 and 5": the cubes with the signs that such an equation of these numbers takes."""
+    labels = [scene.things[n].label or "" for n in theme.names]
+    numbers = [label for label in labels if label.isdigit()]
+    if len(numbers) < 3 or not set(labels) <= {*numbers, "=", shape.letter}:
+        return theme
+    said = shape.letter
+    lacking: list[str] = [] if said is None or said in labels else [said] * (len(numbers) - 2)
+    if said is None:
+        fits = [sign for sign in "+-*/" if solvable([*numbers, *[sign] * (len(numbers) - 2), "="])]
+        if len(fits) > 1:
+            raise refuse("ambiguous", "it is not said with which signs", shape.span, "name them, as in 'with + and ='")
+        lacking = fits * (len(numbers) - 2)
+    lacking += [] if "=" in labels else ["="]
+    if lacking:
+        scene.assume(f"cubes for the signs: {' '.join(lacking)}")
+    made = [create(Traits(labels=(sign,)), scene, False).name for sign in lacking]
+    return replace(theme, names=(*theme.names, *made))
 
 
 def _labelled(source: Meaning) -> bool:
@@ -279,21 +304,24 @@ def check_solvable(names: tuple[str, ...], scene: Scene, span: Span) -> None:
         return
     if len(labels) < 2:
         raise refuse("too-few", "an equation takes at least five cubes, one of them =", span, "name all its cubes")
-    for order in sorted(set(permutations(labels))):
-        text = "".join(order)
-        sides = text.split("=")
-        if (
-            len(sides) == 2
-            and all(re.fullmatch(r"\d([-+*/]\d)*", side) for side in sides)
-            and _value(sides[0]) == _value(sides[1]) is not None
-        ):
-            return
+    if solvable(labels):
+        return
     raise refuse(
         "false-equation",
         f"no true equation can be made of {' '.join(labels)}",
         span,
         "choose numbers such as 2, 3 and 5 with + and =",
     )
+
+
+def solvable(labels: list[str]) -> bool:
+    """Whether some order of these symbols is a true equation."""
+    for order in sorted(set(permutations(labels))) if len(labels) <= MAX_SEARCHED else ():
+        sides = "".join(order).split("=")
+        plain = len(sides) == 2 and all(re.fullmatch(r"\d([-+*/]\d)*", side) for side in sides)
+        if plain and _value(sides[0]) == _value(sides[1]) is not None:
+            return True
+    return False
 
 
 def _value(side: str) -> float | None:

@@ -64,6 +64,7 @@ def choose(scene: Scene) -> set[str]:
     size_all(scene)
     no_strangers(scene)
     _count_open(things, scene)
+    _named_ones(things)
     for thing in things:
         if thing.kind and not thing.patch:
             label_of(thing, scene)
@@ -83,6 +84,18 @@ def choose(scene: Scene) -> set[str]:
             )
         scene.assume(f"the colour of the patch is not said: {thing.color}")
     return {thing.name for thing in (*open_, *bare)}
+
+
+def _named_ones(things: list[Thing]) -> None:
+    """Refuse blocks of which neither number nor symbols are said where others are named that show such: "a row in
+    descending order, 8, 2, 6" could be of these."""
+    made_up = [t for t in things if (t.elastic is not None or t.invented) and not t.extra]
+    kinds = {t.kind for t in made_up if t.kind and (t.label is None or t.open)}
+    named = [t for t in things if t.label and not t.extra and t.kind in kinds and t not in made_up]
+    if named:
+        labels = ", ".join(dict.fromkeys(t.label for t in named if t.label))
+        raise refuse("ambiguous", f"it is not clear whether these are {labels} or further ones", None,
+                     "name the blocks where the order is told")  # fmt: skip
 
 
 def _count_open(things: list[Thing], scene: Scene) -> None:

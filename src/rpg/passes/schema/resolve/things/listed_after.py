@@ -73,6 +73,8 @@ def filled(last: Clause, said: Clause) -> Clause | None:
         return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
     if (rainbow := _rainbow(last, said)) is not None:
         return rainbow
+    if (sorted_ := _sorted_ones(last, said)) is not None:
+        return sorted_
     items = next((a.items for a in said.adjuncts if isinstance(a, OrderBy) and a.by == "given" and a.items), ())
     listed = said.verb == "arrange" and said.theme is None and said.mode == "goal"
     if not listed or not items or any(not isinstance(a, OrderBy | Toward) for a in said.adjuncts):
@@ -84,6 +86,30 @@ def filled(last: Clause, said: Clause) -> Clause | None:
     if told or not _unlooked(shape) or _many(shape) not in (None, len(items)):
         return None
     return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
+
+
+_NAMED = ("ascending", "label", "number", "rainbow", "size", "mirrored")
+
+
+def _sorted_ones(last: Clause, said: Clause) -> Clause | None:
+    """ "A row in descending order, 8, 2, 6, from left to right": which blocks those are that are sorted."""
+    shape, theme = last.theme, said.theme
+    if last.verb != "build" or not isinstance(shape, Structure) or not _unlooked(shape):
+        return None
+    if not any(isinstance(a, OrderBy) and a.by in _NAMED and not a.items for a in last.adjuncts):
+        return None
+    if any(isinstance(a, Into) or (isinstance(a, OrderBy) and a.items) for a in last.adjuncts):
+        return None
+    items = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
+    nouns = [x for x in items if isinstance(x, Noun) and x.det == "bare" and x.head != "patch" and not x.part_of]
+    looks = [x for x in nouns if x.traits in (Traits(labels=x.traits.labels), Traits(colors=x.traits.colors))]
+    many = sum(x.amount.low if x.amount else len(x.traits.labels or x.traits.colors) for x in looks)
+    told = said.verb in ("be", "exist") and said.lemma in ("", "tally", "listed")
+    if not told or len(looks) < len(items) or many < 2 or any(not isinstance(a, Toward) for a in said.adjuncts):
+        return None
+    if theme is None or _many(shape) not in (None, many):
+        return None
+    return replace(last, theme=replace(shape, members=theme, sizes=()), adjuncts=(*last.adjuncts, *said.adjuncts))
 
 
 def _rainbow(last: Clause, said: Clause) -> Clause | None:

@@ -174,7 +174,7 @@ def _one_match(word: str) -> str | None:
     if len(word) < 3:
         return None
     for limit in (1, 2) if len(word) >= LONG_WORD else (1,):
-        close = [k for k in nearest(word, limit) if len(k) > 2 and _slip(word, k)]
+        close = [k for k in nearest(word, limit) if len(k) > 2 and slip(word, k)]
         if len(close) > 1:
             close = _likeliest(word, close)
         if close:
@@ -182,7 +182,7 @@ def _one_match(word: str) -> str | None:
     return None
 
 
-def _slip(word: str, meant: str) -> bool:
+def slip(word: str, meant: str) -> bool:
     """Whether `word` could be typed for `meant`, rather than be another word: it begins alike, and in a short word a
     letter that stands for another is beside it on the keyboard."""
     if word[0] != meant[0] and word[:2] != meant[1::-1]:

@@ -49,7 +49,7 @@ from rpg.passes.schema.resolve.goals.contradictions import check
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
-from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_last, told_later
+from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
 from rpg.passes.schema.resolve.structures.unbuilt import check_known
 from rpg.passes.schema.resolve.things import finish
@@ -152,6 +152,11 @@ def resolve(
     if (last := heaps_last(*told_later(links, facts))) is not None:
         with suppress(Refusal):
             return _resolved(*last, text, notes, name, seed, author, lenient)
+    if (heaped := heaps_begun(facts)) is not None:
+        with suppress(Refusal):
+            found = _resolved(*told_later(links, heaped), text, notes, name, seed, author, lenient)
+            if {n for heap in found.task.init.heaps for n in heap} <= set(names_in(found.task.goal)):
+                return found
     try:
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)
     except Refusal as refusal:

@@ -9,8 +9,8 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
-from rpg.language.grammar.talk.titles import title
 from rpg.language.spelling import read_words
+from rpg.language.titles import title, untitled
 from rpg.language.tokens import tokenize
 from rpg.passes.schema.ambiguity import TwoReadings
 from rpg.passes.schema.build import build
@@ -57,7 +57,7 @@ class BuiltinFrontEnd:
         tokens, strays = tokenize(text)
         if over := title(tokens):
             strays = [s for s in strays if s.text != "#" or s.span[0] > tokens[over].span[0]]
-        words, notes, wrong = read_words(tokens[over:])
+        words, notes, wrong = read_words(untitled(tokens[over:]))
         if wrong or strays:
             return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
         words = without_asides(words)

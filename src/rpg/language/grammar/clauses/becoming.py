@@ -55,6 +55,11 @@ _BECOMES = (
     "have the form of",
     "has the form of",
     "take the form of",
+    *(
+        f"{be} {turned} into"
+        for be in ("be", "is", "are", "gets", "get")
+        for turned in ("turned", "made", "transformed", "changed", "converted", "rearranged", "remade", "reshaped")
+    ),
 )
 _GATHERS = frozenset({"gather", "cluster", "assemble", "group", "line", "align", "queue", "bunch", "unite", "stack",
                       "merge", "combine"})  # fmt: skip
@@ -65,6 +70,7 @@ def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
     yield from _there(p, i, k, theme, mode)
     if isinstance(theme, Structure):
         yield from _consists(p, i, k, theme, mode)
+        yield from _becomes(p, i, k, theme, mode)
         yield from _goes(p, i, k, theme, mode)
         for way, j in toward(p, comma) if (comma := p.one(k, ",")) else ():
             end = p.one(j, ",")
@@ -132,10 +138,13 @@ def _consists(p: Parser, i: int, k: int, theme: Structure, mode: str) -> Iterato
 
 
 def _becomes(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
-    """ "five blocks become a circle"; "the six blocks are a triangle"."""
+    """ "five blocks become a circle"; "the six blocks are a triangle"; "a heap of them has to become a row"."""
     turned = p.any_of(k, _BECOMES)
-    j = turned or p.any_of(k, _IS)
+    shaped = isinstance(theme, Structure)
+    j = turned or (0 if shaped else p.any_of(k, _IS))
     if not j or (isinstance(theme, Noun) and (theme.head == "patch" or not theme.plural)):
+        return
+    if isinstance(theme, Structure) and (theme.kind in ("word", "equation") or theme.plural or mode == "start"):
         return
     for target, end in simple(p, j):
         plain = isinstance(target, Structure) and target.members is None and target.kind not in ("word", "equation")
@@ -147,10 +156,9 @@ def _becomes(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
             continue
         into = Into(structure=target, span=p.span(j, end))
         for found, last in adjuncts(p, end):
-            yield (
-                Clause(verb="arrange", theme=theme, adjuncts=(into, *found), mode=mode, span=p.span(i, last), cost=1),
-                last,
-            )
+            lemma = "turn into" if shaped else ""
+            adj, span = (into, *found), p.span(i, last)
+            yield Clause(verb="arrange", lemma=lemma, theme=theme, adjuncts=adj, mode=mode, cost=1, span=span), last
 
 
 def _gathers(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:

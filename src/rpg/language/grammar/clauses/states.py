@@ -156,8 +156,8 @@ _BARRED = ("at no time", "at no point", "at no moment", "under no circumstances"
 
 
 _FILLERS = frozenset({
-    "to", "also", "only", "all", "always", "both", "each", "ever", "end", "ends", "gets", "get", "up", "then",
-    "still", "just", "simply",
+    "to", "also", "only", "all", "always", "both", "each", "ever", "end", "ends", "ended", "winds", "gets", "get", "up",
+    "then", "still", "just", "simply",
 })  # fmt: skip
 
 
@@ -195,7 +195,7 @@ def _auxiliaries(p: Parser, j: int) -> tuple[int, set[str]]:
     while j < p.end and (p.words[j] in _MODALS | _FILLERS | _NOT | last or _passive(p, j)):
         if p.words[j] in words & _NOT:
             break
-        if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ending"):
+        if p.words[j] == "up" and p.words[j - 1] not in ("end", "ends", "ended", "ending", "winds"):
             break
         if p.words[j] == "to" and p.words[j + 1] in ("the", "its", "their"):
             break

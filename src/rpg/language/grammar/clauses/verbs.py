@@ -108,7 +108,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
-        yield from _taken_off(p, i, k, theme) if sense == "pick" else ()
+        yield from _taken_off(p, i, k, theme) if sense == "pick" or lemma in _TAKING else ()
         k = p.opt(k, *_BEHIND.get(sense, ()))
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
         if sense == "use":
@@ -129,7 +129,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
                 continue
             said = (*found, *alone)
-            cost = int(sense == "keep" and not said)
+            cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] == "off")))
             yield (
                 Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word, cost=cost),
                 end,
@@ -142,7 +142,9 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
                 yield Clause(verb=sense, lemma=lemma, adjuncts=found, span=p.span(i, end), word=word, cost=1), end
 
 
-_OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there")
+_TAKING = frozenset({"get", "bring", "move", "remove", "pull", "push"})
+_OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there", "down",
+        "down again", "down from there", "back down", "back off", "away again", "out of there")  # fmt: skip
 """Where something is taken from that was said to be somewhere."""
 _CLOSED = frozenset({",", ";", "and", "then", "."})
 

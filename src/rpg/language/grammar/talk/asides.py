@@ -108,6 +108,9 @@ _DEGREES = frozenset(
         "big",
         "large",
         "tiny",
+        "up",
+        "away",
+        "out",
     }
 )
 """What an emphasis in front of them would change."""

@@ -25,7 +25,8 @@ _PREFACES = (
     "task|goal|job|plan|idea|wish|instruction|instructions|picture|result|layout|arrangement|aim|setup|request|order|"
     "requirement|challenge|mission|assignment|puzzle :|,",
     "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
-    "easy|simple|quick|hard|tricky one|task|job|question|request|thing|exercise|puzzle|challenge :",
+    "now|next|and|then? the|a|an|another? easy|simple|quick|hard|tricky|difficult|fun "
+    "one|task|job|question|request|thing|exercise|puzzle|challenge :",
     "do|would_you_do me|us a|one|this small|little|big? favor ,|:|and please?",
     "goal|aim|objective|target|task is to?",
     "per|as_per|following|according_to the|our|my|your? client|customer|boss|teacher|user|manager 's? "
@@ -55,6 +56,8 @@ COMMANDS = Patterns(
     "also|additionally ,?",
     "first off|of_all ,?",
     "to start",
+    "meanwhile|in_the_meantime|meantime|at_the_same_time|all_the_while ,?",
+    "so|and|well|okay|ok|yeah|just like ,?",
     "hey|hi|hello|ok|okay|so|well|alright|please|robot|agent ,?",
     "task|goal|instruction|requirement :|-?",
     "the|your|our? real|actual? task|job itself? :",
@@ -113,7 +116,8 @@ COMMANDS = Patterns(
     "helper|assistant|machine|computer|builder|friend|friends|arm ,|:",
     "team|everyone|everybody|folks|guys|children|kids|class|boys_and_girls ,|: let_us|please?",
     "to",
-    "the|your|our|my next|main|first|whole|only|actual|new? task|job|goal|mission|exercise|challenge|puzzle|"
+    "the|your|our|my|the_robot_'s|your_robot_'s|the_arm_'s|the_agent_'s|robot_'s|agent_'s|today_'s "
+    "next|main|first|whole|only|actual|new? task|job|goal|mission|exercise|challenge|puzzle|"
     "plan|idea|aim|"
     "assignment|request|instruction|wish|setup|objective for_you|today|here|now|this_time? is|:|would_be|"
     "will_be to|:? :?",

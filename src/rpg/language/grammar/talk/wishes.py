@@ -66,7 +66,7 @@ _DONE = (
     "won|won_the_game|passed|a_success|attained|obtained|succeeded|ready|satisfied|given|through|in_success"
 )
 _WHEN = (
-    "when|if|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|as_long_as|"
+    "when|if|iff|once|as_soon_as|exactly_when|only_when|only_if|if_and_only_if|precisely_when|exactly_if|only_once|as_long_as|"
     "provided|provided_that|when_and_only_when|by_having"
 )
 STATES = Patterns(
@@ -109,14 +109,16 @@ STATES = Patterns(
     "when|once it|everything is all over|done|finished ,?",
     "it|this|that|the_picture|the_result|the_scene should|must|shall|will|has_to show|look_like|display|depict :?",
     "the|our|my|a? end|final|finish|ending|goal|target point|position|condition|situation is|:|, :?",
-    "to pass|win|succeed|finish ,",
+    "in_order? to pass|win|succeed|finish|complete_it|solve_it|complete_the_task|solve_the_task ,",
+    "anything|everything|all goes|is_fine|is_ok|is_okay|is_good|is_allowed|is_alright|works|will_do "
+    "as_long_as|so_long_as|provided|provided_that|if ,?",
     "a|the|every|any successful|good|correct|finished|complete episode|run|attempt|game|task|solution ends|finishes "
     "with|when|if|once|in",
     "consider|count|regard|take it|this|the_task|the_job|the_episode as? "
     "solved|done|complete|finished|successful|a_success|completed when|if|once|as_soon_as",
     "it would make|makes me|us|them|my_boss|everyone really|very|so? happy|glad|proud to_see|to_have|if|when",
     "<who> <want> a|the|some? nice|good? <picture> of|showing|with",
-    "<who> says|say|said|thinks|think|believes that|: ,?",
+    "<who> says|say|said|thinks|think|believes that|:? ,?",
     "a|the|one|any correct|right|valid|good|successful|finished|complete|proper solution|result|answer|outcome "
     "has|shows|is|looks_like|consists_of|contains|would_be|would_have|must_have|must_show|should_have|should_show "
     ":|,?",

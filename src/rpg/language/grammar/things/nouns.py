@@ -16,6 +16,7 @@ from rpg.language.grammar.things.edges import of_edges
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each
 from rpg.language.grammar.things.labels import label_list, literal
 from rpg.language.grammar.things.pronouns import pronoun
+from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.standby import further_extras
 from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.grammar.things.theirs import of_patch
@@ -65,7 +66,7 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         yield from apposed(p, i, item, j)
         yield from of_each(p, i, item, j)
         if not (isinstance(item, Noun) and item.det == "both" and item.head == "any"):
-            yield from more(p, i, (item,), j, None)
+            yield from ((beside_heap(item, found), k) for found, k in more(p, i, (item,), j, None))
 
 
 @rule

@@ -211,6 +211,15 @@ def one_heap(theme: Meaning, verb: str) -> bool:
     return several and not first.plural and first.members is not None
 
 
+def beside_heap(first: Meaning, found: Meaning) -> Meaning:
+    """ "a heap of two red cubes and two blue cubes": all of them are in it, rather than the last beside it."""
+    if not isinstance(first, Structure) or first.kind != "pile" or not isinstance(found, Coord) or found.op != "and":
+        return found
+    alike = [x for x in (first.members, *found.items[1:]) if isinstance(x, Noun) and x.det == "bare" and x.plural]
+    several = len(alike) == len(found.items) and all(x.head != "patch" and x.amount is not None for x in alike)
+    return replace(found, cost=found.cost + 1) if several else found
+
+
 def none_of(theme: Meaning) -> bool:
     """ "nothing", "no red block"."""
     return getattr(theme, "det", "") == "no" or getattr(theme, "word", "") in ("nothing", "nothing else")

@@ -375,7 +375,10 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         case "turn":
             return turning.turn(clause, spec, scene, scope)
         case "reverse":
-            return reverse(refer(clause.theme, scene, scope) if clause.theme else Ref(), scene, clause.span)
+            theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+            told = isinstance(clause.theme, Structure) and (clause.theme.members or clause.theme.details)
+            scene.start_goals += scene.goals.pop(scene.clause, []) if told else []
+            return reverse(theme, scene, clause.span)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
 

@@ -45,7 +45,8 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
     """Whether two atoms contradict each other by their names alone."""
     if isinstance(a, g.Not) or isinstance(b, g.Not):
         inner, other = (a.goal, b) if isinstance(a, g.Not) else (b.goal, a)  # type: ignore[union-attr]
-        return _same(inner, other) or _covers(other, inner)
+        lies = isinstance(inner, r.Above) and isinstance(other, r.On) and (inner.a, inner.b) == (other.a, other.b)
+        return lies or _same(inner, other) or _covers(other, inner)
     match a, b:
         case (r.On(), r.On()):
             return (a.a == b.a and a.b != b.b) or (a.b == b.a and a.a == b.b) or (a.b == b.b and a.a != b.a)

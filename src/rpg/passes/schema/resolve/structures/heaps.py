@@ -14,6 +14,7 @@ from rpg.language.meaning import (
     Loc,
     Meaning,
     Noun,
+    OrderBy,
     Pronoun,
     Structure,
     TableTop,
@@ -120,6 +121,35 @@ def heaps_last(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], 
     return [*(link for link, _ in kept), "and"], (*(chain for _, chain in kept), last)
 
 
+def heaps_begun(chains: tuple[Chain, ...]) -> tuple[Chain, ...] | None:
+    """ "Four cubes in a heap: two red, two white. Sort by colour.": what is told of a heap, and not ordered, is of the
+    start. None where nothing else is told, or no heap is."""
+    told = [[_begun_heap(clause) for clause in chain.clauses] for chain in chains]
+    if not any(heap for heaps in told for heap in heaps) or all(heap for heaps in told for heap in heaps):
+        return None
+    return tuple(
+        replace(chain, clauses=tuple(heap or c for heap, c in zip(heaps, chain.clauses, strict=True)))
+        for heaps, chain in zip(told, chains, strict=True)
+    )
+
+
+def _begun_heap(clause: Meaning) -> Clause | None:
+    if not isinstance(clause, Clause) or clause.negated or clause.mode != "goal" or clause.verb == "sort":
+        return None
+    shape = clause.theme
+    if isinstance(shape, Structure) and _single_heap(shape) and clause.verb in ("build", "be"):
+        told = all(isinstance(a, Loc) and isinstance(a.landmark, TableTop) for a in clause.adjuncts)
+        return replace(clause, verb="exist", lemma="begun", mode="given", adjuncts=()) if told else None
+    into = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    if not isinstance(into, Into) or not _single_heap(into.structure):
+        return None
+    return replace(clause, mode="start")
+
+
+def _single_heap(shape: Meaning) -> bool:
+    return isinstance(shape, Structure) and shape.kind == "pile" and not shape.plural and not shape.sizes
+
+
 _THEM = frozenset(
     {"them", "they", "these", "those", "all", "all of them", "it", "everything", "the rest", "the others"}
 )
@@ -157,7 +187,7 @@ def _open_heap(clause: Meaning) -> Clause | None:
 
 
 def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
-    """ "From a heap of five red blocks make a row": there is such a heap, and the row is made of its blocks."""
+    """ "From a heap of five red blocks make a row", "sort a heap of them": there is a heap, of whose blocks it is."""
     found = []
     for chain in chains:
         pairs: list[tuple[str, Meaning]] = []
@@ -166,9 +196,31 @@ def from_heaps(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
             for heap in heaps:
                 there = Clause(verb="exist", theme=heap.members, mode="given", lemma="begun", span=heap.span)
                 pairs.append(("and", there))
-            pairs.append((link, _of_heaps(clause, heaps) if heaps and isinstance(clause, Clause) else clause))
+            clause = _of_heaps(clause, heaps) if heaps and isinstance(clause, Clause) else clause
+            if isinstance(clause, Clause) and (blocks := _taken_up(clause)) is not None:
+                there = Clause(verb="exist", theme=clause.theme, mode="given", lemma="begun", span=clause.span)
+                pairs.append(("and", there))
+                clause = replace(clause, theme=blocks)
+            pairs.append((link, clause))
         found.append(replace(chain, clauses=tuple(c for _, c in pairs), links=tuple(link for link, _ in pairs)))
     return tuple(found)
+
+
+def _taken_up(clause: Clause) -> Meaning | None:
+    """The blocks of a heap that something else is to be made of; None where a clause says of no heap that."""
+    heap = clause.theme
+    ordered = bool(clause.adjuncts) and all(isinstance(a, OrderBy) for a in clause.adjuncts)
+    made = clause.verb == "sort" or (clause.verb == "be" and ordered)
+    made = made or (clause.verb in ("arrange", "stack") and clause.lemma not in ("", "turn into"))
+    if not made or clause.mode not in ("goal", "command") or clause.negated:
+        return None
+    if not isinstance(heap, Structure) or not _single_heap(heap) or heap.details:
+        return None
+    lots = heap.members.items if isinstance(heap.members, Coord) else (heap.members,)
+    known = tuple(replace(x, det="the") for x in lots if isinstance(x, Noun) and x.det == "bare")
+    if len(known) < len(lots):
+        return None
+    return replace(heap.members, items=known) if isinstance(heap.members, Coord) else known[0]
 
 
 def _is_heap(part: Meaning) -> TypeGuard[Using]:

@@ -40,7 +40,7 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if word.word in ("the latter", "the former"):
         return _one_of_two(word, scene)
     if word.word == "there":
-        return _there(word, scene)
+        return _there(word, scene, scope)
     if word.word in ("it", "that", "this", "the first one"):
         return _it(word, scene, scope)
     if word.word == "neither of them" and scope.role == "theme":
@@ -153,11 +153,15 @@ def _parallel(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) 
 _ACROSS = ({"left", "right"}, {"front", "behind"})
 
 
-def _there(word: Pronoun, scene: Scene) -> Ref:
-    """ "Put a green block there": on the patch that was spoken of last, if no other place was spoken of since."""
+def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
+    """ "Put a green block there": on the patch that was spoken of last, if no other place was spoken of since. "Take it
+    off": from the block that it was said to be on."""
     told = [m for m in scene.mentions if m.ref.names and (m.ref.patch or (m.role == "landmark" and m.word != "there"))]
     last = [m for m in told if told and m.clause == told[-1].clause]
     patches = {m.ref.names for m in last if m.ref.patch and m.rel in ("", "on", "in", "off", "not on")}
+    below = {m.ref.names for m in last if m.rel == "on" and len(m.ref.names) == 1 and not m.ref.built}
+    if scope.rel == "off" and not patches and len(below) == 1 == len({m.ref.names for m in last}):
+        return Ref(names=next(iter(below)), span=word.span)
     if len(patches) != 1 or len(patches) < len({m.ref.names for m in last}) or any(len(x) > 1 for x in patches):
         raise refuse("no-referent", "it is not clear where 'there' is", word.span, "name the place")
     return Ref(names=next(iter(patches)), patch=True, span=word.span)

@@ -1,0 +1,164 @@
+"""Titles: "Level 5:", "Warehouse note:", "Pick-and-place task.", "URGENT:". They name a text and tell nothing of it.
+
+A title ends with a word for a text or an errand; what stands before that tells what sort of text it is. It may be a
+word that means nothing here, for nothing of the task can hang on it; no word that could tell of blocks or places is
+passed over.
+"""
+
+from __future__ import annotations
+
+from rpg.language.grammar.talk.people import PEOPLE
+from rpg.language.spelling import LONG_WORD, nearest, slip, vocabulary
+from rpg.language.tokens import Token
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+_NUMBERED = _words(
+    "level task exercise problem example question puzzle challenge scene scenario instruction job mission number round "
+    "riddle benchmark item test case sample episode trial prompt entry experiment demo eval evaluation id no request "
+    "assignment quiz ticket query run warmup subtask testcase drill"
+)
+"""Words of a title with a number behind, or alone."""
+_TEXTS = _words(
+    "task job note notes memo benchmark exercise lesson game puzzle test drill challenge mission demo experiment "
+    "assignment homework quiz reminder request ticket prompt problem question activity scenario episode round level "
+    "log message brief riddle story report worksheet project trial announcement command skill errand"
+) | (_NUMBERED - {"scene", "number", "instruction", "no", "id", "run"})
+"""What a title calls its text."""
+_ORDERS = frozenset({"order", "instruction", "instructions"})
+"""These are titles behind a word that means nothing here, or tells whose they are."""
+_SORTS = _words(
+    "a an the my our your this today tonight of for and in on 's to next first second third last new quick short easy "
+    "simple hard tricky little small daily morning evening two three step steps multi stacking building construction "
+    "rearrangement rearranging pick place picking placing tidying cleaning clean up tidy robot robotics arm lab desk "
+    "tabletop manipulation spelling math maths reading logic memory school kids block blocks cube cubes customer work "
+    "sequence sequential toy sorting arrangement unit regression baseline held out training validation sanity check "
+    "warm proposed contributed suggested another"
+)
+"""What may tell what sort of text it is."""
+_ACTIVITIES = _words(
+    "stacking building construction rearrangement rearranging pick place and picking placing tidying cleaning up "
+    "manipulation spelling tabletop blocks the a"
+)
+"""What a text may be about, where it says more behind that."""
+_CALLS = _words("urgent important attention fyi hint tip ps nb todo update reminder warning announcement")
+_SPEAKERS = frozenset(PEOPLE.split("|")) | _words("me operator human speaker commander instructor")
+_MARKS = frozenset({":", "-", "–", "—"})
+_ENDS = frozenset({".", "!", "?", ";"})
+_LONGEST = 5
+"""No title has more words."""
+
+
+def untitled(tokens: list[Token]) -> list[Token]:
+    """The words of a text without the titles in front of its sentences."""
+    out: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        if not out or out[-1].word in _ENDS:
+            end = _title(tokens, at)
+            if end > at:
+                at = end
+                continue
+        out.append(tokens[at])
+        at += 1
+    return out
+
+
+def title(tokens: list[Token]) -> int:
+    """How many of the first tokens are a title with a number: "Benchmark item 12b:", "Stacking task #3 -", "T12:".
+
+    "Task 1: ... Task 2: ..." has two of them, and is none.
+    """
+    words = [token.word if token.kind == "word" else "" for token in tokens]
+    at = 0
+    while at < min(_LONGEST, len(tokens)) and words[at] in _NUMBERED | _SORTS:
+        at += 1
+    code = len(tokens) > 1 and _single(tokens[0]) and tokens[1].kind == "number" and _bound(tokens, 1)
+    at = 1 if code else at
+    called = words[at - 1] if at else ""
+    if not code and called not in _NUMBERED:
+        return 0
+    if called == "no" and _stands(tokens, at, "."):
+        at += 1
+    numbered = at < len(tokens) and tokens[at].kind == "number"
+    if numbered:
+        at += 1
+        if at < len(tokens) and _single(tokens[at]) and _bound(tokens, at):
+            at += 1
+    again = any(words[n] == called and tokens[n + 1].kind == "number" for n in range(at, len(tokens) - 1))
+    if at + 1 >= len(tokens) or again or not any(_stands(tokens, at, sign) for sign in (":", ".", ",")):
+        return 0
+    return at + 1 if numbered and (tokens[at].word == ":" or not code) else 0
+
+
+def _stands(tokens: list[Token], at: int, sign: str) -> bool:
+    return at < len(tokens) and tokens[at].kind == "punct" and tokens[at].word == sign
+
+
+def _single(token: Token) -> bool:
+    return token.kind == "word" and len(token.word) == 1
+
+
+def _bound(tokens: list[Token], at: int) -> bool:
+    """Whether nothing stands between a token and the one before it: "T12", "4b"."""
+    return tokens[at - 1].span[1] == tokens[at].span[0]
+
+
+def _title(tokens: list[Token], at: int) -> int:
+    """Where to go on behind a title that stands here, or `at`."""
+    end = next((n for n in range(at, min(at + _LONGEST + 1, len(tokens))) if _closes(tokens[n])), at)
+    if end == at or end + 1 >= len(tokens):
+        return at
+    words, mark = tokens[at:end], tokens[end]
+    head = words[-1]
+    if len(words) == 1 and head.word in _TEXTS and mark.word == ":" and (behind := _about(tokens, end)):
+        return behind
+    if at == 0 and len(words) == 1 and head.word in _NUMBERED and mark.word == ":":
+        return end + 1
+    if mark.raw == ",":
+        return at
+    if mark.raw in _MARKS and len(words) == 1 and (head.word in _CALLS or (mark.word == ":" and _speaks(head))):
+        return end + 1
+    if mark.word == "!" and len(words) == 1 and head.word in _CALLS:
+        return end + 1
+    sorts = words[:-1]
+    if head.word in _TEXTS or (mark.word != ":" and head.word == "time"):
+        if not sorts:
+            return at
+        if all(map(_tells_the_sort, sorts)):
+            return end + 1
+    whose = any(_strange(w) or w.word in ("customer", "work") for w in sorts)
+    named = head.word in _ORDERS and whose and all(map(_tells_the_sort, sorts))
+    return end + 1 if named and mark.raw in _MARKS else at
+
+
+def _closes(token: Token) -> bool:
+    return token.raw in _MARKS or (token.kind == "punct" and token.word in (":", ".", "!", ","))
+
+
+def _about(tokens: list[Token], colon: int) -> int:
+    """ "Task: pick-and-place. Goal: ...": behind the title a word for what it is about; nothing else is passed over."""
+    end = next((n for n in range(colon + 1, len(tokens)) if tokens[n].kind == "punct"), len(tokens))
+    told = tokens[colon + 1 : end]
+    whole = end + 1 < len(tokens) and tokens[end].word in _ENDS
+    return end + 1 if told and whole and all(t.word in _ACTIVITIES for t in told) else 0
+
+
+def _tells_the_sort(token: Token) -> bool:
+    return token.word in _SORTS | _TEXTS or token.word in _SPEAKERS or _strange(token)
+
+
+def _strange(token: Token) -> bool:
+    """A word that means nothing here, and is no slip for one that does."""
+    if token.kind != "word" or token.word in vocabulary() or len(token.word) < 3:
+        return False
+    near = nearest(token.word, 1 if len(token.word) < LONG_WORD else 2)
+    return not any(len(known) > 2 and slip(token.word, known) for known in near)
+
+
+def _speaks(token: Token) -> bool:
+    """ "Teacher: ...", "Bob: ..."."""
+    return token.word in _SPEAKERS or (token.raw[:1].isupper() and not token.raw.isupper() and _strange(token))

@@ -357,9 +357,15 @@ def _sizes(clause: Clause) -> bool:
     return plural and all(x == Traits(edge=x.edge, size=x.size) for x in marks)
 
 
+_NOTHING = ("nothing", "nothing else", "anything", "anything else")
+
+
 def _of_no_block(clause: Clause) -> bool:
     """ "No block is in the middle of the table", "the right half stays empty": whichever blocks there are."""
     theme = clause.theme
+    marks = [getattr(part, "landmark", None) for part in clause.adjuncts]
+    if marks and all(isinstance(x, Pronoun) and x.word in _NOTHING for x in marks):
+        return True
     none = isinstance(theme, Noun) and theme.head == "block" and theme.det == "no" and theme.traits == Traits()
     return none and bool(clause.adjuncts) and all(isinstance(part, In) for part in clause.adjuncts)
 

@@ -15,6 +15,7 @@ from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
 from rpg.language.grammar.clauses.there import exists, listed_there, stands_there
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, verb_phrase
+from rpg.language.grammar.clauses.wheres import is_where, trading_places
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.gaps import gap
 from rpg.language.grammar.places.held import LEADS, held
@@ -86,6 +87,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield from addressed(p, i)
     yield from gap(p, i)
     yield from centering(p, i)
+    yield from trading_places(p, i)
     yield from state(p, i, when)
     for there, j in exists(p, i):
         there = finally_there(p, i, there, mode == "end")
@@ -158,6 +160,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
         where = isinstance(first, Loc | In | At) or _both_places(first)
+        if where:
+            yield from is_where(p, i, j, first, "start" if mode == "start" else "goal")
         if where and p.words[i] != "separately":
             yield from stands_there(p, i, j, first, mode)
         placed = where or isinstance(first, Toward)

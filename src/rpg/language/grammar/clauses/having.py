@@ -44,6 +44,7 @@ _HAS = (
     "ends up with", "gets",
     "get", "should get", "needs", "should end up with", "must end up with", "should be left with",
 )  # fmt: skip
+_IS_FOR = ("is for", "are for", "is reserved for", "is meant for", "is the place for", "takes", "should take", "for")
 _SHARE = ("share", "shares", "should share", "must share", "have to share", "are to share", "shall share")
 _CARRIES = (
     "holds up", "hold up", "should hold up", "must hold up", "has to carry", "has to hold", "has to support",
@@ -66,7 +67,8 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
             if isinstance(mark, Noun) and mark.head == "patch" and not mark.plural:
                 on = Loc(rel="on", landmark=mark, span=p.span(j, end))
                 yield _stated(p, i, end, owner, (on,), mode), end
-        if k := p.any_of(j, _HAS):
+        patch = isinstance(owner, Noun) and owner.head == "patch"
+        if k := p.any_of(j, _HAS) or (p.any_of(j, _IS_FOR) if patch else 0):
             for theme, start in noun_phrase(p, k):
                 if (told := _of_its_color(owner, theme, p.span(i, start))) is not None:
                     yield _stated(p, i, start, *told, mode), start

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.wheres import is_where
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.cornered import cornered
 from rpg.language.grammar.places.regions import named, named_regions
@@ -225,6 +226,7 @@ def _place_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
     start = p.opt(i, "the")
     for region, j in dict.fromkeys([*named(p, start), *named_regions(p, start)]):
         told = region.endswith("_corner") or p.words[j - 1] in ("half", "edge", "table")
+        yield from is_where(p, i, j, In(region=region, span=p.span(i, j)), mode) if told else ()
         colon = p.one(j, frozenset({":", "="})) if told else 0
         for theme, k in noun_phrase(p, colon) if colon else ():
             if isinstance(theme, Noun | Coord | Structure) and (k >= p.end or p.words[k] in (",", ";", "and")):

@@ -99,7 +99,13 @@ def _tolerance(p: Parser, i: int) -> Results[float]:
 _ENDS = {"center to center": "centres", "from center to center": "centres", "between centers": "centres",
          "measured center to center": "centres", "measured between centers": "centres", "face to face": "faces",
          "from face to face": "faces", "between faces": "faces", "between the centers": "centres",
-         "measured from center to center": "centres", "measured face to face": "faces"}  # fmt: skip
+         "measured from center to center": "centres", "measured face to face": "faces",
+         **{f"{measured}{between} {the}{ends}": way
+            for measured in ("", "measured ") for between in ("between", "from") for the in ("", "the ", "their ")
+            for ends, way in (("faces", "faces"), ("sides", "faces"), ("edges", "faces"), ("centers", "centres"),
+                              ("middles", "centres"))},
+         "edge to edge": "faces", "from edge to edge": "faces", "measured from face to face": "faces",
+         "measured from edge to edge": "faces"}  # fmt: skip
 """Between what a distance is measured."""
 
 
@@ -133,12 +139,16 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
             for landmark, end in noun_phrase(p, k):
                 far = Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
                 yield from _measured_so(p, far, i, end)
+                for most, last in _at_most(p, end) if low is not None and high is None else ():
+                    yield replace(far, high=most, span=p.span(i, last)), last
         for (name, mods), k in relation(p, j):
             if name not in ("left", "right", "front", "behind"):
                 continue
             for landmark, end in noun_phrase(p, k):
                 far = Loc(rel=name, landmark=landmark, mods=mods, low=low, high=high, span=p.span(i, end))
                 yield from _measured_so(p, far, i, end)
+                for most, last in _at_most(p, end) if low is not None and high is None else ():
+                    yield replace(far, high=most, span=p.span(i, last)), last
     if j := p.any_of(i, ("with a gap of", "leaving a gap of", "a gap of")):
         for (low, high), k in bounds(p, j):
             if k := p.any_of(k, ("from", "to")):
@@ -151,6 +161,8 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
                     )
 
 
+_CLOSER = ("closer to", "nearer to")
+_FARTHER = ("farther from", "further from", "farther away from", "further away from")
 _NO_CLOSER = ("no closer to", "not closer to", "no nearer to", "not nearer to", "never closer to")
 _NO_FARTHER = ("no farther from", "no further from", "not farther from", "not further from", "no farther away from",
                "no further away from", "not farther away from", "not further away from")  # fmt: skip
@@ -162,12 +174,13 @@ _CLOSER_THAN, _FARTHER_THAN = (
 @choice
 def limited(p: Parser, i: int) -> Results[Meaning]:
     """ "no closer to it than 10 cm", "no farther than 8 cm from the blue one": a bound on a distance."""
-    for phrases, leads, least in ((_NO_CLOSER, _CLOSER_THAN, True), (_NO_FARTHER, _FARTHER_THAN, False)):
+    for phrases, leads, least in ((_NO_CLOSER, _CLOSER_THAN, True), (_NO_FARTHER, _FARTHER_THAN, False),
+                                  (_CLOSER, (), False), (_FARTHER, (), True)):  # fmt: skip
         if j := p.any_of(i, phrases):
             for landmark, k in noun_phrase(p, j):
                 for metres, end in length(p, p.one(k, "than")) if p.one(k, "than") else ():
                     yield _bound(p, i, end, landmark, metres, least), end
-        if j := p.any_of(i, leads):
+        if j := p.any_of(i, leads) if leads else 0:
             for metres, k in length(p, j):
                 to = p.any_of(k, ("to", "from", "away from"))
                 for landmark, end in noun_phrase(p, to) if to else ():

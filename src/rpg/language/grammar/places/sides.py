@@ -152,6 +152,17 @@ def at(p: Parser, i: int) -> Results[Meaning]:
     """A place within the structure: "at the bottom", "in the middle", "on the left", "third from the left"."""
     if j := p.any_of(i, _LEADS):
         yield from _inside(p, i, j)
+    yield from extreme(p, i)
+    if j := p.any_of(i, _EITHER_END):
+        yield At(side="end", span=p.span(i, j)), j
+    ordinal = p.lex(i, lexicon.ORDINAL)
+    for side, phrases in _FROM_SIDES.items() if ordinal else ():
+        if k := p.any_of(i + 1, phrases):
+            yield At(side=side, index=ordinal, span=p.span(i, k)), k
+
+
+def extreme(p: Parser, i: int) -> Results[Meaning]:
+    """ "leftmost", "nearest to me", "farthest away"."""
     for word, k in p.standing(p.opt(i, "the"), _EXTREMES):
         side = _EXTREMES[word]
         far = max(_REACH.matches(p, k), default=0) if side in ("front", "back") else 0
@@ -159,12 +170,6 @@ def at(p: Parser, i: int) -> Results[Meaning]:
             continue
         if far or p.words[k] not in ("to", "from"):
             yield At(side=side, span=p.span(i, far or k)), far or k
-    if j := p.any_of(i, _EITHER_END):
-        yield At(side="end", span=p.span(i, j)), j
-    ordinal = p.lex(i, lexicon.ORDINAL)
-    for side, phrases in _FROM_SIDES.items() if ordinal else ():
-        if k := p.any_of(i + 1, phrases):
-            yield At(side=side, index=ordinal, span=p.span(i, k)), k
 
 
 _FROM_SIDES = {side: (f"from the {side}", f"from {side}") for side in ("left", "right", "bottom", "top")}

@@ -126,8 +126,8 @@ def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     """ "a tower of red on green on blue"."""
     from rpg.language.grammar.places.onto import one_on_another
 
-    lead = p.any_of(k, (",", ":", "in which", "where", ", with", "that is", "that has", "which has", "having"))
-    lead = lead or p.any_of(k, _OF)
+    lead = p.any_of(k, (",", ":", "in which", "where", ", with", "that is", "which is", "that has", "having"))
+    lead = p.any_of(p.opt(k, ","), _BUILT) or lead or p.any_of(k, _OF)
     lead = lead or (k if base.det in ("the", "a") and k < p.end and p.words[k] in lexicon.COLOR else 0)
     if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
         return
@@ -312,8 +312,10 @@ _OF = ("of", "made of", "made out of", "made from", "made up of", "built from", 
        "full of", "filled with", "filled by")  # fmt: skip
 
 
-_BUILT = ("made of", "made out of", "made from", "made up of", "built from", "built of", "consisting of",
-          "composed of", "built with", "built out of", "made with", "formed by", "formed from")  # fmt: skip
+_MADE = ("made of", "made out of", "made from", "made up of", "built from", "built of", "composed of", "built with",
+         "built out of", "made with", "formed by", "formed from")  # fmt: skip
+_WHICH = ("which is ", "that is ", "which are ", "that are ", "")
+_BUILT = (*(w + m for w in _WHICH for m in _MADE), "consisting of", "which consists of", "that consists of")
 """Those of them that a comma may stand in front of."""
 
 

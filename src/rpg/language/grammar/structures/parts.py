@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.sides import extreme
 from rpg.language.grammar.structures.sizes import dimensions
 from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import literal
@@ -84,6 +85,8 @@ _BETWEEN = (
     "around the center",
     "around that",
     "in between",
+    "anywhere in between",
+    "somewhere in between",
     "between them",
     "elsewhere",
     "everywhere else",
@@ -155,6 +158,8 @@ def _noun_there(p: Parser, i: int, j: int, unit: str) -> Results[Meaning]:
         return
     if end := p.any_of(start, _BETWEEN):
         yield Places(side="rest", unit="block", several=several, span=p.span(i, end)), end
+    if several in (None, 1):
+        yield from extreme(p, p.any_of(start, ("that is", "which is", "that lies", "that stands")) or start)
     lead = p.any_of(start, _THERE)
     for place, end in part(p, lead, "") if lead and p.words[start] != "of" else ():
         if isinstance(place, Places) and place.unit == "block" and place.several is None and place.side != "rest":
@@ -190,7 +195,7 @@ def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool
     end = p.any_of(j, ("of them", "of these")) or j
     if end > j or unit or several is not None:
         yield _place(p, i, end, side, unit or "block", several, each), end
-    elif side in ("top", "bottom", "left", "right") and p.words[j - 1].endswith(("est", "most")):
+    elif side not in ("ends", "corners", "edge") and p.words[j - 1].endswith(("est", "most")):
         yield _place(p, i, j, side, "block", several, each), j
 
 

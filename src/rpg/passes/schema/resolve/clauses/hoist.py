@@ -30,7 +30,13 @@ from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
 from rpg.passes.schema.resolve.places.drawn import drawn
 from rpg.passes.schema.resolve.places.overs import in_one_tower
 from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_inside
-from rpg.passes.schema.resolve.structures.told_towers import one_more_tower, other_side, side_by_side, told_towers
+from rpg.passes.schema.resolve.structures.told_towers import (
+    one_more_tower,
+    other_side,
+    side_by_side,
+    told_after,
+    told_towers,
+)
 from rpg.passes.schema.resolve.things.listed_after import filled, shapes_pictured
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -71,7 +77,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 built = replace(said, verb="build", lemma="", theme=inside[1], adjuncts=(inside[0],))
                 kept.append((link, built))
                 continue
-            if link != "then" and one_more_tower(found, clause):
+            if link not in ("then", "or") and (told_after(found, clause) or one_more_tower(found, clause)):
                 continue
             if link == "or" and clause.verb == "part" and clause.theme is None:
                 raise refuse("ambiguous", "it is not clear what this is the other possibility to", clause.span,

@@ -56,6 +56,8 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
             return clash(b, a)
         case (r.OnPatch(), r.OnPatch()) if isinstance(a.a, tuple) and isinstance(b.a, tuple):
             return a.patch != b.patch and bool(set(a.a) & set(b.a))
+        case (r.Facing(), r.Facing()) if a.block == b.block and a.toward == b.toward:
+            return None not in (a.turn, b.turn) and a.turn != b.turn
         case (r.OnPatch(), r.Empty()):
             return a.patch == b.patch
         case (r.Empty(), r.OnPatch()):

@@ -14,7 +14,30 @@ from rpg.passes.schema.resolve.things.world import Scene
 
 def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
     """Rewrites that keep the meaning of the whole."""
-    return _open_tops(_stack_patches(_diagonals(goal)))
+    return _open_tops(_stack_patches(_diagonals(_excused(goal))))
+
+
+MANY = 3
+"""Of so many at least, what is said of all of them has exceptions."""
+
+
+def _excused(goal: g.Goal) -> g.Goal:
+    """ "All letters are upright, but the N is upside down": the turn of one is an exception to what is said of all."""
+
+    def change(node: g.Goal) -> g.Goal:
+        if not isinstance(node, g.All):
+            return node
+        turns = [x for x in node.goals if isinstance(x, r.Facing) and x.turn is not None]
+        several = [x.span for x in turns]
+        own = {x.block for x in turns if x.turn and several.count(x.span) < MANY}
+        goals = tuple(
+            x
+            for x in node.goals
+            if not (isinstance(x, r.Facing) and x.turn == 0 and x.block in own and several.count(x.span) >= MANY)
+        )
+        return node if goals == node.goals else node.model_copy(update={"goals": goals})
+
+    return transform(goal, change)
 
 
 def _diagonals(goal: g.Goal) -> g.Goal:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations, pairwise, permutations
 from typing import Any
 
@@ -11,7 +12,8 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
-from rpg.language.meaning import Loc, Noun
+from rpg.language.meaning import Amount, Loc, Noun, Pronoun, Structure
+from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL, foot
 from rpg.passes.schema.resolve.things.things import matching
@@ -46,8 +48,73 @@ def reciprocal(theme: Ref, loc: Loc, span: Span, *, denied: bool = False) -> Ato
     return [_close(names, units, loc, span)]
 
 
+_LEVEL = frozenset({"distance", "apart", "side_by_side", "beside", "adjacent", "near", "touching"})
+
+
+def of_the_towers(theme: Ref, loc: Loc, scene: Scene) -> Ref:
+    """ "Make a red tower. Make a blue tower. 10 cm between them": said of both towers."""
+    stacks = [b for b in scene.built if b.kind == "stack" and len(b.members) > 1]
+    own = [b for b in stacks if set(theme.names) == set(b.members)]
+    if not own or loc.rel not in _LEVEL or len(theme.parts) > 1 or len(theme.built) > 1 or theme.quant is not None:
+        return theme
+    if len(stacks) == 2:
+        names = tuple(n for b in stacks for n in b.members)
+        return Ref(names=names, built=tuple(stacks), plural=True, span=theme.span)
+    if loc.rel in ("distance", "apart"):
+        raise refuse("ambiguous", "blocks of one tower lie on each other", loc.span, "say of what this is said")
+    return theme
+
+
+def of_the_other(ref: Ref, spec: Spec) -> None:
+    """What is said of blocks "to each other" beside a place: of one block, it is said of what that is placed by."""
+    _gapless(spec)
+    _alone(ref, spec)
+    if len(ref.names) == 1:
+        _merge_distance(spec)
+
+
+def _alone(ref: Ref, spec: Spec) -> None:
+    """ "white in front of black, touching", "a tower of two left of a tower of three, 5 cm apart": of one block, or one
+    structure, it is said of what it is placed by."""
+    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and not p.negated and not _mutual(p)]
+    mark = marks[0] if len(marks) == 1 else None
+    one = len(ref.names) == 1 or (len(ref.built) == 1 and ref.built[0].kind == "stack")
+    if not one or not isinstance(mark, Noun | Structure) or getattr(mark, "head", "") == "patch":
+        return
+    if len(ref.names) > 1 and mark.plural:
+        return
+    known = replace(mark, det="the", amount=None) if mark.amount in (None, Amount(1, 1)) else mark
+    spec.places = [replace(p, landmark=known) if isinstance(p, Loc) and _mutual(p) else p for p in spec.places]
+
+
+def _mutual(place_: Loc) -> bool:
+    each_other = isinstance(place_.landmark, Pronoun) and place_.landmark.word == "each other"
+    return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart")
+
+
+def _merge_distance(spec: Spec) -> None:
+    """ "left of the blue block, 10 cm apart": so far from the blue block."""
+    far = [p for p in spec.places if isinstance(p, Loc) and p.rel == "distance"]
+    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p not in far and not p.negated]
+    if len(far) == 1 and len(marks) == 1 and isinstance(far[0].landmark, Pronoun) and isinstance(marks[0], Noun):
+        mark = marks[0] if marks[0].det != "a" else replace(marks[0], det="the", amount=None)
+        spec.places[spec.places.index(far[0])] = replace(far[0], landmark=mark)
+
+
+def _gapless(spec: Spec) -> None:
+    """ "white left of black, without a gap": of blocks that form nothing, that they touch."""
+    near = [p for p in spec.places if isinstance(p, Loc) and not p.negated and p.rel in (*DIRECTIONS, "side_by_side",
+            "beside", "adjacent")]  # fmt: skip
+    for tight in [x for x in spec.spacings if x.kind == "touching"] if len(near) == 1 and not spec.intos else ():
+        spec.spacings.remove(tight)
+        each = Pronoun(word="each other", span=tight.span)
+        spec.places.append(Loc(rel="touching", landmark=each, span=tight.span))
+
+
 def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate) -> Atoms | None:
     """ "no blue block touches another block": no blue block and any block besides it that there is."""
+    if (alone := _touching_none(theme, loc, scene, span, relate)) is not None:
+        return alone
     mark, denied = loc.landmark, theme.quant is not None and theme.quant.high == 0
     if not denied or not isinstance(mark, Noun) or mark.det not in ("another", "other") or mark.head == "patch":
         return None
@@ -59,6 +126,23 @@ def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate)
         raise refuse("no-referent", "there is no other block", loc.span, "say which blocks there are")
     related = [relate(Ref(names=(a,)), Ref(names=(b,)), loc, scene, span) for a, b in kept]
     return [g.Not(goal=goal, span=span) for goal in related]
+
+
+_NOTHING = ("nothing", "nothing else", "no other")
+_ANYTHING = ("anything", "anything else")
+
+
+def _touching_none(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate) -> Atoms | None:
+    """ "the green block touches nothing", "... is not next to anything": no other block that there is."""
+    word = loc.landmark.word if isinstance(loc.landmark, Pronoun) else ""
+    denied = loc.negated or scene.denying
+    if loc.rel not in LEVEL or word not in (_ANYTHING if denied else _NOTHING) or len(theme.names) != 1:
+        return None
+    others = [t.name for t in scene.blocks() if not t.extra and t.name not in theme.names]
+    if not others or theme.quant is not None or theme.built:
+        raise refuse("no-referent", "there is no other block", loc.span, "say which blocks there are")
+    goals = [relate(theme, Ref(names=(name,)), loc, scene, span) for name in others]
+    return goals if denied else [g.Not(goal=goal, span=span) for goal in goals]
 
 
 def _none_of_them(theme: Ref, loc: Loc, span: Span) -> Atoms:

@@ -26,6 +26,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.centred import centred
+from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
 from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
@@ -117,9 +118,7 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     """Every place of the clause, for the theme or the structure it became."""
     goals: Goals = []
     _merge_sides(spec)
-    _alone(ref, spec)
-    if len(ref.names) == 1:
-        _merge_distance(spec)
+    of_the_other(ref, spec)
     _no_chain(spec)
     vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
     offsets = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
@@ -139,20 +138,6 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     if ref.built and goals and not scope.start and not scene.denying:
         goals = [*as_it_stands(ref, scene), *goals]
     return [goal for goal in goals if not (isinstance(goal, g.All) and not goal.goals)]
-
-
-def _alone(ref: Ref, spec: Spec) -> None:
-    """ "white in front of black, touching", "..., 5 cm apart": of one block, it is said of what it is placed by."""
-    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and not p.negated and not _mutual(p)]
-    if len(ref.names) != 1 or len(marks) != 1 or not isinstance(marks[0], Noun) or marks[0].head == "patch":
-        return
-    known = replace(marks[0], det="the", amount=None) if marks[0].amount in (None, Amount(1, 1)) else marks[0]
-    spec.places = [replace(p, landmark=known) if isinstance(p, Loc) and _mutual(p) else p for p in spec.places]
-
-
-def _mutual(place_: Loc) -> bool:
-    each_other = isinstance(place_.landmark, Pronoun) and place_.landmark.word == "each other"
-    return each_other and place_.rel in ("touching", "adjacent", "distance", "near", "apart")
 
 
 def _no_chain(spec: Spec) -> None:
@@ -194,15 +179,6 @@ def _merge_sides(spec: Spec) -> None:
             spec.places[index] = replace(side, landmark=close.landmark, mods=("immediate",))
             spec.places.remove(close)
             return
-
-
-def _merge_distance(spec: Spec) -> None:
-    """ "left of the blue block, 10 cm apart": so far from the blue block."""
-    far = [p for p in spec.places if isinstance(p, Loc) and p.rel == "distance"]
-    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p not in far and not p.negated]
-    if len(far) == 1 and len(marks) == 1 and isinstance(far[0].landmark, Pronoun) and isinstance(marks[0], Noun):
-        mark = marks[0] if marks[0].det != "a" else replace(marks[0], det="the", amount=None)
-        spec.places[spec.places.index(far[0])] = replace(far[0], landmark=mark)
 
 
 def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, respectively: bool) -> Goals:

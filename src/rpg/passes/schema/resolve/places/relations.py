@@ -16,7 +16,7 @@ from rpg.passes.schema.resolve.places.alone import none_beyond, none_there, only
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.corners import corners, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
-from rpg.passes.schema.resolve.places.mutual import none_another, reciprocal
+from rpg.passes.schema.resolve.places.mutual import none_another, of_the_towers, reciprocal
 from rpg.passes.schema.resolve.places.patches import (
     each_its_own,
     indefinite,
@@ -195,7 +195,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         raise refuse("ambiguous", "it is not said which of the blocks are meant", loc.span, "name the blocks")
     if mark.reciprocal:
         _groups_or_blocks(theme, loc, scene)
-        found = reciprocal(theme, loc, span, denied=loc.negated or scene.denying)
+        found = reciprocal(of_the_towers(theme, loc, scene), loc, span, denied=loc.negated or scene.denying)
         if loc.rel == "together" and not (loc.negated or scene.denying or theme.built):
             scene.add_built("pile", theme.names, False, span)
         return found

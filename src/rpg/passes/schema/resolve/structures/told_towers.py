@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meaning, Places, Structure
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meaning, Places, Structure, parts_of
 
 TOLD = "told"
 Kept = list[list[tuple[str, Meaning]]]
@@ -92,3 +92,32 @@ def _towers(count: int, clause: Clause) -> Structure:
     if count == 1:
         return Structure(kind="stack", det="a", plural=True, span=clause.span)
     return Structure(kind="stack", det="bare", amount=Amount(count, count), plural=True, span=clause.span)
+
+
+def told_after(found: Kept, clause: Clause) -> bool:
+    """ "Put blue next to the tower. The tower is red on yellow.": what the tower is comes first."""
+    shape = clause.theme
+    told = isinstance(shape, Structure) and (shape.det, shape.plural) == ("the", False) and not clause.negated
+    if not told or not isinstance(shape, Structure) or clause.verb not in ("part", "build") or clause.mode != "goal":
+        return False
+    if not (clause.adjuncts or shape.members or shape.sizes) or any(_builds_such(c, shape) for c in _all(found)):
+        return False
+    for kept in found:
+        for at, (link, said) in enumerate(kept):
+            marks = [x.landmark for x in parts_of(said) if isinstance(x, Loc) and isinstance(x.landmark, Structure)]
+            if any(replace(x, cost=0) == Structure(kind=shape.kind, det="the", span=x.span) for x in marks if x):
+                kept[at : at + 1] = [(link, replace(clause, verb="build")), ("and", said)]
+                return True
+    return False
+
+
+def _all(found: Kept) -> list[Meaning]:
+    return [said for kept in found for _, said in kept]
+
+
+def _builds_such(said: Meaning, shape: Structure) -> bool:
+    """Whether a clause builds something of this kind, or tells of several, so that "the tower" may be that."""
+    return any(
+        isinstance(x, Structure) and x.kind == shape.kind and (x.det != "the" or x.members or x.details or x.sizes)
+        for x in parts_of(said)
+    )

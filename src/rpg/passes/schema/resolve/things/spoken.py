@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -25,7 +27,10 @@ def as_it_stands(ref: Ref, scene: Scene) -> list[g.Goal]:
 
 def known_ones(shape: Structure, scene: Scene) -> list[Built]:
     """Structures brought up before that fit the description."""
-    return _fitting(shape, scene) or _with_its_color(shape, scene)
+    found = _fitting(shape, scene) or _with_its_color(shape, scene)
+    if not found and shape.kind == "pile" and shape.det == "the" and not (shape.members or shape.plural or scene.heaps):
+        return known_ones(replace(shape, kind="stack"), scene)  # "green on brown, white left of that pile"
+    return found
 
 
 def _fitting(shape: Structure, scene: Scene) -> list[Built]:

@@ -316,7 +316,9 @@ def _unbracketed(tokens: list[Token]) -> list[Token]:
         if token.word not in _BRACKETS:
             out.append(token)
         elif out and out[-1].word not in (",", ":") and after not in (",", ":"):
-            out.append(replace(token, kind="punct", word=","))
+            listed = [t.word if t.kind != "number" else "" for t in tokens[index + 1 : index + 3]] == ["", ","]
+            mark = ":" if listed else ","
+            out.append(replace(token, kind="punct", word=mark, raw=mark))
     return out
 
 

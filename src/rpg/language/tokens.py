@@ -188,6 +188,8 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
                 out.append(replace(token, kind="word", word="to"))
             elif after.kind == "word":
                 tokens[index + 1] = replace(after, joined=True)
+        elif token.raw == "×" and _times(before, token, after):
+            out.append(replace(token, kind="word", word="x"))
         elif (
             token.word == "-"
             and before
@@ -200,6 +202,12 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         else:
             out.append(token)
     return out
+
+
+def _times(before: Token | None, token: Token, after: Token | None) -> bool:
+    """ "red ×3": so many of these, where a sign of multiplication stands between numbers or in a list of symbols."""
+    told = before is not None and before.kind == "word" and len(before.raw) > 1 and before.word not in _LISTING
+    return told and after is not None and after.kind == "number" and after.span[0] == token.span[1]
 
 
 def _counts(token: Token) -> bool:

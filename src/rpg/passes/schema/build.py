@@ -272,7 +272,8 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
                 needed=there,
             )
     check_known(chains, scene)
-    some = any(_selects(part) for chain in chains for part in parts_of(chain))
+    alone = _listed_alone(chains)
+    some = any(_selects(part, alone) for chain in chains for part in parts_of(chain))
     told = (
         set(names_in(goal))
         | {n for x in scene.start_goals for n in names_in(x)}
@@ -300,11 +301,19 @@ def _passed_over(traits: Traits, scene: Scene) -> int:
     return sum(not thing.patch and fits(thing, traits) for thing in things)
 
 
-def _selects(part: Meaning) -> bool:
-    """ "All the red ones", "none of the red ones": of what there is, with others that are not meant."""
+def _listed_alone(chains: tuple[Chain, ...]) -> bool:
+    """ "Two red blocks, a green one. ...": a sentence that lists and does nothing else says what there is."""
+    lists = [[getattr(c, "lemma", "") == "tally" for c in chain.clauses] for chain in chains]
+    return len(lists) > 1 and any(map(all, lists)) and all(all(x) or not any(x) for x in lists)
+
+
+def _selects(part: Meaning, alone: bool) -> bool:
+    """ "All the red ones", "none of the red ones": of what there is, with others that are not meant. `alone`: what
+    there is is said in a sentence of its own, so that "the red one" is one of that, too."""
     whole = part.part_of if isinstance(part, Noun) and part.det == "no" else part
-    marks = whole.traits if isinstance(whole, Noun) and (whole is not part or whole.det in _SELECTING) else Traits()
-    return bool(marks.colors or marks.kind or marks.size or marks.edge) and not marks.labels
+    among = (*_SELECTING, "the") if alone else _SELECTING
+    marks = whole.traits if isinstance(whole, Noun) and (whole is not part or whole.det in among) else Traits()
+    return bool(marks.colors or marks.kind or marks.quality or marks.size or marks.edge) and not marks.labels
 
 
 def _counts_each(chain: Chain) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.relations import loc
@@ -72,9 +73,18 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
         first_place = first.adjuncts[0]
         table = isinstance(first_place, Loc) and isinstance(first_place.landmark, TableTop)
         cost = 2 if table or (j == comma and isinstance(first_place, Loc)) else 1 if isinstance(first_place, At) else 0
+        cost += 2 * _printed(p, i, first)
         first = replace(first, cost=cost)
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
+
+
+def _printed(p: Parser, i: int, part_: Absolute) -> bool:
+    """ "the cube with the number 5 on it": of no colour, that is what it shows, rather than what lies on it."""
+    theme, place = part_.theme, part_.adjuncts[0]
+    it = isinstance(place, Loc) and isinstance(place.landmark, Pronoun) and place.rel == "on"
+    shown = isinstance(theme, Noun) and bool(theme.traits.labels) and not theme.traits.colors
+    return it and shown and p.follows(i, lexicon.BLOCK) and p.words[max(0, i - 2)] not in lexicon.COLOR
 
 
 def _of_parts(p: Parser, i: int, comma: int) -> Results[Meaning]:

@@ -45,7 +45,8 @@ _GOES = Patterns(
     "goes|should_go|must_go|is|should_be|must_be|belongs|ends_up|should_end_up|comes|is_to_go|go|are|should_all_be",
 )
 _LIES = Patterns(
-    "is|are|should_be|must_be|goes|go|come|comes|stays|stay|should_stay together|grouped|gathered|clustered"
+    "is|are|should_be|must_be|goes|go|come|comes|stays|stay|should_stay|belong|belongs "
+    "together|grouped|gathered|clustered"
 )
 _STACKED = Patterns(
     "is|are|should_be|must_be|gets|get|ends_up|end_up stacked|piled_up|stacked_up separately|by_itself|on_its_own?"

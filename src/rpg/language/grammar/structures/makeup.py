@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import toward
-from rpg.language.grammar.structures.along import listed_along
+from rpg.language.grammar.structures.along import listed_along, listed_in_turn
 from rpg.language.grammar.structures.apposed import a_lot_each, layers_told, symbols_told
 from rpg.language.grammar.structures.ascents import measures
 from rpg.language.grammar.structures.each_line import EACH, one_line_each
@@ -72,10 +72,7 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
         yield from _piled(p, i, k, sized)
         yield from _in_colors(p, i, k, sized)
         if base.kind in ("stack", "row", "line", "column"):
-            for items, end in listed(p, p.opt(k, ":", ",")):
-                given = OrderBy(by="named", items=items, span=p.span(k, end))
-                yield replace(sized, details=(*sized.details, given), span=p.span(i, end), cost=sized.cost + 1), end
-            for along, end in listed_along(p, k):
+            for along, end in [*listed_in_turn(p, k), *listed_along(p, k)]:
                 yield replace(sized, details=(*sized.details, along), span=p.span(i, end), cost=sized.cost + 1), end
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.meaning import OrderBy
@@ -38,6 +39,18 @@ _FORMS = Patterns(
 )
 _OWNED = {"color": "color", "colors": "color", "kind": "kind", "sort": "kind", "type": "kind", "letter": "label"}
 
+_WITH = tuple(
+    f"{go}{to}{the}"
+    for go in ("", "are ", "is ", "go ", "goes ", "belong ", "belongs ", "should go ", "must go ", "stay ", "stays ")
+    for to in ("with", "to")
+    for the in ("", " the", " other", " the other")
+)
+_LOOKS = "color|colors|letter|letters|number|numbers|digit|digits|symbol|symbols"
+_SAME = Patterns(
+    f"same|equal|identical|the_same {_LOOKS} "
+    f"goes|go|belongs|belong|should_go|must_go|is|are? with|to same|equal|identical|the_same {_LOOKS}",
+)
+
 
 def parted(p: Parser, i: int) -> Results[OrderBy]:
     """ "vowels in one group and consonants in the other", "every colour in its own group"."""
@@ -46,6 +59,9 @@ def parted(p: Parser, i: int) -> Results[OrderBy]:
     for k in (*_OWN.matches(p, j), *(() if p.follows(j, ("that",)) else _FORMS.matches(p, j))):
         said = next((_OWNED[word] for word in p.words[j:k] if word in _OWNED), "color")
         yield OrderBy(by="parted", attribute=said, span=p.span(i, k)), k
+    if k := max(_SAME.matches(p, j), default=0):
+        yield OrderBy(by="parted", attribute=_OWNED.get(p.words[k - 1], "label"), span=p.span(i, k)), k
+    yield from _colors(p, i, j, ())
     first, k = _one(p, j)
     for home in _homes(p, k, first) if first else ():
         second, m = _one(p, p.opt(p.opt(home, ","), "and"))
@@ -54,10 +70,22 @@ def parted(p: Parser, i: int) -> Results[OrderBy]:
             yield OrderBy(by="parted", attribute=str(attribute), values=(first, second), span=p.span(i, end)), end
 
 
+def _colors(p: Parser, i: int, j: int, had: tuple[str, ...]) -> Results[OrderBy]:
+    """ "red with red, blue with blue": one group of each colour."""
+    named = p.lex(j, lexicon.COLOR) or p.lex(j, lexicon.COLOR_PLURAL)
+    again = p.any_of(j + 1, _WITH) if named else 0
+    if not named or not again or named in had:
+        return
+    if (p.lex(again, lexicon.COLOR) or p.lex(again, lexicon.COLOR_PLURAL)) == named:
+        if had:
+            yield OrderBy(by="parted", attribute="color", span=p.span(i, again + 1)), again + 1
+        yield from _colors(p, i, p.opt(p.opt(again + 1, ",", ";"), "and"), (*had, named))
+
+
 def _homes(p: Parser, i: int, kind: str) -> Iterator[int]:
     """Positions after "in one group", "here", or after "with letters" behind the letters."""
     yield from (k for k in _HOMES.matches(p, i) if not p.stands(k, _HEAPS))
-    again = p.any_of(i, ("with", "are with", "go with", "to", "with the", "with the other", "with other"))
+    again = p.any_of(i, _WITH)
     if again and _one(p, again)[0] == kind:
         yield _one(p, again)[1]
 

@@ -29,7 +29,7 @@ WHO = {
     ),
     "folk": (f"little|young|younger|older|big|dear? {PEOPLE}",),
     "onlooker": ("<folk>", "little|young? viewer|camera|observer|robot|beholder|onlooker|spectator|spectators"),
-    "who": ("i|we|you", "<which> <folk>"),
+    "who": ("i|we|you|he|she|they", "<which> <folk>"),
     "person": (
         "i|we|you|one|people|somebody|someone|anybody|anyone|everybody|everyone|they",
         "<which> <onlooker>",

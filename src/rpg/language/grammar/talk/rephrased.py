@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language import lexicon
 from rpg.language.phrases import by_first
 from rpg.language.tokens import Token
@@ -59,6 +61,7 @@ _PHRASES = {
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
     phrases = by_first(tuple(_PHRASES))
+    tokens = _grouped(tokens)
     out: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -77,6 +80,29 @@ def rephrased(tokens: list[Token]) -> list[Token]:
         plain = _PHRASES[" ".join(said)].split()
         out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
         at += len(said)
+    return out
+
+
+_SPOTS = frozenset({"spot", "place", "location"})
+_FURTHER = frozenset({"another", "other", "second", "different"})
+
+
+def _grouped(tokens: list[Token]) -> list[Token]:
+    """ "the red ones in one spot and the blue ones in another": in one group and in another, for these are no patches
+    of which it would have to be said where they are."""
+    words = [token.word for token in tokens]
+    one = next((n for n in range(len(words) - 2) if words[n : n + 2] == ["in", "one"] and words[n + 2] in _SPOTS), -1)
+    rest = words[one + 3 :] if one >= 0 else []
+    again = next((n for n, word in enumerate(rest) if word == "in" and {*rest[n + 1 : n + 3]} & _FURTHER), -1)
+    if again < 0:
+        return tokens
+    at = one + 3 + again
+    last = next(n for n in range(at + 1, at + 3) if words[n] in _FURTHER)
+    spot = words[last + 1 : last + 2]
+    out = list(tokens)
+    out[one + 2] = replace(tokens[one + 2], word="group", raw="group")
+    if spot and spot[0] in _SPOTS:
+        out[last + 1] = replace(tokens[last + 1], word="group", raw="group")
     return out
 
 

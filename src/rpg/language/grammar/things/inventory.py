@@ -13,6 +13,7 @@ from rpg.language.grammar.structures.sizes import IN_TOTAL
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.retold import retelling
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits
 
 _LEADS = (
@@ -55,8 +56,11 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     lead = p.any_of(i, _LEADS)
     if lead:
         taken = p.words[i] in ("take", "use", "using")
+        joined = p.words[lead - 1] == ":" and p.follows(i, ("and", "or"))  # "group letters and digits: A, B, 1"
         for theme, told, j in contents(p, p.any_of(lead, _NO_MORE_THAN) or lead, taken):
-            yield given(p, i, j, theme, told, 0 if taken and (told or _several(theme)) else 1), j
+            cost = 0 if taken and (told or _several(theme)) else 1
+            cost += 2 * (theme is not None and _goes_on(p, j, theme)) + 2 * joined
+            yield given(p, i, j, theme, told, cost), j
     of = p.one(i, "of")
     for theme, j in simple(p, of) if of else ():
         if isinstance(theme, Noun) and _counted(theme, True) and theme.det == "the" and p.words[j : j + 1] == [","]:
@@ -190,7 +194,8 @@ def _run(p: Parser, i: int, definite: bool = False) -> Results[tuple[Noun, ...]]
         after = p.any_of(after, _BETWEEN) or after
         goes_on = after > j or (j < p.end and p.tokens[j].kind == "number")
         for rest, k in _run(p, after, definite) if goes_on else ():
-            yield (*first, *rest), k
+            named = retelling(first, rest[0]) if len(first) == len(rest) == 1 and p.stands(j, _OPENERS) else None
+            yield named or (*first, *rest), k
 
 
 @choice
@@ -210,7 +215,7 @@ def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
             if end := p.any_of(p.opt(k, "block", "blocks", "cube", "cubes"), ("each", "of each", "apiece")):
                 yield tuple(_of_color(c, many, p.span(i, end)) for c in items), end
     for many, j in amounts.count(p, i):
-        for named, k in color(p, p.reach(j + 1)) if p.words[j] in ("is", "are", "x", "times", "of") else ():
+        for named, k in color(p, p.reach(j + 1)) if p.words[j] in ("is", "are", "x", "times", "of", "*") else ():
             yield (_of_color(named, many, p.span(i, k)),), p.opt(k, "blocks", "cubes", "block", "cube")
     for named, j in color(p, i):
         opened = p.one(j, "(")

@@ -143,7 +143,8 @@ _NAMELY = ("that is", "namely", "that is to say", "meaning", "which are", "these
 
 def _namely(p: Parser, i: int, whole: Noun, j: int) -> Results[Meaning]:
     """ "all odd digits, that is 1, 5 and 9, ...": just which they are."""
-    k = p.any_of(j, _NAMELY)
+    told = p.words[j - 1] == ":" and whole.amount is not None and whole.amount.low > 1
+    k = p.any_of(j, _NAMELY) or (j if told else 0)
     for (labels, more), end in label_list(p, p.opt(k, ",", ":", "the")) if k else ():
         kind, quality = whole.traits.kind, whole.traits.quality
         if not more and named_by(whole, labels) and kind is not None:

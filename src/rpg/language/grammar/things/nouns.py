@@ -15,11 +15,12 @@ from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each
 from rpg.language.grammar.things.labels import label_list, literal
+from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.standby import further_extras
 from rpg.language.grammar.things.strangers import STRANGERS
-from rpg.language.grammar.things.theirs import of_patch
+from rpg.language.grammar.things.theirs import as_many_colors, of_patch
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
 
 _APART = frozenset({"own", "separate", "distinct"})
@@ -236,7 +237,7 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS)):
         yield ("block", p.words[i].endswith("s"), {}), j
     if j := p.one(i, frozenset({"one", "ones"})):
-        yield ("any", p.words[i] == "ones", {}), j
+        yield ("any", p.words[i] == "ones", {}), (p.opt(j, "out") if p.follows(i, ("odd",)) else j)
     if several := p.peek(i, lexicon.COLOR_PLURAL):
         yield ("block", True, {"colors": (several,)}), p.reach(i + 1)
 
@@ -342,10 +343,11 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
     long = k < p.end and (k > j or (p.tokens[k].kind == "number" and len(p.words[k]) > 1))
     if long and (counted := _numbered(p, i, k, noun)) is not None:
         yield counted, p.reach(k + 1)
-    if (k := _as_many_colors(p, j, noun)) and (told := _with(noun, {"scheme": "different"}, p.span(i, k))) is not None:
+    if (k := as_many_colors(p, j, noun)) and (told := _with(noun, {"scheme": "different"}, p.span(i, k))) is not None:
         yield told, k
         tried.append((told, k))
     yield from of_edges(p, i, j, noun)
+    yield from with_symbols(p, i, j, noun)
     yield from bracketed(p, i, j, noun)
     for update, k in of_patch(p, j) if noun.head == "patch" and not noun.traits.colors else ():
         if (told := _with(noun, update, p.span(i, k))) is not None:
@@ -363,6 +365,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
         if changed is not None:
             yield changed, k
             tried.append((changed, k))
+            yield from printed(p, i, j, k, changed)
     single = not noun.plural or (noun.amount is not None and noun.det == "bare" and noun.traits == Traits())
     if noun.head == "block" and single and not noun.traits.colors and not noun.traits.labels:
         for named, k in color(p, j):
@@ -377,18 +380,10 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
                 changed = _with(base, {n: v for n, v in more.items() if v != getattr(Traits(), n)}, p.span(i, end))
                 if changed is not None:
                     yield from ((changed, last) for last in {end: None, k: None})
+                    yield from printed(p, i, at, end, changed)
             else:
                 told = replace(base, conditions=(*base.conditions, *condition), span=p.span(i, end))
                 yield from ((told, last) for last in {end: None, k: None})
-
-
-def _as_many_colors(p: Parser, j: int, noun: Noun) -> int:
-    """The position after "of five different colours" behind five blocks."""
-    of = p.one(j, frozenset({"of", "in", "with"}))
-    many = p.number(of) if of else None
-    if many is None or noun.amount is None or noun.amount != Amount(many, many, noun.amount.strict) or many < 2:
-        return 0
-    return p.any_of(of + 1, ("different colors", "distinct colors", "colors", "unique colors", "separate colors"))
 
 
 def _with(noun: Noun, update: Mapping[str, Any], span: tuple[int, int]) -> Noun | None:

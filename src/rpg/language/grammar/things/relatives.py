@@ -14,7 +14,23 @@ from rpg.language.meaning import Loc, Meaning, Noun, That, Traits
 
 _THAT = frozenset({"that", "which", "who", "what"})
 _SHOW = frozenset(
-    {"show", "shows", "showing", "display", "displays", "bear", "bears", "carry", "carries", "have", "has", "read"}
+    {
+        "show",
+        "shows",
+        "showing",
+        "display",
+        "displays",
+        "bear",
+        "bears",
+        "carry",
+        "carries",
+        "have",
+        "has",
+        "read",
+        "reads",
+        "say",
+        "says",
+    }
 )
 _THINGS = {"letters": "letter", "numbers": "digit", "digits": "digit", "symbols": "symbol", "letter": "letter",
            "number": "digit"}  # fmt: skip
@@ -93,7 +109,7 @@ def _conditions(p: Parser, i: int, loc: Any, asserted: bool) -> Results[tuple[Me
 
 
 def _shown(p: Parser, i: int) -> Results[Traits]:
-    j = p.opt(i, "the", "a", "an")
+    j = p.opt(i, "the", "a", "an") if p.tokens[i : i + 1] and not p.tokens[i].raw.isupper() else i
     if j < p.end and p.words[j] in _THINGS:
         kind = _THINGS[p.words[j]]
         end = p.reach(j + 1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color
@@ -37,13 +38,17 @@ _THERE = Patterns(
     "the|this|your|our task|set|kit|box|puzzle|game|inventory|scene|table|workspace|exercise|heap|pile "
     "also|too|now? contains|has|holds|includes|consists_of|comes_with|offers|uses|needs only|exactly|just|also?",
     "it gives|it_has|there_exist|there_exists only|just?",
+    f"my|our|your|the|this|a little|small|younger|older|dear? {PEOPLE}|boy|girl|robot|neighbor "
+    "has|have|has_got|have_got|got|owns|own|gets|brought|found|received|is_given|was_given|are_given|picked|took "
+    "only|just|exactly|also?",
+    "he|she|they|somebody|someone has|have|has_got|got|owns|gets|brought|is_given|was_given only|just|exactly|also?",
 )
 """What says that there is what follows."""
 _TODAY = ("today", "altogether", "in total", "in all", "here", "now", "on the table", "in the scene", "available")
 _IN_ALL = ("in all", "in total", "altogether", "all in all", "overall")
 """Behind a number of blocks these tell that there are no more: "(each on) a gray block, three gray blocks in all"."""
 _SET_OFF = frozenset({",", ";", "("})
-_SHOW = frozenset({"carry", "carries", "bear", "bears", "show", "shows", "display", "displays", "have", "has"})
+_SHOW = frozenset({"say", "carry", "carries", "bear", "bears", "show", "shows", "display", "displays", "have", "has"})
 _KINDS = {"letters": "letter", "letter": "letter", "numbers": "digit", "number": "digit", "digits": "digit",
           "digit": "digit", "symbols": "symbol", "symbol": "symbol"}  # fmt: skip
 
@@ -114,8 +119,9 @@ def _several(theme: Meaning) -> bool:
 
 
 def _listed(p: Parser, i: int, start: int) -> Results[Clause]:
+    joined = 2 * p.follows(i, ("and", "or"))  # "group letters and digits: A, B, 1, 2"
     for theme, told, j in contents(p, start):
-        yield given(p, i, j, theme, told, 1), j
+        yield given(p, i, j, theme, told, 1 + joined), j
     for named, j in noun_phrase(p, start) if p.words[start - 1] in (":", "=", "are") else ():
         if not mere_looks(named):
             continue
@@ -229,7 +235,7 @@ def _parted(p: Parser, i: int) -> Results[Clause]:
 def _part(p: Parser, i: int, later: bool) -> tuple[Noun, int] | None:
     j = (p.any_of(i, _REST) or i) if later else i
     for many, k in amounts.count(p, j):
-        of = p.any_of(k, _OF_BLOCKS)
+        of = p.any_of(k, _OF_BLOCKS) or _of_so_many(p, k)
         if not of and not later:
             return None
         are = p.any_of(of or k, ("are", "is")) or (of or k if later else 0)
@@ -238,6 +244,14 @@ def _part(p: Parser, i: int, later: bool) -> tuple[Noun, int] | None:
             marks = Traits(colors=(named,))
             return Noun(head="block", amount=amount, plural=many > 1, traits=marks, span=span), end
     return None
+
+
+def _of_so_many(p: Parser, i: int) -> int:
+    """The position after "of the eight blocks"."""
+    the = p.any_of(i, ("of the", "of these", "of my", "of our"))
+    for _, j in amounts.count(p, the) if the else ():
+        return p.one(j, frozenset({"blocks", "cubes", "bricks"}))
+    return 0
 
 
 _SIZE_OF = (

@@ -9,6 +9,7 @@ from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import Marks
 from rpg.language.grammar.things.patch_sides import side_behind
+from rpg.language.meaning import Amount, Noun
 
 THEIRS = "theirs"
 """The scheme of patches of which there is one in every colour of the blocks."""
@@ -43,3 +44,12 @@ def of_patch(p: Parser, j: int) -> Results[Mapping[str, Any]]:
     """What may tell a patch behind the noun: "the mats of their colours", "the mat on the left"."""
     yield from in_their_colors(p, j)
     yield from side_behind(p, j)
+
+
+def as_many_colors(p: Parser, j: int, noun: Noun) -> int:
+    """The position after "of five different colours" behind five blocks."""
+    of = p.one(j, frozenset({"of", "in", "with"}))
+    many = p.number(of) if of else None
+    if many is None or noun.amount is None or noun.amount != Amount(many, many, noun.amount.strict) or many < 2:
+        return 0
+    return p.any_of(of + 1, ("different colors", "distinct colors", "colors", "unique colors", "separate colors"))

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Clause, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
+from rpg.language.meaning import At, Clause, Coord, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.shaped import shaped
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
@@ -32,6 +32,7 @@ from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, ref
 GATHERS = frozenset({"gather", "collect", "cluster", "group", "bunch", "merge", "combine", "unite"})
 UNITES = frozenset({"merge", "combine", "unite"})
 DIVIDES = frozenset({"separate", "segregate", "split", "divide", "partition", "distribute"})
+_SORTS = ("sort", "group", "cluster")
 SIDE = 3
 """Blocks on each side that are separated, where their number is left open."""
 
@@ -41,7 +42,7 @@ _LINED = ("row", "line", "column", "stack", "grid")
 
 def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "sort the blocks by colour", "separate the red blocks from the blue ones", "gather the blocks"."""
-    divides = clause.lemma in DIVIDES or (clause.lemma in ("sort", "group", "cluster") and _from_others(spec))
+    divides = clause.lemma in DIVIDES or (clause.lemma in _SORTS and (_from_others(spec) or _opposites(clause.theme)))
     line = any(getattr(i.structure, "kind", "") in _LINED for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
     _no_order(clause, spec, line)
@@ -76,7 +77,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if apart is not None and _of_each_other(apart) and len(lots) > 1 and attribute is None and not spec.intos:
         spec.places.remove(apart)
         return [s.GroupBy(groups=lots, span=clause.span), *places(theme, spec, scene, scope, clause.span)]
-    into_one = clause.lemma in GATHERS or (bool(spec.intos) and not divides)
+    into_one = (clause.lemma in GATHERS and not _opposites(clause.theme)) or (bool(spec.intos) and not divides)
     if into_one and not (apart and (divides or _of_each_other(apart))) and attribute is None and _one_pile(spec):
         return _gathered(theme, spec, scene, scope, clause)
     if divides and attribute is None and (far := _by_so_much(theme, spec)) is not None:
@@ -161,6 +162,16 @@ def _from_others(spec: Spec) -> bool:
         isinstance(x, Loc) and x.rel in ("apart", "off") and not x.negated and not _of_each_other(x)
         for x in spec.places
     )  # fmt: skip
+
+
+_OPPOSITES = ({"vowel", "consonant"}, {"odd", "even"}, {"letter", "digit"}, {"big", "small"})
+
+
+def _opposites(theme: Meaning | None) -> bool:
+    """ "group odd and even numbers": kinds that exclude each other are told to be parted, not to be joined."""
+    items = theme.items if isinstance(theme, Coord) and theme.op == "and" and len(theme.items) == 2 else ()
+    marks = [x.traits for x in items if isinstance(x, Noun) and not (x.traits.labels or x.traits.colors)]
+    return {x.quality or x.size or x.kind for x in marks} in _OPPOSITES
 
 
 def _at_hand(theme: Meaning, spec: Spec, scene: Scene) -> None:

@@ -23,6 +23,11 @@ DEFAULT_EACH = 2
 def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a pile of red blocks and ...", "three piles", "piles by colour"."""
     attribute = attribute_of(spec)
+    if shape.det == "each":
+        raise refuse("misplaced", "it is not clear what is in each of them", shape.span, "say what each group has")
+    if shape.det == "the" and shape.members is None and theme is not None and not scope.start and _there(theme, scene):
+        raise refuse("ambiguous", "a group that is there already would get further blocks", shape.span,
+                     "say at once what is in the group")  # fmt: skip
     several = shape.plural or attribute is not None
     if scope.start and not several:
         names = members_of(shape, spec, theme, None, 4, scene, scope)
@@ -41,6 +46,11 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
         return share_out(_new_lots(shape, spec, scene), shape, spec, scene, shape.span)
     members = theme.names if theme is not None else None
     return sort_into(members, attribute, shape, spec, scene, scope, shape.span)
+
+
+def _there(theme: Ref, scene: Scene) -> bool:
+    """Whether there is a group that these blocks are to join."""
+    return any(b.kind == "pile" and not {*theme.names} & {*b.members} for b in scene.built)
 
 
 def _new_lots(shape: Structure, spec: Spec, scene: Scene) -> Ref:

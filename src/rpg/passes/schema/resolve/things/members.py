@@ -84,7 +84,8 @@ def _by_its_parts(
     looks = all(isinstance(a.theme, Noun) and a.theme.traits.colors + a.theme.traits.labels for a in spec.absolutes)
     absolute = _from_absolutes(shape, spec, need, scene)
     fewer = bool(absolute) and set(absolute) < set(there)
-    if fewer and len(absolute) > 1:
+    sides = {getattr(a.adjuncts[0], "side", None) for a in spec.absolutes}
+    if fewer and len(absolute) > 1 and len(sides) > 1:  # "with the two yellow ones at the bottom" has more above
         raise refuse("ambiguous", "of these blocks alone, or of all the blocks there are?", shape.span,
                      "say 'of all blocks', or name all its blocks")  # fmt: skip
     return () if fewer and looks else absolute

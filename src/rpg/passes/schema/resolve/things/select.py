@@ -184,6 +184,8 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
         if scope.role != "landmark" and (shown := _shown_on(noun, scene)) is not None:
             return (shown,)
         if noun.head == "any" and noun.det == "the" and not patch:
+            if (strange := _odd_one_out(noun, scene)) is not None:
+                return (strange,)
             _known_one(noun, scene, scope)
         scene.new_batch()
         return (create(noun.traits, scene, patch).name,)
@@ -227,6 +229,18 @@ def _definite(noun: Noun, found: list[Thing], scene: Scene, scope: Scope, patch:
     return tuple(t.name for t in found)
 
 
+def _odd_one_out(noun: Noun, scene: Scene) -> str | None:
+    """ "the odd one (out)" where all the others look alike: the one that does not."""
+    there = [t for t in scene.blocks() if not t.extra]
+    looks = [(t.color, t.label, t.kind, t.size, t.edge) for t in there]
+    single = [t.name for t, look in zip(there, looks, strict=True) if looks.count(look) == 1]
+    if noun.traits != Traits(quality="odd") or len(there) < 3:
+        return None
+    if len(single) != 1 or len(set(looks)) != 2:
+        raise refuse("ambiguous", "it is not clear which block does not look like the others", noun.span, "name it")
+    return single[0]
+
+
 def _known_one(noun: Noun, scene: Scene, scope: Scope) -> None:
     """Refuse "the big one" of no colour beside coloured blocks, and "the purple one" where all blocks were listed."""
     there = [t for t in scene.blocks() if not t.extra]
@@ -236,7 +250,8 @@ def _known_one(noun: Noun, scene: Scene, scope: Scope) -> None:
         raise refuse("ambiguous", "it is not said what colour this block has", noun.span, "name its colour")
     begun = {name for goal in scene.start_goals for name in names_in(goal)}
     listed = [t for t in there if t.declared and t.name not in begun]
-    if look.colors and len(listed) > 1 and not scope.given:
+    before = any(m.role == "given" and m.ref.span[0] < noun.span[0] for m in scene.mentions)
+    if look.colors and len(listed) > 1 and before and not scope.given:
         raise refuse("no-referent", "there is no such block among those that were listed", noun.span,
                      "name one of those, or list this one too")  # fmt: skip
 

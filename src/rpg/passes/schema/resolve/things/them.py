@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import NoReturn
 
 from rpg.language.meaning import Meaning, Noun, Pronoun, Traits
-from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Built, Mention, Ref, Scene, Scope, refuse
 
 
 def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
@@ -38,7 +38,7 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
                 quant=None,
                 each=False,
                 op="and" if ref.op == "nor" else ref.op,
-                built=ref.built if len(ref.built) > 1 or _told_together(ref) else (),
+                built=ref.built if len(ref.built) > 1 or _told_together(ref) else _one_tower(ref, scene, scope),
             )
     last = _last_spoken_of(scene, {n for m in own for n in m.ref.names})
     if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
@@ -144,6 +144,13 @@ def _last_spoken_of(scene: Scene, own: set[str]) -> list[str]:
         if set(last) & set(clauses[clause]):
             last = [*clauses[clause], *last]
     return list(dict.fromkeys(last))
+
+
+def _one_tower(ref: Ref, scene: Scene, scope: Scope) -> tuple[Built, ...]:
+    """ "Stack A and E. T goes next to them": what is said of a place is said of their tower."""
+    if scope.role != "landmark" or scope.rel == "between":
+        return ()
+    return tuple(b for b in scene.built if b.kind == "stack" and set(b.members) == set(ref.names))[:1]
 
 
 def _told_together(ref: Ref) -> bool:

@@ -1,0 +1,42 @@
+"""What is printed on cubes: "the block with an A on it", "the one that has a 5 on it"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.things.labels import label_list
+from rpg.language.meaning import Noun
+
+_ON_IT = ("on it", "on them", "on its top", "on its top face", "on its faces", "on its sides", "on all sides",
+          "on each side", "on their faces", "on all faces", "on every face", "on each of them", "painted on it",
+          "printed on it", "written on it", "written on them", "printed on them", "painted on them")  # fmt: skip
+_BEARING = frozenset({"with", "that", "which", "bearing", "having", "carrying"})
+_NAMED = frozenset({*lexicon.LETTER, *lexicon.DIGIT, *lexicon.SYMBOL})
+
+
+@choice
+def with_symbols(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
+    """ "the cube with K on it": of no colour, besides which K could be a block that lies on it."""
+    told = noun.traits.colors or noun.traits.labels or noun.head == "patch"
+    start = p.one(j, "with") if not told else 0
+    if not start:
+        return
+    start = p.opt(start, "a", "an")
+    start = p.one(p.opt(start, "the"), _NAMED) or start
+    for (labels, more), k in label_list(p, start):
+        end = p.any_of(k, _ON_IT)
+        if end and not more:
+            plural = noun.plural or len(labels) > 1
+            marks = replace(noun.traits, labels=labels)
+            yield replace(noun, head="block", plural=plural, traits=marks, span=p.span(i, end)), end
+
+
+def printed(p: Parser, i: int, j: int, k: int, noun: Noun) -> Results[Noun]:
+    """ "the block with an A on it", "the one that has a K on it": what it shows. Of a coloured one it may be as well
+    that a letter block lies on it."""
+    end = p.any_of(k, _ON_IT) if noun.traits.labels and p.stands(j, _BEARING) else 0
+    letter = not _NAMED.isdisjoint(p.words[j:k])
+    if end and (letter or p.words[j + 1] != "the"):
+        yield replace(noun, span=p.span(i, end), cost=noun.cost + bool(noun.traits.colors and not letter)), end

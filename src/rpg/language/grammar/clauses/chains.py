@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.clauses import clause
+from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import emphasised, linked
 from rpg.language.grammar.clauses.starts import begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
@@ -96,6 +98,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
     if len(had) > 16:
         return
     yield from _told_of_it(p, i, had, links, at)
+    for place, k in done_there(p, at, had):
+        yield Chain(clauses=(*had, place), links=(*links, "and"), span=p.span(i, k)), k
     for link, j in linked(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None
         if previous is not None and previous.negated and link in ("before", "after"):
@@ -126,7 +130,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             item = _same_letters(previous, item) if link in ("or", "then") and previous is not None else item
             item = still_begun(p, j, k, previous, item) if link == "and" else item
             whole = (*had, item)
-            yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+            yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, link)))
             yield from _more(p, i, whole, (*links, link), k)
         if previous is not None:
             denied = p.stands(p.opt(at, ","), ("but",))
@@ -144,8 +148,17 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                     continue
                 item = item if denied else _contrasted(previous, item, link)
                 whole = (*_shared(had, item), item)
-                yield Chain(clauses=whole, links=(*links, link), span=p.span(i, k)), k
+                yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, link)))
                 yield from _more(p, i, whole, (*links, link), k)
+
+
+def _so_far(p: Parser, at: tuple[int, int, int], told: tuple[Meaning, ...], links: tuple[str, ...]) -> Iterator[Chain]:
+    """What was told up to here, the last clause of it from the second place on."""
+    begin, last, end = at
+    yield Chain(clauses=told, links=links, span=p.span(begin, end))
+    for parted in afterthought(p, last, told[:-1], told[-1]):
+        joined = (*links, "and")[: len(told) - 1 + len(parted)]
+        yield Chain(clauses=(*told[:-1], *parted), links=joined, span=p.span(begin, end))
 
 
 _WHOLE_ALONE = ("swap", "stack", "sort", "reverse", "unstack")

@@ -59,8 +59,8 @@ def clause(p: Parser, i: int) -> Results[Meaning]:
         if mode == "denied":
             yield from _unwanted(p, start)
             continue
-        yield from ((piled(found), j) for found, j in _plain(p, start, mode))
-        yield from ((piled(found), j) for found, j in _fronted(p, start, mode))
+        yield from ((_weighed(piled(found)), j) for found, j in _plain(p, start, mode))
+        yield from ((_weighed(piled(found)), j) for found, j in _fronted(p, start, mode))
 
 
 _EVERY = ("all", "each", "both", "no")
@@ -342,6 +342,20 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
                     )
         for found_, k in _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode):
             yield found_, k
+
+
+def _weighed(found: Meaning) -> Meaning:
+    """ "First a row of three, then a red block on one of them": what comes then has its own place, not both of them."""
+    theme, place = (found.theme, found.adjuncts[0]) if isinstance(found, Clause) and found.adjuncts else (None, None)
+    if not isinstance(place, Loc):
+        return found
+    inside = theme.members if isinstance(theme, Structure) else None
+    mark = place.landmark.part_of if isinstance(place.landmark, Noun) else place.landmark
+    told = isinstance(mark, Pronoun) and mark.word != "each other"
+    later = told and isinstance(inside, Coord) and inside.op == "then"
+    if isinstance(theme, Coord) and theme.op == "then" and any(isinstance(x, Structure) for x in theme.items):
+        later = True
+    return replace(found, cost=found.cost + 3) if later else found
 
 
 def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:

@@ -181,12 +181,22 @@ _EITHER_END = tuple(
 """No certain end: it can be said that a block is at none of them."""
 
 
+_ALONG_X = frozenset({"column", "columns", "line", "file", "queue", "then", "lined"})
+"""What has a near and a far end besides the table."""
+
+
 def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     word = p.words[j] if j < p.end else ""
     if word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end":
         j, word = p.reach(j + 1), p.words[j + 1]
     side = _INSIDES.get(word)
-    if side and word not in ("ground", "near", "far"):
+    ending = (
+        word in ("near", "far")
+        and p.words[j + 1] == "end"
+        and p.words[j + 2] != "of"
+        and not p.all.isdisjoint(_ALONG_X)
+    )
+    if side and (ending or word not in ("ground", "near", "far")):
         k = p.opt(p.opt(p.reach(j + 1), *_TAILS), "side")
         for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
             if end := p.any_of(k, _WHOLE_OF[noun]):

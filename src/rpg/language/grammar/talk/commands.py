@@ -43,6 +43,8 @@ _PREFACES = (
     "let me|us think|see ,|:|… ,?",
     "be a friend|good_robot|good_sport|hero|sport? and",
     f"it would|will be {FINE}|ideal if you|we|the_robot could|would|can?",
+    "clean|tidy|sort up|out :|,",
+    "tidy|clean|neaten|straighten up? the|this|my|your|our table|desk|mess|workspace|room|area up|out? :|,",
     "mind",
 )
 """What stands before commands and states alike: whom or what it is for, that there is more of it."""
@@ -66,7 +68,7 @@ COMMANDS = Patterns(
     "the|your? robot|robot_arm|arm|agent|machine|manipulator|gripper must|should|shall|has_to|needs_to|can|will|is_to",
     "can|could|would|will you please?",
     "can|could|shall|should we",
-    "you|we should|must|can|have_to|are_to|will|shall",
+    "you|we|i should|must|can|have_to|are_to|will|shall|would|could|might just|simply|now|then|probably?",
     "let us",
     "try|attempt|proceed|remember to",
     "try and",
@@ -97,7 +99,6 @@ COMMANDS = Patterns(
     "please you",
     "the_robot|the_arm|the_agent|the_machine|the_gripper|you|we|i is|are|am also|now|just? "
     "supposed|meant|expected|asked|requested|required|told|instructed|programmed|going|about to",
-    "clean|tidy|sort up|out :|,",
     "a|the? sequential|final|main|first|simple|small|multi_step|two_step|step_by_step? task|job|exercise|goal :",
     "how|what about",
     "why do? not you|we",

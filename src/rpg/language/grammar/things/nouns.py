@@ -263,7 +263,8 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")
         if (several and _list_goes_on(p, j)) or (quantity.det == "both" and not several and p.words[j] == "and"):
             return
-        yield from _finish(p, i, j, quantity, "any", plural, marks, cost=1 if several else 0)
+        that = 3 if p.stands(i, _THAT) and p.follows(i, _OF) else 0
+        yield from _finish(p, i, j, quantity, "any", plural, marks, cost=that + (1 if several else 0))
     counted = quantity.amount is not None and quantity.det in ("the", "bare", "other", "another", "both", "some")
     if counted and quantity.det == "bare" and start > i and p.tokens[start - 1].kind == "number":
         counted = False
@@ -278,16 +279,13 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
             if digit and (amounts.makes_number(p, k) or quantity.det == "all"):
                 continue
             if held is not None and (len(labels) == 1 or quantity.det != "a"):
-                yield from _finish(
-                    p,
-                    i,
-                    k,
-                    quantity,
-                    "block",
-                    len(labels) > 1,
-                    held,
-                    cost=2 if digit or (len(labels) > 1 and "and" not in p.words[j:k] and "," in p.words[j:k]) else 1,
-                )
+                cost = 2 if digit or ("and" not in p.words[j:k] and "," in p.words[j:k]) else 1
+                yield from _finish(p, i, k, quantity, "block", len(labels) > 1, held, cost=cost)
+
+
+_THAT = frozenset({"that", "this"})
+_OF = frozenset({"of", "on", "beside", "upon", "above"})
+"""Behind these "that" is what was told before, "on top of that green", and seldom the green block."""
 
 
 def _list_goes_on(p: Parser, j: int) -> bool:

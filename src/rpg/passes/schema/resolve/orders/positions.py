@@ -385,6 +385,7 @@ def places_of(at_: At, total: int, several: int, sides: tuple[str, ...], kind: s
             "use an odd number of blocks",
             blocks=total,
         )
+    sides = sides[:2] if kind in ("row", "column") else sides
     if at_.side not in (*sides, "middle", "first"):
         raise refuse("misplaced", f"a {kind} has no {at_.side}", at_.span, f"say {sides[0]} or {sides[1]}")
     if at_.side in ("right", "top", "back"):

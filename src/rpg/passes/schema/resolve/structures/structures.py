@@ -340,6 +340,9 @@ def row_node(
             and getattr(getattr(place, "landmark", None), "word", "") == "each other"
         ):
             spec.places.remove(place)
+            if any(isinstance(getattr(x, "landmark", None), Structure) and x.span < place.span for x in spec.places):
+                raise refuse("ambiguous", "of the blocks of this line, or of the two structures?", place.span,
+                             "say it right behind the line, or in a sentence of its own")  # fmt: skip
             options.update(_spaced(place))
     readable = legible(order, names, spec, scene)
     return s.Row(blocks=names, axis=axis, order=order, readable=readable, span=span, **options)  # type: ignore[arg-type]

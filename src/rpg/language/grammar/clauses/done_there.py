@@ -1,0 +1,53 @@
+"""Where all of what was told is to be: "put red on blue or blue on red, but do it in the left half"."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rpg.language.grammar.clauses.adjuncts import adjunct
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.meaning import Clause, In, Loc, Meaning, Noun, Pronoun
+
+_DO_IT = Patterns(
+    ",? but|and|and_please|only|just|but_please|and_make_sure_to|but_only do it|this|that|so|all_this|all_of_it|"
+    "everything all?"
+)
+
+
+def done_there(p: Parser, i: int, had: tuple[Meaning, ...]) -> Results[Clause]:
+    """ "..., but do it on the green mat": said of all that was told before."""
+    if not all(isinstance(c, Clause) and c.mode in ("goal", "command") and not c.negated for c in had):
+        return
+    for j in _DO_IT.matches(p, i):
+        for place, k in adjunct(p, j):
+            if _whereabouts(place):
+                yield _of_all(place), k
+
+
+def afterthought(p: Parser, i: int, had: tuple[Meaning, ...], last: Meaning) -> Iterator[tuple[Meaning, ...]]:
+    """ "red on blue and green on yellow, in the left half": perhaps of all of them, and not of the last one alone."""
+    if not isinstance(last, Clause) or not last.adjuncts or not _whereabouts(last.adjuncts[-1]) or last.negated:
+        return
+    *others, place = last.adjuncts
+    if not others and len(had) > 1 and isinstance(last.theme, Pronoun) and last.theme.word == "same":
+        yield (replace(_of_all(place), cost=last.cost),)
+    if not others:
+        return
+    at = next((n for n in range(i, p.end) if p.char(n, 0) >= place.span[0]), i)
+    if at > i and p.words[at - 1] in (",", "but") and all(isinstance(x, Loc) for x in others):
+        yield replace(last, adjuncts=tuple(others)), _of_all(place)
+
+
+def _whereabouts(place: Meaning) -> bool:
+    """A part of the table, or a patch: where several things may be."""
+    if isinstance(place, In):
+        return True
+    mark = place.landmark if isinstance(place, Loc) and place.rel == "on" else None
+    return isinstance(mark, Noun) and mark.head == "patch" and not mark.traits.matching
+
+
+def _of_all(place: Meaning) -> Clause:
+    everything = Pronoun(word="everything", span=place.span)
+    return Clause(verb="be", theme=everything, adjuncts=(place,), mode="goal", span=place.span)

@@ -174,7 +174,7 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
         before = out[-1] if out else None
         after = tokens[index + 1] if index + 1 < len(tokens) else None
         adjoining = before is not None and before.span[1] == token.span[0]
-        if token.word == "'s" and before and _letter(before) and len(out) > 1 and _several(out[-2]):
+        if token.word == "'s" and before and _letter(before) and len(out) > 1 and _plural(out[-2], tokens[index + 1 :]):
             out.append(replace(token, kind="word", word="blocks"))
         elif before and _counts(before) and len(token.raw) == 2 and token.raw[0].isupper() and token.raw[1] == "s":
             letter = Token("word", token.word[0], token.raw[0], (token.span[0], token.span[0] + 1))
@@ -218,6 +218,14 @@ def _counts(token: Token) -> bool:
 def _several(token: Token) -> bool:
     """ "two A's": where "the A's" may stand for "the A is"."""
     return token.kind == "number" or (token.kind == "word" and (token.word in lexicon.NUMBER or token.word == "both"))
+
+
+def _plural(before: Token, after: list[Token]) -> bool:
+    """ "two A's", "the A's are", "the A's in red": where "the A's" is not "the A is"."""
+    words = [token.word for token in after[:2]]
+    verb = words[:1] and words[0] in ("are", "should", "must", "have", "go", "stand", "lie")
+    colored = words[:1] == ["in"] and words[1:] and words[1] in lexicon.COLOR
+    return _several(before) or (before.word in ("the", "all") and bool(verb or colored))
 
 
 def _letter(token: Token) -> bool:

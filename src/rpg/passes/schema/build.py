@@ -61,6 +61,7 @@ from rpg.passes.schema.resolve.things.rest import speaks_of_rest
 from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.things.sized import sized
 from rpg.passes.schema.resolve.things.spare import definite, none_ignored, without_spare
+from rpg.passes.schema.resolve.things.taken import plainly
 from rpg.passes.schema.resolve.things.things import fits, matching
 from rpg.passes.schema.resolve.things.world import Scene, refuse, said
 
@@ -198,7 +199,7 @@ def _resolved(
     for note in notes:
         scene.assume(note)
     links, chains = counted_later(links, each_later(chains))
-    links, chains = sized(links, tuple(without_spare(chain) for chain in chains), scene)
+    links, chains = sized(links, tuple(without_spare(plainly(chain)) for chain in chains), scene)
     scene.speaks_of_rest = speaks_of_rest([part for chain in chains for part in parts_of(chain)])
     check_words(chains, scene)
     pointed = any(isinstance(part, Pronoun) and part.word in _THEM for chain in chains for part in parts_of(chain))

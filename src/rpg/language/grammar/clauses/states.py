@@ -17,6 +17,7 @@ from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import adjectives, of_quality
 from rpg.language.grammar.things.labels import digits_of, label_list, literal
 from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.grammar.things.printed import colored_cubes
 from rpg.language.grammar.things.retold import none_of, one_heap
 from rpg.language.meaning import (
     At,
@@ -299,6 +300,7 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
             k = p.opt(k, *lexicon.BLOCK) if marks.keys() <= {"edge", "size"} else k
             quality = Quality(traits=Traits(**marks), span=p.span(j, k))
             yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+    yield from colored_cubes(p, i, j, theme) if not negated else ()
     for marks, k in of_quality(p, j, head):
         quality = Quality(traits=Traits(**marks), span=p.span(j, k))
         yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k

@@ -10,6 +10,7 @@ from rpg.language.grammar.core import Parser
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.framing import VIEW
 from rpg.language.grammar.talk.rephrased import rephrased
+from rpg.language.grammar.things.exceptional import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned
 from rpg.language.phrases import Beginnings, by_first
 from rpg.language.tokens import Token
@@ -155,7 +156,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
             at = end
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
-    return reckoned(rephrased(in_words([token for n in range(len(out)) for token in _meant(out, n)])))
+    plain = rephrased(in_words([token for n in range(len(out)) for token in _meant(out, n)]))
+    return reckoned(exceptions_first(plain))
 
 
 def _between(tokens: list[Token], at: int) -> Token:

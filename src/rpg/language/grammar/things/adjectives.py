@@ -241,6 +241,10 @@ _SCHEMES = {
                      "another color", "in a color of its own")},
 }  # fmt: skip
 """What is said of the colours of several blocks or patches."""
+_ALIKE = ("with the same color", "that have the same color", "which have the same color", "having the same color",
+          "with equal colors", "with the same colors", "that share a color", "sharing a color", "of like color",
+          "that share the same color", "of equal color")  # fmt: skip
+"""What is said of blocks that agree in colour."""
 _MATCHING = tuple(
     dict.fromkeys(
         phrase.replace("color", word)
@@ -309,6 +313,8 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         for (listed, _either), k in colors(p, j):
             if len(listed) == 1:
                 yield Marks({"colors": listed}), k
+    if head != "patch" and (j := p.any_of(i, _ALIKE)):
+        yield Marks({"scheme": "same"}), j
     if head in ("patch", "block") and (j := p.any_of(i, _OWN)):
         yield Marks({"scheme": "different"}), j
     if head == "patch" and (j := p.any_of(i, _MARKED)):

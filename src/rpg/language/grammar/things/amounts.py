@@ -167,7 +167,7 @@ def _shares(p: Parser, i: int) -> Results[Quantity]:
 
 _UNIVERSAL = {
     "all": "all", "both": "both", "each": "each", "every": "each", "any": "any", "no": "no", "none": "no",
-    "neither": "no", "either": "any", "one": "any",
+    "neither": "no", "either": "any", "one": "any", "whichever": "any",
 }  # fmt: skip
 """Words for all or for any, and the determiner that they come to."""
 

@@ -43,8 +43,20 @@ _OF_LISTED = (
     "each :",
     "of each of these colors :",
     "of each color :", "of each color ,", "of every color :", "of every color ,", "per color :", "of each color in",
-    "of each of the following :", "of the colors", "of each of these :", "of each of the colors :",
+    "of each of the following :", "of the colors", "for each of the colors", "in each of the colors", "for each of",
+    "in each of the colors :", "for each of the colors :", "of every one of the colors", "from each of the colors",
+    "of each of these :", "of each of the colors :",
 )  # fmt: skip
+_FOR_EACH = (
+    "of each :",
+    "for each :",
+    *(
+        f"{of}{each}{colors}"
+        for of in ("for ", "of ", "in ", "from ")
+        for each in ("each of ", "every one of ", "each one of ", "all of ")
+        for colors in ("the colors", "these colors", "the colors :", "these colors :", "the following colors :")
+    ),
+)
 _OPENERS = frozenset({",", ":", ";", "("})
 _ARE = ("are", "is", "number", "are exactly", "should be", "must be", "will be", "count")
 _BETWEEN = ("and also", "and", "plus", "&", "+", "as well as", "and then")
@@ -60,7 +72,7 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
         for theme, told, j in contents(p, p.any_of(lead, _NO_MORE_THAN) or lead, taken):
             cost = 0 if taken and (told or _several(theme)) else 1
             cost += 2 * (theme is not None and _goes_on(p, j, theme)) + 2 * joined
-            yield given(p, i, j, theme, told, cost), j
+            yield from ((given(p, i, k, theme, told, cost), k) for k in {j: None, p.any_of(j, _NO_OTHERS) or j: None})
     of = p.one(i, "of")
     for theme, j in simple(p, of) if of else ():
         if isinstance(theme, Noun) and _counted(theme, True) and theme.det == "the" and p.words[j : j + 1] == [","]:
@@ -225,6 +237,12 @@ def _item(p: Parser, i: int, definite: bool) -> Results[tuple[Noun, ...]]:
                 continue
             k += bool(opened)
             yield (_of_color(named, many, p.span(i, k)),), k
+    each = p.any_of(i, _FOR_EACH)
+    for items, j in _colors(p, each) if each else ():
+        there = p.any_of(p.opt(j, ","), (*_THERE_ARE, "there should be", "take", "use"))
+        for many, k in amounts.count(p, there) if there else ():
+            k = p.opt(k, "block", "blocks", "cube", "cubes", "bricks")
+            yield tuple(_of_color(c, many, p.span(i, k)) for c in items), k
     for many, j in amounts.count(p, i):
         k = p.any_of(p.opt(j, "block", "blocks", "cube", "cubes"), _OF_LISTED)
         for items, end in _colors(p, k) if k else ():

@@ -93,6 +93,8 @@ def _looks(listed: Meaning) -> tuple[Traits, ...]:
     return ()
 
 
+ARE = ("are", "is", "should be", "must be", "have to be", "has to be", "shall be", "will be", "being")
+"""What a colour may follow that tells what some of the blocks look like."""
 _OF_WHICH = ("of which", "of them", "of these", "of whom")
 
 
@@ -110,7 +112,7 @@ def _of_which(p: Parser, i: int, j: int, count: int) -> Results[Coord]:
         if not (led or of):
             return
         led = True
-        named = next(iter(color(p, p.opt(of or k, "are", "is"))), None)
+        named = next(iter(color(p, p.any_of(of or k, ARE) or of or k)), None)
         if named is None:
             return
         look, at = named

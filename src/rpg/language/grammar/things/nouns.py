@@ -31,6 +31,8 @@ _SINGLE = Quantity("bare")
 _ONE = ("the", "a", "bare")
 _PRESENT = ("present", "in the scene", "lying around", "around", "in view", "also present")
 """What may be said of where distractors are, which is nowhere in particular."""
+_YOU_LIKE = ("you like", "you want", "you prefer", "you choose", "you wish", "that you like", "that you want",
+             "that you prefer", "that you choose", "of your choice", "of your choosing", "you please")  # fmt: skip
 _EVERYTHING = ("everything", "everything that is", "everything which is", "all that is", "anything that is")
 _LISTING = frozenset({"bare", "the", "all", "both"})
 _EVERY = frozenset({"each", "all", "both"})
@@ -335,7 +337,7 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
 
     yield noun, j
     tried = [(noun, j)]
-    if noun.traits.extra and (k := p.any_of(j, _PRESENT)):
+    if k := p.any_of(j, _PRESENT if noun.traits.extra else _YOU_LIKE if noun.det != "the" else ()):
         yield noun, k
     k = p.one(j, "number") or j
     long = k < p.end and (k > j or (p.tokens[k].kind == "number" and len(p.words[k]) > 1))

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
+from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
-from rpg.language.meaning import Noun
+from rpg.language.meaning import Clause, Meaning, Noun
 
 _ON_IT = ("on it", "on them", "on its top", "on its top face", "on its faces", "on its sides", "on all sides",
           "on each side", "on their faces", "on all faces", "on every face", "on each of them", "painted on it",
@@ -40,3 +41,16 @@ def printed(p: Parser, i: int, j: int, k: int, noun: Noun) -> Results[Noun]:
     letter = not _NAMED.isdisjoint(p.words[j:k])
     if end and (letter or p.words[j + 1] != "the"):
         yield replace(noun, span=p.span(i, end), cost=noun.cost + bool(noun.traits.colors and not letter)), end
+
+
+_CUBES = frozenset({*lexicon.BLOCK, "one", "ones"})
+
+
+def colored_cubes(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
+    """ "A, B and C (are) red cubes", "D (is) a blue one": there are such."""
+    if not isinstance(theme, Noun) or not theme.traits.labels or theme.traits.colors or theme.part_of is not None:
+        return
+    for named, k in color(p, p.opt(j, "a")):
+        if end := p.one(k, _CUBES):
+            those = replace(theme, traits=replace(theme.traits, colors=(named,)), cost=0)
+            yield Clause(verb="exist", lemma="stock", theme=those, mode="given", span=p.span(i, end)), end

@@ -14,6 +14,7 @@ _PASS_OVER = (
     "leave out", "leave aside", "ignore", "disregard", "forget about", "forget", "skip", "omit", "do not use",
     "do not need", "do not mind", "never mind", "do not bother with", "pay no heed to",
     "you do not need", "we do not need", "not using", "without using", "without", "and not",
+    "ignoring", "disregarding", "leaving out", "leaving aside", "omitting", "skipping", "forgetting about",
     "never use", "not", "pay no attention to", "do not care about", "but not",
 )  # fmt: skip
 """What stands before blocks that are not to be used. Behind "without" and "not" alone no place may follow."""

@@ -11,6 +11,7 @@ from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.inventory import contents, given
+from rpg.language.grammar.things.joined import ARE
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.theirs import THEIRS
@@ -238,7 +239,7 @@ def _part(p: Parser, i: int, later: bool) -> tuple[Noun, int] | None:
         of = p.any_of(k, _OF_BLOCKS) or _of_so_many(p, k)
         if not of and not later:
             return None
-        are = p.any_of(of or k, ("are", "is")) or (of or k if later else 0)
+        are = p.any_of(of or k, ARE) or (of or k if later else 0)
         for named, end in color(p, are) if are else ():
             amount, span = Amount(many, many), p.span(i, end)
             marks = Traits(colors=(named,))

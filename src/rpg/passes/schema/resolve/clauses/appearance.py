@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Noun, Pronoun, Quality, Traits
+from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Quality, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.operands import crown
 from rpg.passes.schema.resolve.things.refer import refer
@@ -23,7 +23,8 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     if isinstance(clause.theme, Noun) and clause.theme.conditions and clause.mode == "goal":
         raise refuse("ambiguous", "is this so at the start, or at the end?", clause.theme.conditions[0].span,
                      "say 'at the start' or 'must be'")  # fmt: skip
-    theme = refer(clause.theme, scene, Scope(given=scope.given)) if clause.theme is not None else Ref()
+    said_of = _told_by_size(clause.theme, spec, scene)
+    theme = refer(said_of, scene, Scope(given=scope.given)) if said_of is not None else Ref()
     if theme.table:
         raise refuse("misplaced", "the table has one look", clause.span)
     if theme.part is not None:
@@ -34,6 +35,22 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
         _give(theme, quality, clause, scene)
     spec.qualities = []
     return []
+
+
+_COMPARED = {"larger": "big", "smaller": "small"}
+
+
+def _told_by_size(theme: Meaning | None, spec: Spec, scene: Scene) -> Meaning | None:
+    """ "The small one is blue": of what colour it is, is said by this."""
+    colored = any(len(q.traits.colors) == 1 for q in spec.qualities)
+    one = isinstance(theme, Noun) and theme.head != "patch" and theme.det == "the" and not theme.plural
+    if not colored or not one or not isinstance(theme, Noun):
+        return theme
+    marks = theme.traits
+    sizes = [t.size for t in scene.blocks()]
+    if marks.rank in _COMPARED and sizes in ([], ["big" if marks.rank == "smaller" else "small"]):
+        marks = replace(marks, rank=None, size=_COMPARED[marks.rank])
+    return replace(theme, head="block", traits=marks) if marks.size or marks.edge else theme
 
 
 def _all_open(theme: Ref, scene: Scene) -> Ref:

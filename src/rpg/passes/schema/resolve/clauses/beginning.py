@@ -38,6 +38,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
+    chains = _lying_there(chains, text)
     now = _as_it_is_now(chains[0], text, chains[1:])
     chains = tuple(map(_all_begun, (now, *map(_there_too, chains[1:]))))
     if (picture := _pictured(chains, text)) is not None:
@@ -75,6 +76,21 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
             chain = replace(chain, clauses=clauses)
         found.append(chain)
     return tuple(found)
+
+
+def _lying_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
+    """ "Six green bricks on the table. Make two towers": blocks that lie there before the first command say what
+    there is."""
+    if not isinstance(first := chains[0].clauses[0], Clause) or first.lemma or first.verb != "be" or first.negated:
+        return chains
+    table = [isinstance(a, Loc) and isinstance(a.landmark, TableTop) and a.rel == "on" for a in first.adjuncts]
+    rest = (*chains[0].clauses[1:], *(c for chain in chains[1:] for c in chain.clauses))
+    command = next((isinstance(c, Clause) and c.mode == "command" and not c.negated for c in rest), False)
+    ended = text[first.span[1] :].lstrip()[:1] in (",", ".", ";", ":", "!")
+    if table != [True] or not (command and ended) or first.mode != "goal" or not _indefinite(first.theme):
+        return chains
+    there = replace(first, verb="exist", mode="given")
+    return (replace(chains[0], clauses=(there, *chains[0].clauses[1:])), *chains[1:])
 
 
 _NOW = re.compile(r"(?:(?:ok|okay|so|right|well),? )?now,?", re.IGNORECASE)

@@ -12,8 +12,8 @@ from rpg.language.meaning import Noun, OrderBy, Toward
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, agreed, one_way
 from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
-from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.onward import onward
+from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, positions
 from rpg.passes.schema.resolve.orders.reading import reading_begins
 from rpg.passes.schema.resolve.things.items import by_look, claimed, claims

@@ -39,11 +39,15 @@ class Towers:
 def check_bodies(theme: Ref, loc: Loc, scene: Scene) -> None:
     """ "The word HI on red cubes": are these below the letters, or do they show them?"""
     mark = loc.landmark
-    if loc.rel != "on" or not isinstance(mark, Noun) or mark.head == "patch" or mark.amount is not None:
+    if loc.rel != "on" or not isinstance(mark, Noun) or mark.head == "patch":
+        return
+    spelt = any(built.kind == "word" and {*theme.names} <= {*built.members} for built in scene.built)
+    if mark.amount is not None and not (spelt and mark.det == "a" and len(theme.names) == 1):
         return
     open_ = [scene.things[name] for name in theme.names]
     shown = all(thing.label is not None and thing.color is None for thing in open_)
-    if open_ and shown and mark.det == "bare" and mark.plural and mark.traits == Traits(colors=mark.traits.colors):
+    one = mark.det == "a" or (mark.det == "bare" and mark.plural)
+    if open_ and shown and one and mark.traits == Traits(colors=mark.traits.colors):
         raise refuse("ambiguous", "are these cubes below, or do they show the letters?", mark.span,
                      "say 'on top of ...' with their number, or 'letters on ... bodies'")  # fmt: skip
 

@@ -76,7 +76,7 @@ def _twins(name: str, noun: Noun, scene: Scene) -> tuple[str, ...]:
 def by_likeness(clause: Clause, spec: Spec, scene: Scene) -> Clause | None:
     """ "blocks of the same colour together" sorts them all: the clause with what to sort by, or None."""
     theme = clause.theme
-    if not (isinstance(theme, Noun) and theme.traits.scheme == "same" and theme.plural and theme.head == "block"):
+    if not (isinstance(theme, Noun) and theme.traits.scheme == "same" and theme.plural and theme.head != "patch"):
         return None
     if theme.amount is not None or theme.det not in ("bare", "the", "all") or theme.traits.colors or clause.negated:
         return None

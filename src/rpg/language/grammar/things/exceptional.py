@@ -1,0 +1,75 @@
+""" "All gray except the top one, which is orange": the top one orange and the others gray, as it is said elsewhere."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+_EXCEPT = (("with", "the", "exception", "of"), ("except", "for"), ("apart", "from"), ("save", "for"), ("but", "for"),
+           ("other", "than"), ("except",), ("but",), ("save",), ("besides",))  # fmt: skip
+_PLACES = frozenset({"top", "bottom", "middle", "first", "last", "second", "third", "fourth", "fifth", "left", "right",
+                     "leftmost", "rightmost", "center", "lowest", "highest", "topmost", "uppermost", "lowermost",
+                     "front", "back", "upper", "lower", "end", "ends", "outer", "inner", "central",
+                     "bottommost"})  # fmt: skip
+_OF_THEM = frozenset({"of", "them", "the", "these", "blocks", "cubes", "bricks", "are", "is", "in", "being", "should",
+                      "must", "be", "shall"})  # fmt: skip
+_IS = frozenset({",", "which", "that", "it", "is", "are", "being", "should", "must", "be", "in", "shall"})
+_ONES = frozenset({"one", "ones", "block", "blocks", "cube", "cubes", "brick", "bricks"})
+_FEW = frozenset({"a", "one", "two", "three", "exactly", "single", "just"})
+_THEY = frozenset({"they", "these"})
+_PART = 12
+"""So many words name a part at most: "the second one from the left"."""
+
+
+def exceptions_first(tokens: list[Token]) -> list[Token]:
+    """The tokens with such exceptions told as two parts."""
+    for start, token in enumerate(tokens):
+        if token.word == "all" and (found := _at(tokens, start)) is not None:
+            part, end, color, other = found
+            rest = [_word(word, tokens[start]) for word in ("and", "the", "others")]
+            said = [*part, replace(other, kind="word"), *rest, color]
+            lead = tokens[:start]
+            they = [t.word for t in lead[-3:]]
+            if they[-1:] == ["are"] and they[-2] in _THEY:
+                lead = lead[:-2]
+            elif they[-1:] == ["be"] and they[0] in _THEY:
+                lead = lead[:-3]
+            return [*lead, *said, *tokens[end:]]
+    return tokens
+
+
+def _at(tokens: list[Token], start: int) -> tuple[list[Token], int, Token, Token] | None:
+    """The words for the part, the position behind it all, the colour of all, and that of the part."""
+    words = [t.word for t in tokens]
+    at = start + 1
+    while at < len(words) and words[at] in _OF_THEM:
+        at += 1
+    if at >= len(words) or words[at] not in lexicon.COLOR:
+        return None
+    color = tokens[at]
+    at += 1
+    at += words[at : at + 1] == ["ones"] or (words[at : at + 1] != [] and words[at] in lexicon.BLOCK)
+    at += words[at : at + 1] == [","]
+    lead = next((x for x in _EXCEPT if tuple(words[at : at + len(x)]) == x), None)
+    if lead is None:
+        return None
+    begun = at + len(lead)
+    end = next((n for n in range(begun, min(begun + _PART, len(words))) if words[n] in lexicon.COLOR), 0)
+    if not end:
+        return None
+    told = begun + next((n for n, word in enumerate(words[begun:end]) if word in _IS and n), end - begun)
+    if words[begun] == "the":
+        fits = bool(_PLACES & {*words[begun:told]}) and all(word in _IS for word in words[told:end])
+        fits = fits and lexicon.COLOR[words[end]] != lexicon.COLOR[color.word]
+    else:
+        fits = told > begun and all(word in _FEW for word in words[begun:told])
+        fits = fits and all(word in _IS for word in words[told:end])
+    after = end + 1
+    after += words[after : after + 1] != [] and words[after] in _ONES
+    return (tokens[begun : min(told, end)], after, color, tokens[end]) if fits else None
+
+
+def _word(word: str, like: Token) -> Token:
+    return replace(like, kind="word", word=word, raw=word, value=None)

@@ -1,0 +1,70 @@
+"""What a list behind a structure tells, and what is taken first to be used: clauses that say the same more plainly."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, Noun, OrderBy, Pronoun, Structure
+
+_TAKES = frozenset({"pick", "use"})
+
+
+def plainly(chain: Chain) -> Chain:
+    """The sentence with such clauses."""
+    return _taken(_listed_apart(chain))
+
+
+def _taken(chain: Chain) -> Chain:
+    """ "Take two of the four red blocks and stack them": stack two of the four."""
+    for n, (first, second) in enumerate(zip(chain.clauses, chain.clauses[1:], strict=False)):
+        if not isinstance(first, Clause) or not isinstance(second, Clause) or first.verb not in _TAKES:
+            continue
+        some = isinstance(first.theme, Noun) and first.theme.part_of is not None and first.theme.det == "some"
+        them = isinstance(second.theme, Pronoun) and second.theme.word == "them" and not second.negated
+        if some and them and not first.adjuncts and not first.negated and chain.links[n + 1] in ("and", "then"):
+            told = replace(second, theme=first.theme)
+            clauses = (*chain.clauses[:n], told, *chain.clauses[n + 2 :])
+            return replace(chain, clauses=clauses, links=(*chain.links[: n + 1], *chain.links[n + 2 :]))
+    return chain
+
+
+def _listed_apart(chain: Chain) -> Chain:
+    """ "All but the red one in a row: red, green and blue": a list that names what is left out tells what there is."""
+    for n, clause in enumerate(chain.clauses):
+        if not isinstance(clause, Clause) or not isinstance(clause.theme, Coord) or clause.theme.op not in _APART:
+            continue
+        out = clause.theme.items[-1]
+        for index, into in enumerate(clause.adjuncts):
+            if not isinstance(into, Into) or not isinstance(shape := into.structure, Structure):
+                continue
+            if not isinstance(out, Noun) or out.amount is not None:
+                continue
+            lists = [d for d in shape.details if isinstance(d, OrderBy) and d.by == "named" and d.first is None]
+            if len(lists) != 1 or not any(_same(out, item) for item in lists[0].items):
+                continue
+            bare = replace(shape, details=tuple(d for d in shape.details if d is not lists[0]))
+            adjuncts = list(clause.adjuncts)
+            adjuncts[index] = replace(into, structure=bare)
+            items = tuple(_one(item) for item in lists[0].items)
+            whole = Coord(op="and", items=items, span=lists[0].span)
+            there = Clause(verb="exist", lemma="tally", theme=whole, mode="given", span=lists[0].span)
+            told = replace(clause, adjuncts=tuple(adjuncts))
+            clauses = (*chain.clauses[:n], there, told, *chain.clauses[n + 1 :])
+            return replace(chain, clauses=clauses, links=(*chain.links[:n], "and", *chain.links[n:]))
+    return chain
+
+
+_APART = ("except", "besides")
+
+
+def _same(out: Noun, item: Meaning) -> bool:
+    """Whether this is of the look that was left out."""
+    look = isinstance(item, Noun) and (item.traits.colors, item.traits.labels)
+    return look == (out.traits.colors, out.traits.labels)
+
+
+def _one(item: Meaning) -> Meaning:
+    """ "red" in a list of what there is: one red block."""
+    if isinstance(item, Noun) and item.amount is None and len(item.traits.colors) < 2:
+        return replace(item, head="block", amount=Amount(1, 1)) if not item.traits.labels else item
+    return item

@@ -115,8 +115,11 @@ def _shape(rng: Random) -> tuple[Callable[[tuple[str, ...], Pattern | None, bool
             [(2, 3, 1), (3, 3, 1), (2, 4, 1), (1, 3, 2), (2, 2, 2), (3, 3, 2), (4, 4, 1)]
         )
         axis = rng.choice([None, None, "x", "y"])
+        gap, tolerance = rng.choice([(None, 0.01), (None, 0.01), (0.0, 0.002), (0.015, 0.01)])
         return (
             lambda b, p, r: Grid(
+                gap=gap,
+                tolerance=tolerance,
                 blocks=b,
                 pattern=p,
                 readable=r,

@@ -57,6 +57,18 @@ def test_square_outline(yaw: float) -> None:
     assert not holds(node, row, yaw, pitch=0.042)
 
 
+@pytest.mark.parametrize("yaw", YAWS)
+def test_gaps_that_are_asked_of_a_figure(yaw: float) -> None:
+    square = [(0, 0), (0, 1), (1, 0), (1, 1)]
+    grid = Grid(blocks=named(4), rows=2, columns=2, gap=0.02)
+    for pitch, fine in ((0.045, False), (0.052, True), (0.06, True), (0.068, True), (0.072, False)):
+        assert holds(grid, square, pitch=pitch) is fine
+    tight = Figure(blocks=named(8), shape="square", gap=0.0, tolerance=0.002)
+    assert holds(tight, SQUARE, yaw, pitch=0.04) and not holds(tight, SQUARE, yaw, pitch=0.045)
+    wide = Figure(blocks=named(8), shape="square", gap=0.06)
+    assert holds(wide, SQUARE, yaw, pitch=0.1) and not holds(wide, SQUARE, yaw, pitch=0.08)
+
+
 def test_a_square_of_nine_is_filled() -> None:
     nine = [(x, y) for x in range(3) for y in range(3)]
     assert holds(Figure(blocks=named(9), shape="square", filled=True), nine)

@@ -21,6 +21,8 @@ NAMED = 15.0
 """A figure with a named direction may be turned from it by at most this (degrees)."""
 NEAREST = 45.0
 """Rows lie along y when they are nearer to it than to x."""
+NEXT = 1.01
+"""Cells no farther than this from each other, in pitches, are next to each other."""
 MAX_RADIUS = 0.15
 """Radius in metres of the largest circle that the workspace holds."""
 FEWEST = {"circle": 8, "square": 8, "rectangle": 10, "triangle": 6, "L": 5, "T": 5, "V": 5, "U": 7, "plus": 5, "X": 5}
@@ -55,6 +57,18 @@ class Ideal:
     limit: float | None = None
     ring: bool = False
     room: float | None = None
+
+
+@cache
+def neighbors(ideal: Ideal) -> tuple[tuple[int, int], ...]:
+    """The cells, two by two, that are next to each other at one level: a pitch apart."""
+    cells = list(enumerate(ideal.cells))
+    return tuple(
+        (i, j)
+        for i, one in cells
+        for j, other in cells[:i]
+        if one.level == other.level and math.hypot(one.x - other.x, one.y - other.y) < NEXT
+    )
 
 
 def ideals(node: Cells, count: int) -> tuple[Ideal, ...]:

@@ -51,12 +51,15 @@ def _moments(goal: g.Goal) -> Iterator[g.Goal]:
 
 
 def _start(goal: g.Goal, init: InitialState, world: World) -> BlockState:
-    """A start from which the whole way is still ahead."""
-    stages = [stage.goal for part in _conjuncts(goal) if isinstance(part, g.Sequence) for stage in part.stages]
+    """A start from which the whole way is still ahead, and nothing is lost that must always hold."""
+    parts = list(_conjuncts(goal))
+    stages = [stage.goal for part in parts if isinstance(part, g.Sequence) for stage in part.stages]
+    standing = [part for part in parts if isinstance(part, g.Always)]
     for attempt in range(STARTS):
         start = sample_start(init, world, 0, attempt)
         seen = replace(start, start=start)
-        if not evaluate(goal, seen) and not any(evaluate(stage, seen) for stage in stages):
+        ahead = not evaluate(goal, seen) and not any(evaluate(stage, seen) for stage in stages)
+        if ahead and all(evaluate(part, seen) for part in standing):
             return start
     return sample_start(init, world, 0)
 

@@ -129,6 +129,8 @@ class Structures(Atoms):
         excused: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
+        gap: float | None = None,
+        tolerance: float = 0.01,
         layers: int = 1,
         axis: Axis | None = None,
     ) -> Verdict:
@@ -143,6 +145,8 @@ class Structures(Atoms):
             excused=excused,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
+            gap=gap,
+            tolerance=tolerance,
             layers=layers,
             axis=axis,
         )
@@ -157,6 +161,8 @@ class Structures(Atoms):
         excused: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
+        gap: float | None = None,
+        tolerance: float = 0.01,
     ) -> Verdict:
         """Layers of n, n-1, ... 1 blocks in a line (`base` = [n, 1]), or n x m, (n-1) x (m-1), ....
 
@@ -171,6 +177,8 @@ class Structures(Atoms):
             excused=excused,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
+            gap=gap,
+            tolerance=tolerance,
         )
 
     def staircase(
@@ -183,6 +191,8 @@ class Structures(Atoms):
         excused: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
+        gap: float | None = None,
+        tolerance: float = 0.01,
         up: Direction | None = None,
     ) -> Verdict:
         """Columns of 1, 2, ... `steps` blocks side by side, going up towards `up` when it is given."""
@@ -195,6 +205,8 @@ class Structures(Atoms):
             excused=excused,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
+            gap=gap,
+            tolerance=tolerance,
             up=up,
         )
 
@@ -208,6 +220,8 @@ class Structures(Atoms):
         excused: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
+        gap: float | None = None,
+        tolerance: float = 0.01,
         filled: bool = False,
         sides: tuple[int, int] | None = None,
         pointing: Direction | None = None,
@@ -227,6 +241,8 @@ class Structures(Atoms):
             excused=excused,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
+            gap=gap,
+            tolerance=tolerance,
             filled=filled,
             sides=sides,
             pointing=pointing,

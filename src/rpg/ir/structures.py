@@ -81,7 +81,8 @@ class Cells(Node):
     """Blocks that fill the cells of an ideal figure, each within `fit_edges` of its cell.
 
     The figure is fitted by position, rotation and pitch (`pitch_edges`, between neighbours' centres); figures that
-    name no direction hold in any rotation and mirroring.
+    name no direction hold in any rotation and mirroring. `gap`: metres between the faces of neighbours, within
+    `tolerance`.
     """
 
     blocks: Members
@@ -90,6 +91,8 @@ class Cells(Node):
     excused: Names = ()
     fit_edges: Edges = 0.5
     pitch_edges: tuple[Edges, Edges] = (1.0, 2.0)
+    gap: Length | None = None
+    tolerance: Metres = 0.01
 
 
 class Grid(Cells):

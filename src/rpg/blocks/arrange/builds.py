@@ -11,6 +11,7 @@ from rpg.blocks.arrange.seats import alone, reseated
 from rpg.blocks.predicate import Cluster
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.predicates.common import SPANS
+from rpg.blocks.predicates.row import lay
 from rpg.blocks.state import World
 from rpg.ir import goal as g
 from rpg.ir import structures
@@ -24,6 +25,7 @@ STRUCTURES = frozenset(
 )
 ABSOLUTE = frozenset({"in_region", "on_patch", "empty", "facing", "stayed", "moved", "swapped", "turned"})
 """Atoms about places in the world, even where their blocks are of one piece."""
+TEXTS = frozenset({"spells", "equation"})
 MOST_RESEATED = 3
 MAX_BUILDS = 12
 MOST_BUILDS = 40
@@ -40,7 +42,8 @@ def layouts_of(
     there is no way to lay it out, there is none to arrange the whole.
     """
     wanted = [literal.atom for literal in literals if literal.holds]
-    found = [(atom, *_builds(atom, world, rng, thorough)) for atom in wanted if atom.kind in STRUCTURES]
+    lines = [atom for atom in wanted if isinstance(atom, structures.Row) and atom.order.by == "any"]
+    found = [(atom, *_builds(atom, lines, world, rng, thorough)) for atom in wanted if atom.kind in STRUCTURES]
     for atom, usual, wide in found:
         inside = set(names(atom))
         asked = [part for part in literals if part.atom is not atom and _within(part.atom, inside)]
@@ -53,11 +56,13 @@ def layouts_of(
 
 
 def _covers(other: g.Atom, atom: g.Atom) -> bool:
-    """Do the blocks of `atom` all have their places by `other`? Of two with the same blocks, a group is the looser."""
+    """Do the blocks of `atom` all have their places by `other`? Of two with the same blocks, a group is the looser, and
+    a line is looser than a text."""
     if other is atom or other.kind == "group_by":
         return False
     mine, theirs = set(names(atom)), set(names(other))
-    return mine < theirs or (mine == theirs and atom.kind == "group_by")
+    looser = atom.kind == "group_by" or (atom.kind == "row" and other.kind in TEXTS)
+    return mine < theirs or (mine == theirs and looser)
 
 
 def _parts_of(other: g.Atom, atom: g.Atom) -> bool:
@@ -69,9 +74,14 @@ def _within(atom: g.Atom, blocks: set[str]) -> bool:
     return atom.kind not in ABSOLUTE and blocks.issuperset(names(atom))
 
 
-def _builds(atom: g.Atom, world: World, rng: Random, thorough: bool) -> tuple[list[list[Cluster]], list[list[Cluster]]]:
-    """The usual ways to lay a structure out, and wider ones."""
+def _builds(
+    atom: g.Atom, lines: list[structures.Row], world: World, rng: Random, thorough: bool
+) -> tuple[list[list[Cluster]], list[list[Cluster]]]:
+    """The usual ways to lay a structure out, and wider ones; a text as far apart as a line of its blocks is."""
     found = list(islice(PREDICATES[atom.kind].build(atom, world, rng), MOST_BUILDS if thorough else MAX_BUILDS))
+    line = next((line for line in lines if atom.kind in TEXTS and set(line.blocks) == set(names(atom))), None)
+    if line is not None:
+        found = [[laid] for clusters in found if (laid := _respaced(clusters[0], line, world)) is not None]
     if not thorough or any(name in world.patches for name in names(atom)):
         return found, []
     wider = [
@@ -81,6 +91,12 @@ def _builds(atom: g.Atom, world: World, rng: Random, thorough: bool) -> tuple[li
         if len(clusters) == 1 and (stretched := _stretched(atom, clusters[0], factor, world)) is not None
     ]
     return found, wider
+
+
+def _respaced(text: Cluster, line: structures.Row, world: World) -> Cluster | None:
+    """A text from left to right with the spacing of `line`; None where the workspace has no room for it."""
+    sequence = sorted(text.poses, key=lambda name: -text.poses[name][0][1])
+    return lay(line.model_copy(update={"axis": "y", "readable": True}), sequence, 0.0, world)
 
 
 def _stretched(atom: g.Atom, cluster: Cluster, factor: float, world: World) -> Cluster | None:

@@ -99,7 +99,14 @@ def grid(node: s.Grid, say: Speaker) -> str:
         what = f"a {node.rows}x{node.columns}x{node.layers} cube"
     else:
         what = f"a grid of {number(node.rows)} rows and {number(node.columns)} columns"
-    return _form(node, say, what + patterned(node.pattern, say, upright=node.layers > 1, in_rows=True))
+    return _cells(node, say, what, patterned(node.pattern, say, upright=node.layers > 1, in_rows=True))
+
+
+def _cells(node: s.Cells, say: Speaker, what: str, pattern: str) -> str:
+    """A figure with its gaps, where these are not as usual."""
+    if node.gap is not None:
+        what += f" with gaps of {_gap(node.gap, node.tolerance)}" if node.gap else " without gaps"
+    return _form(node, say, what + pattern)
 
 
 def pyramid(node: s.Pyramid, say: Speaker) -> str:
@@ -107,13 +114,13 @@ def pyramid(node: s.Pyramid, say: Speaker) -> str:
     base = f"{long}x{deep} base" if deep > 1 else f"base of {number(long)} blocks"
     other = any(blocks != frozenset(node.blocks) for blocks in say.figures)
     say.figures[frozenset(node.blocks)] = "" if other else "the pyramid"
-    return _form(node, say, f"a pyramid with a {base}{patterned(node.pattern, say, upright=True)}")
+    return _cells(node, say, f"a pyramid with a {base}", patterned(node.pattern, say, upright=True))
 
 
 def staircase(node: s.Staircase, say: Speaker) -> str:
     way = f" going up {WAY[node.up]}" if node.up else ""
     what = f"a staircase of {number(node.steps)} steps{way}"
-    return _form(node, say, what + patterned(node.pattern, say, upright=True))
+    return _cells(node, say, what, patterned(node.pattern, say, upright=True))
 
 
 def figure(node: s.Figure, say: Speaker) -> str:
@@ -126,7 +133,7 @@ def figure(node: s.Figure, say: Speaker) -> str:
     else:
         what = f"{'an' if name in 'LX' else 'a'} {name}" + (" shape" if len(name) == 1 else "")
     way = f" with its {POINTER.get(node.shape, 'tip')} {WAY[node.pointing]}" if node.pointing else ""
-    return _form(node, say, what + way + patterned(node.pattern, say))
+    return _cells(node, say, what + way, patterned(node.pattern, say))
 
 
 def group_by(node: s.GroupBy, say: Speaker) -> str:

@@ -12,10 +12,10 @@ import numpy as np
 
 from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.constants import SUPPORT_GAP
-from rpg.blocks.figures import NAMED, NEAREST, Ideal, flat_forms, ideals, upright
-from rpg.blocks.geometry import rests_on
+from rpg.blocks.figures import NAMED, NEAREST, Ideal, flat_forms, ideals, neighbors, upright
+from rpg.blocks.geometry import footprint_gap, rests_on
 from rpg.blocks.predicate import Cluster, NearMiss, Predicate
-from rpg.blocks.predicates.cells_build import layouts, resting
+from rpg.blocks.predicates.cells_build import layouts, pitches, resting
 from rpg.blocks.predicates.common import (
     PAST_SHARE,
     Poses,
@@ -39,7 +39,7 @@ from rpg.blocks.predicates.stack import alone
 from rpg.blocks.predicates.vertical import GROUND
 from rpg.blocks.state import IDENTITY, BlockState, World
 from rpg.blocks.traits import AWAY, TO_VIEWER, UP, Traits, symbols_shown
-from rpg.blocks.verdict import FALSE, TRUE, Verdict, every, holds
+from rpg.blocks.verdict import FALSE, TRUE, Verdict, at_most, every, holds
 from rpg.blocks.visibility import reads
 from rpg.ir.structures import Cells, Figure, Pyramid
 
@@ -118,7 +118,7 @@ class CellsPredicate(Predicate[Cells]):
         # Moving points by `error` in all moves neither of the two by more. Each tells between which pitches the fit is.
         error = (node.fit_edges * edges.max() + ROOM) * math.sqrt(len(names))
         for ideal in ideals(node, len(names)):
-            low, high = node.pitch_edges[0] * edges.max(), max(node.pitch_edges[1] * edges.max(), ideal.room or 0.0)
+            low, high = pitches(node, ideal, edges.max())
             long, short = _spreads_of(ideal)
             least = np.maximum((along - error) / long, (across - error) / short)
             most = np.minimum((along + error) / long, (across + error) / short)
@@ -138,15 +138,14 @@ class CellsPredicate(Predicate[Cells]):
         tolerance = node.fit_edges * edge
         best: Found | None = None
         for ideal in forms:
-            low, high = node.pitch_edges
-            pitches = low * edge, max(high * edge, ideal.room or 0.0)
-            fit = best_fit(ideal, places, pitches, tolerance)
+            between = pitches(node, ideal, edge)
+            fit = best_fit(ideal, places, between, tolerance)
             if fit is None:
                 continue
             lying = flatness(state, names) if lying is None else lying
             room = min(margin, lying, slack(fit.deviation, tolerance))
             if max(levels) == 0 and PLAINLY * tolerance < fit.deviation <= tolerance + EPS and len(names) > 2:
-                room = min(room, -outdone(ideal, fit, places, pitches))
+                room = min(room, -outdone(ideal, fit, places, between))
             found = self._judge(node, ideal, fit, room, state)
             if best is None or found.verdict.margin > best.verdict.margin:
                 best = found
@@ -161,6 +160,9 @@ class CellsPredicate(Predicate[Cells]):
         parts = [holds(margin)]
         if isinstance(node, Pyramid) and margin > 0.0:
             parts.append(TRUE if _bridged(ideal, blocks, state) else FALSE)
+        if node.gap is not None:
+            gaps = [footprint_gap(state, blocks[i], blocks[j]) for i, j in neighbors(ideal)]
+            parts.append(every(at_most(abs(max(gap, 0.0) - node.gap), node.tolerance) for gap in gaps))
         if node.pattern is not None:
             shown = symbols_shown(state, node.blocks, TO_VIEWER if upright(node) else UP)
             parts.append(TRUE if follows(node.pattern, ideal, blocks, Traits(state.world, shown)) else FALSE)
@@ -215,7 +217,7 @@ class CellsPredicate(Predicate[Cells]):
         yield from self._displaced(node, found, edge, state)
         reach = max(math.hypot(cell.x, cell.y) for cell in found.ideal.cells)
         if reach > 0.0:
-            widest = max(node.pitch_edges[1] * edge, found.ideal.room or 0.0)
+            widest = pitches(node, found.ideal, edge)[1]
             pitch = widest * self._reach_of_forms(node) + 1.3 * node.fit_edges * edge / reach
             yield NearMiss("the figure too wide", stretched(state, node.blocks, pitch / found.fit.pitch))
         if found.ideal.limit is not None:

@@ -24,14 +24,21 @@ def layouts(node: Cells, ideal: Ideal, filled: Sequence[str], world: World) -> I
     tangent = ideal.ring and not node.readable
     gap = BUILD_GAP if all(cell.level == 0 for cell in ideal.cells) else LAYER_GAP
     for turn in TURNS if ideal.limit is None and not (node.readable and upright(node)) else TURNS[:1]:
-        for clearance in (gap, 0.5 * gap, 0.001, 0.0):
+        for clearance in (gap, 0.5 * gap, 0.001, 0.0) if node.gap is None else (node.gap,):
             pitch = _pitch(ideal, edge, clearance, tangent)
-            low, high = node.pitch_edges[0] * edge, max(node.pitch_edges[1] * edge, ideal.room or 0.0)
+            low, high = pitches(node, ideal, edge)
             pitch = max(pitch, low)
             places = _places(ideal.cells, pitch, turn)
             if pitch <= high and _fits(places):
                 yield _cluster(node, ideal, filled, places, turn, tangent, world)
                 break
+
+
+def pitches(node: Cells, ideal: Ideal, edge: float) -> tuple[float, float]:
+    """The least and the most (m) that the pitch of a figure may be."""
+    low, high = node.pitch_edges
+    asked = 0.0 if node.gap is None else edge + node.gap + node.tolerance
+    return low * edge, max(high * edge, ideal.room or 0.0, asked)
 
 
 @lru_cache(maxsize=512)

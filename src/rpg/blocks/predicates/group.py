@@ -176,18 +176,21 @@ class GroupByPredicate(Predicate[GroupBy]):
 
     def build(self, node: GroupBy, world: World, rng: Random) -> Iterator[list[Cluster]]:
         found = False
+        edge = max(world.edge[name] for group in node.groups for name in group)
+        gap = BUILD_GAP if node.inner_edges * edge > BUILD_GAP else 0.0
         for attempt in range(SHUFFLES + 1):
             groups = self._divisions(node, world, rng, attempt)
             if groups is None:
                 return
             for apart in (2.0, 1.6):
-                whole = side_by_side(groups, world, max(apart * node.outer_edges / 1.5, 0.1))
+                whole = side_by_side(groups, world, max(apart * node.outer_edges / 1.5, 0.1), gap)
                 if whole is not None:
                     yield [whole]
                     found = True
                     break
         groups = self._divisions(node, world, rng, 0) or []
-        yield [blob(group, world, 1 + (len(group) - 1) // 3) for group in groups]
+        for within in dict.fromkeys((gap, 0.0)):
+            yield [blob(group, world, 1 + (len(group) - 1) // 3, within) for group in groups]
         if not found:
             yield [column(sorted(group, key=lambda n: -world.edge[n]), world, IDENTITY) for group in groups]
 
@@ -261,9 +264,9 @@ class GroupByPredicate(Predicate[GroupBy]):
         )
 
 
-def blob(group: Sequence[str], world: World, columns: int) -> Cluster:
-    """A group in a grid of so many columns, a little apart."""
-    pitch = max(world.edge[name] for name in group) + BUILD_GAP
+def blob(group: Sequence[str], world: World, columns: int, gap: float) -> Cluster:
+    """A group in a grid of so many columns, `gap` (m) apart."""
+    pitch = max(world.edge[name] for name in group) + gap
     rows = -(-len(group) // columns)
     poses: dict[str, tuple[Vec3, Quat | None]] = {}
     for k, name in enumerate(group):
@@ -272,12 +275,12 @@ def blob(group: Sequence[str], world: World, columns: int) -> Cluster:
     return Cluster(poses)
 
 
-def side_by_side(groups: Groups, world: World, apart_edges: float) -> Cluster | None:
+def side_by_side(groups: Groups, world: World, apart_edges: float, gap: float) -> Cluster | None:
     """All groups in one cluster, on shelves from left to right; None where they need more than the workspace."""
     edge = max(world.edge[name] for group in groups for name in group)
     for deep in range(2, DEEP + 1):
         columns = [-(-len(group) // deep) for group in groups]
-        blobs = [blob(group, world, count) for group, count in zip(groups, columns, strict=True)]
+        blobs = [blob(group, world, count, gap) for group, count in zip(groups, columns, strict=True)]
         placed = _shelves(blobs, edge * (1.0 + apart_edges))
         if placed is not None:
             return placed

@@ -7,14 +7,17 @@ from collections.abc import Iterable
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
+from rpg.ir.assets import EDGE
 from rpg.ir.node import members
 from rpg.ir.walk import atoms, transform
+from rpg.passes.schema.resolve.goals.spacing import spaced
 from rpg.passes.schema.resolve.things.world import Scene
 
 
 def tidy(goal: g.Goal, scene: Scene) -> g.Goal:
     """Rewrites that keep the meaning of the whole."""
-    return _open_tops(_stack_patches(_diagonals(_excused(goal))))
+    sizes = {thing.name: thing.edge or EDGE for thing in scene.blocks()}
+    return spaced(_open_tops(_stack_patches(_diagonals(_excused(goal)))), sizes)
 
 
 MANY = 3

@@ -12,6 +12,7 @@ from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS
 from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Size, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
+from rpg.passes.schema.resolve.goals.spacing import gaps_of
 from rpg.passes.schema.resolve.orders.orders import order_of
 from rpg.passes.schema.resolve.orders.positions import alternatives, lengthened
 from rpg.passes.schema.resolve.orders.reading import legible
@@ -108,7 +109,8 @@ def make(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
         return lots.each_made_of(shape, spec, theme, maker, scene, scope)
     if one_by_one(shape, spec):
         return each_of(shape, spec, theme, maker, scene, scope)
-    return maker(shape, spec, theme, scene, scope)
+    built, goals = maker(shape, spec, theme, scene, scope)
+    return built, [*goals, *gaps_of(goals, spec)]
 
 
 def _paged(shape: Structure, spec: Spec, theme: Ref | None) -> Structure:

@@ -35,7 +35,7 @@ from rpg.language.tokens import Token
 from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
-from rpg.passes.schema.lots import parted_lists, same_cubes
+from rpg.passes.schema.lots import check_lots
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, patience
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun, start_first
@@ -48,6 +48,7 @@ from rpg.passes.schema.resolve.clauses.moments import in_time
 from rpg.passes.schema.resolve.goals.contradictions import check
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.orders.told_places import places_told
+from rpg.passes.schema.resolve.places.bare_table import off_their_patches
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
@@ -83,8 +84,7 @@ def build(
             found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
             if (token := unfounded(words, found.task, found.chosen)) is not None:
                 raise _lost(token)
-            parted_lists(words, found.task)
-            same_cubes(words, found.task)
+            check_lots(words, found.task)
         except Refusal as refusal:
             code = refusal.diagnostics[0].code
             if code in FINAL and best is None:
@@ -220,7 +220,7 @@ def _resolved(
     goal = join([(links[n], stated[n]) for n in sequence], scene, (0, len(text)))
     if isinstance(goal, g.All) and not goal.goals:
         raise _no_goal(scene, text)
-    goal = brought_about(keep_premises(goal, scene), scene)
+    goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
     check_counted(chains, scene, text)
     settle_sides(scene)
     chosen = finish.choose(scene)

@@ -16,7 +16,9 @@ from itertools import pairwise
 from pydantic import BaseModel
 
 from rpg.ir.assets import FACES, Asset, SemanticCube
+from rpg.ir.node import members
 from rpg.ir.order import Order
+from rpg.ir.relations import OnPatch
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Figure, Pyramid, Row, Staircase
 from rpg.ir.walk import atoms, names
@@ -88,6 +90,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word == "ones" and chosen and _of_counted(words, index, task):
             return token
+        if token.word in _BESIDES and _joined_by_others(task):
+            return token
         if token.word == "while" and _meanwhile(words, index):
             return token
         if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
@@ -131,6 +135,17 @@ def _alphabet(words: Sequence[Token], index: int) -> bool:
     """ "from A to Z", "from Z to A": the letters from one end to the other, none of them named."""
     begins = [at for at in (index - 1, index - 3) if at >= 0 and words[at].word == "from"]
     return any([t.word for t in words[at + 1 : at + 4]] in (["a", "to", "z"], ["z", "to", "a"]) for at in begins)
+
+
+_BESIDES = frozenset({"instead", "too"})
+
+
+def _joined_by_others(task: TaskSchema) -> bool:
+    """Whether a block goes where another one is at the start of which no more is said: "put blue there instead"."""
+    begun = [(x.patch, {*members(x.a)}) for x in task.init.arranged if isinstance(x, OnPatch)]
+    spoken = set(names(task.goal))
+    ends = {x.patch for x in atoms(task.goal) if isinstance(x, OnPatch)}
+    return any(patch in ends and not lot & spoken for patch, lot in begun)
 
 
 def _meanwhile(words: Sequence[Token], at: int) -> bool:

@@ -8,7 +8,7 @@ from itertools import combinations
 
 from rpg.ir import goal as g
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Spells, Towers
+from rpg.ir.structures import Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -20,7 +20,15 @@ _TOWERS = frozenset({"towers", "stacks", "piles"})
 _ENDS = frozenset({".", ";", "!", "?", "(", ")"})
 
 
-def parted_lists(words: Sequence[Token], task: TaskSchema) -> None:
+def check_lots(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse what joins, or tells apart, blocks in a way that nothing in the task shows."""
+    _parted_lists(words, task)
+    _same_cubes(words, task)
+    _two_pairs(words, task)
+    _colors_behind(words, task)
+
+
+def _parted_lists(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "two towers: A, B, C and D, E" where any towers of these blocks would do: which is in which?"""
     found = [atom for atom in atoms(task.goal) if isinstance(atom, Towers) and atom.each is None]
     if not found:
@@ -33,7 +41,33 @@ def parted_lists(words: Sequence[Token], task: TaskSchema) -> None:
                          (lot[0].span[0], lot[-1].span[1]), "say 'one tower of A and B, one of C and D'")  # fmt: skip
 
 
-def same_cubes(words: Sequence[Token], task: TaskSchema) -> None:
+def _two_pairs(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "stack red and blue, and green and yellow" as one tower of four."""
+    said = "".join("x" if _named(t) else {"and": "&", ",": ","}.get(t.word, ".") for t in words)
+    at = said.find("x&x,&x&x")
+    if at >= 0 and any(isinstance(x, Stack | Row) and len(x.blocks) > 3 for x in atoms(task.goal)):
+        raise refuse("ambiguous", "it is not clear whether this is one structure or two",
+                     (words[at].span[0], words[at + 7].span[1]), "say it in two sentences")  # fmt: skip
+
+
+def _colors_behind(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "two towers of two, 15 cm apart, red and blue" as towers of other colours beside these two blocks."""
+    ends = [n for n, t in enumerate(words) if t.word in _ENDS] + [len(words)]
+    made_up = any(told.startswith("the colours of the blocks are not said") for told in task.assumptions)
+    for end in ends if made_up else ():
+        tail = [t.word for t in words[max(end - 4, 0) : end]]
+        colors = len(tail) == 4 and tail[0] == "," and tail[2] == "and" and {tail[1], tail[3]} <= lexicon.COLOR.keys()
+        if colors:
+            raise refuse("ambiguous", "these could be the colours of the blocks before, or further blocks",
+                         (words[end - 3].span[0], words[end - 1].span[1]), "say them in front of 'blocks'")  # fmt: skip
+
+
+def _named(token: Token) -> bool:
+    symbol = token.kind == "number" or (token.kind == "word" and len(token.raw) == 1 and token.raw.isupper())
+    return token.word in lexicon.COLOR or symbol
+
+
+def _same_cubes(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "spell CAT, then CATS": with the cubes of the first word, or with others?"""
     if not any(isinstance(part, g.Sequence) for part in (task.goal, *getattr(task.goal, "goals", ()))):
         return

@@ -73,7 +73,12 @@ def order(p: Parser, i: int) -> Results[Meaning]:
                 paged = p.any_of(k, (", row by row", "row by row", ", row after row", "row after row"))
                 for end in dict.fromkeys((paged or k, k)):
                     yield OrderBy(by=by, span=p.span(i, end), descending=bool(extra.get("descending"))), end
-        yield from toward(p, start)
+        if (
+            start > i and p.words[i] == "sorted"
+        ):  # "sorted from left to right": by what they show, not as they are listed
+            yield from ((_sorted_from(p, i, k, x), k) for x, k in toward(p, start) if isinstance(x, Toward))
+        else:
+            yield from toward(p, start)
         yield from _explicit(p, start)
         yield from _run(p, start)
         yield from ascent(p, start)
@@ -86,6 +91,10 @@ def order(p: Parser, i: int) -> Results[Meaning]:
     yield from alternation(p, i)
     yield from read_out(p, i)
     yield from _toward_list(p, i)
+
+
+def _sorted_from(p: Parser, i: int, k: int, way: Toward) -> OrderBy:
+    return OrderBy(by="ascending", first=way.first, span=p.span(i, k))
 
 
 @rule

@@ -147,7 +147,7 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
         if j < p.end and p.tokens[j].joined and p.peek(j, lexicon.STRUCTURE) in _OF_SO_MANY:  # "a 2-tower"
             yield _Before(sizes=(Size(what="size", amount=Amount(n, n), span=p.span(i, j)),)), j
     for marks, j in adjective(p, i):
-        if marks.keys() & {"size", "long"}:
+        if marks.keys() & {"size", "long"} or p.words[i] == "identical":
             continue
         if "labels" not in marks and ("rank" not in marks or marks["rank"] in ("left", "right")):
             yield _Before(marks=Marks({k: v for k, v in marks.items() if k != "target"})), j

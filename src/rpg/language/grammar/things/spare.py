@@ -62,6 +62,7 @@ _LED = Patterns(
 _THERE = ("present", "also present", "in the scene", "around", "lying around", "in view", "as well", "too")
 
 
+_TURNED = frozenset({"turn", "turned", "rotate", "rotated", "flip", "flipped", "spin", "spun", "facing", "faces"})
 _PLACED = frozenset({"on", "onto", "in", "into", "to", "behind", "under", "beside", "near", "next", "of", "above"})
 
 
@@ -74,6 +75,8 @@ def spare(p: Parser, i: int) -> Results[Clause]:
         elliptic = isinstance(theme, Noun) and theme.head == "any" and theme.det == "the"
         if p.words[over - 1] == "not" and elliptic and not _PLACED.isdisjoint(p.words[:i]):
             continue  # "on the red mat, not the blue one": perhaps the blue mat
+        if p.words[over - 1] == "not" and not _TURNED.isdisjoint(p.words[:i]):
+            continue  # "turn A, but not B, upside down": B is there, and must not be so
         if not bare or (_definite(theme) and (j >= p.end or p.words[j] in _STOPS)):
             yield _said(p, i, p.opt(j, "at", "out", "aside"), theme), p.any_of(j, ("out", "aside")) or j
     left = p.one(i, _LEAVE)

@@ -286,8 +286,13 @@ def _heaped(chain: Chain) -> bool:
 
 
 def _made_of_them(order: Clause) -> bool:
-    """ "make a row of them"."""
-    them = any(isinstance(part, Pronoun) and part.word in ("them", "these", "those", "it") for part in parts_of(order))
+    """ "make a row of them", "... of the red ones"."""
+    them = any(
+        part.word in ("them", "these", "those", "it")
+        if isinstance(part, Pronoun)
+        else isinstance(part, Noun) and part.head != "patch" and part.det in ("the", "all", "each")
+        for part in parts_of(order)
+    )
     return them and order.verb in ("build", "stack", "arrange", "sort", "spell")
 
 

@@ -54,6 +54,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
                 kept.append((link, said))
                 continue
             said = drawn(plainly(said))
+            _below_what(_last(found), said)
             if link != "then" and other_side(found, said):
                 continue
             said = as_a_grid(said)
@@ -119,6 +120,17 @@ def _on_the_part(found: list[list[tuple[str, Meaning]]], said: Clause) -> bool:
     line = max(n for n, lot in enumerate(found) if lot)
     found[line][-1] = (found[line][-1][0], replace(last, adjuncts=(*last.adjuncts, onward)))
     return True
+
+
+def _below_what(built: Clause | None, said: Clause) -> None:
+    """Refuse "a tower of four with blue second from the top and red right below it": below blue, or below all four?"""
+    shape = built.theme if built is not None else None
+    inside = [x for x in shape.details if isinstance(x, Absolute)] if isinstance(shape, Structure) else []
+    inside = [x for x in inside for a in x.adjuncts if isinstance(a, At) and (a.side, a.index) != ("top", None)]
+    for place in said.adjuncts if inside and said.verb == "be" else ():
+        it = isinstance(place, Loc) and isinstance(place.landmark, Pronoun) and place.landmark.word in ("it", "that")
+        if it and isinstance(place, Loc) and place.rel in ("on", "above", "under"):
+            raise refuse("ambiguous", "this could be of the block or of all of it", place.span, "name what you mean")
 
 
 def _asked_again(found: list[list[tuple[str, Meaning]]], said: Clause, link: str) -> bool:

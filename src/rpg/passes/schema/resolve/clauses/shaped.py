@@ -30,6 +30,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         shapes = [spec.intos.pop(0).structure]
     else:
         shapes = list(clause.theme.items) if isinstance(clause.theme, Coord) else [clause.theme]
+    shapes = _out_of_one_stock(shapes, spec)
     parts: list[Ref] = []
     goals = []
     of_each = [replace(z, what="size") for z in spec.sizes if z.what == "columns"] if len(shapes) > 1 else []
@@ -70,6 +71,37 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if not used and not goals:
         raise refuse("no-goal", "it is not said what to do with it", clause.span)
     return goals
+
+
+def _out_of_one_stock(shapes: list[Meaning], spec: Spec) -> list[Meaning]:
+    """ "Out of six red blocks make a tower of four and one of two": the blocks of all of them, where they are alike."""
+    made = [x for x in shapes if isinstance(x, Structure)]
+    if len(made) < 2 or len(made) < len(shapes) or any(not _counted_alone(x) for x in made[:-1]):
+        return shapes
+    last = made[-1].members
+    told = last.part_of if isinstance(last, Noun) else None
+    pool = told or (spec.usings[0].members if last is None and len(spec.usings) == 1 else None)
+    if pool is None or not isinstance(pool, Noun) or pool.amount is None:
+        return shapes
+    sizes = [x.size or (x.members.amount if isinstance(x.members, Noun) else None) for x in made]
+    lots = [size for size in sizes if size is not None and size.low == size.high]
+    if len(lots) < len(made) or pool.traits == Traits() or pool.amount.low != pool.amount.high:
+        raise refuse("ambiguous", "it is not clear which of these blocks form which structure", pool.span,
+                     "say of which blocks each of them is")  # fmt: skip
+    need = sum(size.low for size in lots)
+    if need != pool.amount.low:
+        raise refuse("count-mismatch", f"{need} blocks are needed, but {pool.amount.low} are there", pool.span,
+                     "use as many blocks as are needed")  # fmt: skip
+    spec.usings = [] if told is None else spec.usings
+    pools = [replace(pool, det="bare", amount=size, plural=True) for size in lots]
+    return [replace(x, members=own, sizes=()) for x, own in zip(made, pools, strict=True)]
+
+
+def _counted_alone(shape: Structure) -> bool:
+    """ "a tower of three", and no more is said of it."""
+    own = shape.members
+    bare = isinstance(own, Noun) and own.head == "any" and own.traits == Traits() and own.det == "bare"
+    return (own is None or (bare and not shape.sizes)) and len(shape.sizes) < 2
 
 
 def _sided(spec: Spec) -> bool:

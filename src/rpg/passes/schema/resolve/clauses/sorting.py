@@ -310,7 +310,10 @@ def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Sc
     if target is not None and target.amount and target.amount.low > 2 and (apart is not None or spec.usings):
         raise refuse("count-mismatch", "two groups are separated", target.span, "say 'into two groups'")
     if apart is None and spec.usings and len(theme.parts) != 2:
-        other = refer(spec.usings.pop(0).members, scene, replace(scope, role="landmark", need=SIDE))
+        from_ = spec.usings.pop(0).members
+        other = refer(from_, scene, replace(scope, role="landmark", need=SIDE))
+        if other.reciprocal:
+            return reciprocal(theme, Loc(rel="apart", landmark=from_, span=from_.span), clause.span)
         groups: tuple[tuple[str, ...], ...] = (theme.names, other.names)
     elif apart is None and len(theme.parts) == 2:
         groups = tuple(p.names for p in theme.parts)

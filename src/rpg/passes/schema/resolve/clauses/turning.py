@@ -282,6 +282,10 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     if theme.patch or theme.table:
         raise refuse("fixed-patch", "patches and the table cannot be turned", theme.span, "name a block")
+    if theme.op == "except":
+        raise refuse(
+            "misplaced", "it is not said how the other one is to be turned", clause.span, "say it of each block"
+        )
     if len(theme.names) > 1 and theme.built:
         raise refuse("misplaced", "a structure is not turned as a whole", theme.span, "say which blocks to turn")
     goals: Goals = []

@@ -21,6 +21,7 @@ def check(goal: g.Goal, scene: Scene) -> None:
     parts = list(required(goal))
     _to_themselves(goal)
     _cycles(parts)
+    _cycles(scene.start_goals)
     for index, a in enumerate(parts):
         for b in parts[index + 1 :]:
             if clash(a, b):
@@ -29,6 +30,17 @@ def check(goal: g.Goal, scene: Scene) -> None:
     _turned_in_words(parts)
     _between_neighbours(parts)
     _of_those_that_stay(parts)
+    _done_and_kept(goal)
+
+
+def _done_and_kept(goal: g.Goal) -> None:
+    """Refuse "then, keeping it there, put green on the mat" of green: what is so all the time is not to be done."""
+    parts = goal.goals if isinstance(goal, g.All) else ()
+    bare = [x.model_copy(update={"span": None}) for x in parts if isinstance(x, r.On | r.OnPatch | r.InRegion)]
+    for always in (x for x in parts if isinstance(x, g.Always)):
+        if always.goal.model_copy(update={"span": None}) in bare:
+            raise refuse("ambiguous", "this is to be done, and is to be so all the time", always.span,
+                         "name what is to be kept where it is")  # fmt: skip
 
 
 def _of_those_that_stay(parts: list[g.Goal]) -> None:

@@ -40,6 +40,19 @@ def only_here(theme: Ref, region: In, scene: Scene) -> Ref:
     return replace(theme, op="and")
 
 
+def alone_there(theme: Ref, mark: Ref, loc: Loc, scene: Scene, relate: Relate) -> tuple[Ref, Ref]:
+    """ "only red is on the patch", "green touches only blue": so it is, and neither of other blocks nor to others."""
+    if theme.op == "only":
+        return only_on(theme, mark, loc, scene), mark
+    if loc.rel in ("touching", "beside", "adjacent") and not mark.patch:
+        if loc.negated or len(theme.names) > 1:
+            raise refuse("misplaced", "'only' does not fit this", loc.span, "say what is not to be beside it")
+        there = replace(mark, op="and")
+        no_other: Callable[[str], g.Goal] = lambda n: relate(theme, Ref(names=(n,)), loc, scene, loc.span)  # noqa: E731
+        scene.exclusive.append(Exclusive((*theme.names, *there.names), no_other, loc.span, Traits()))
+    return theme, replace(mark, op="and")
+
+
 def only_on(theme: Ref, mark: Ref, loc: Loc, scene: Scene) -> Ref:
     """ "only the red block is on the patch": it is, and no other block that the task has."""
     if not mark.patch or loc.rel not in ("on", "in") or loc.negated or theme.quant is not None:

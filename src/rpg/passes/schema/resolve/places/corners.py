@@ -35,6 +35,9 @@ def corners(theme: Ref, meaning: In, scene: Scene, span: Span) -> Atoms:
         elif not alike(things):
             return [_some_in(names, where, span) for where in CORNERS]
         lots: list[tuple[str, ...]] = [(n,) for n in names]
+    elif 1 < len(names) < len(CORNERS) and not alike([scene.things[n] for n in names]):
+        raise refuse("ambiguous", "one of these blocks in each corner, or all of them in every one?", span,
+                     "say which block is in which corner")  # fmt: skip
     elif indefinite(theme):
         lots = one_lot_each(theme, len(CORNERS), scene)
         for thing in (scene.things[n] for lot in lots for n in lot):

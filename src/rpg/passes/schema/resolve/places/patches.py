@@ -29,6 +29,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         return disj([_on_patch(theme, p, span) for p in patches], span)
     if len(patches) == 1:
         return _on_patch(theme, patches[0], span)
+    if mark.quant is not None and mark.quant.low > 1 and not mark.each:
+        raise refuse("ambiguous", "one on each of them, or anywhere on them?", span, "say what each patch gets")
     if scene.denying and mark.det == "both":
         return conj([_on_patch(theme, p, span) for p in patches], span)
     if (len(theme.names) == 1 and not mark.each and not scene.denying) or theme.op not in ("and", "except"):

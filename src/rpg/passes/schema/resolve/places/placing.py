@@ -28,6 +28,7 @@ from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.centred import centred
 from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
+from rpg.passes.schema.resolve.places.pointed import of_a_part
 from rpg.passes.schema.resolve.places.relations import place, related
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.things.refer import refer
@@ -301,6 +302,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         for adjunct in inner.places:
             mark = getattr(adjunct, "landmark", None)
             if isinstance(mark, Pronoun) and mark.word in _POINTED and isinstance(adjunct, Loc):
+                of_a_part(ref, theme, mark, adjunct, spec.absolutes)
                 nothing = theme.everything and theme.quant is not None
                 if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")

@@ -12,7 +12,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import Operand
 from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
-from rpg.passes.schema.resolve.places.alone import none_beyond, none_there, only_here, only_on
+from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.corners import corners, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
@@ -229,8 +229,8 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
         raise refuse("misplaced", "this is no patch that something could be out of", loc.span, "say 'not next to ...'")
     if loc.rel == "off" and "leaving" in loc.mods:
         _begins_on(theme, mark, scene, span)
-    if theme.op == "only":
-        theme = only_on(theme, mark, loc, scene)
+    if "only" in (theme.op, mark.op):
+        theme, mark = alone_there(theme, mark, loc, scene, _relate)
     if mark.matching:
         if loc.rel not in ("on", "in", "above"):
             raise refuse("misplaced", "blocks match the patches that they are on", loc.span, "say 'on'")

@@ -204,7 +204,7 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     beside = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind
     related = any(
         isinstance(a, beside) or (isinstance(a, r.Between | r.Beside | r.Adjacent | r.Touching) and _about(a, ref))
-        for a in atoms(goal)
+        for a in (*atoms(goal), *(a for fact in scene.start_goals for a in atoms(fact)))
     )
     if at_.side != "middle" and related:
         raise refuse(

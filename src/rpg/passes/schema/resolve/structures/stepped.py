@@ -209,6 +209,18 @@ def _in_columns(form: s.Staircase, colors: dict[int, str], names: tuple[str, ...
     return Pattern(kind="reading", order=Order(by="given", ranks=ranks))
 
 
+def _highest(spec: Spec, up: str | None) -> str | None:
+    """ "three steps, the highest on the left": which way the stairs go up, and nothing of the sizes of blocks."""
+    for order in [o for o in spec.orders if o.by == "extreme" and o.first]:
+        way = order.first if order.descending else _ACROSS.get(order.first or "")
+        if way not in _ACROSS or up not in (None, way):
+            raise refuse("order-conflict", "the stairs do not go up to this side", order.span,
+                         "say 'going up to the left'")  # fmt: skip
+        spec.orders.remove(order)
+        up = way
+    return up
+
+
 def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a staircase with four steps, going up to the left"."""
     steps = shape.extent("steps", "high", "layers")
@@ -233,6 +245,7 @@ def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sco
     if side and up is None:
         up = {"left": "right", "right": "left", "front": "back", "back": "front"}[side]
         spec.toward = []
+    up = _highest(spec, up)
     if told is not None:
         up = _rise(told[0], up, side)
     elif (order := next((o for o in spec.orders if o.items and (o.first or side) in _ACROSS), None)) is not None:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
+from rpg.ir import structures as s
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Coord, In, Loc
+from rpg.passes.schema.resolve.goals.conflicts import required
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.alone import beyond
 from rpg.passes.schema.resolve.places.relations import place
@@ -28,7 +31,21 @@ def keep_premises(goal: g.Goal, scene: Scene) -> g.Goal:
     still = tuple(t.name for t in scene.blocks() if t.name not in scene.only) if scene.only else ()
     if still:
         kept.append(r.Stayed(a=still))
-    return conj([goal, *kept]) if kept else goal
+    goal = conj([goal, *kept]) if kept else goal
+    scene.start_goals += [x for x in _lasting(goal, scene) if x not in scene.start_goals]
+    return goal
+
+
+def _lasting(goal: g.Goal, scene: Scene) -> list[g.Goal]:
+    """ "Don't touch the tower of red on blue": a structure of blocks that all stay where they are is there at first."""
+    parts = list(required(goal))
+    stay = {n for x in parts if isinstance(x, r.Stayed) for n in names_in(x)} - scene.returned
+    return [x for x in parts if isinstance(x, s.Stack | s.Row | r.On) and stay.issuperset(_blocks(x))]
+
+
+def _blocks(goal: s.Stack | s.Row | r.On) -> set[str]:
+    patch = goal.patch if isinstance(goal, s.Stack) else None
+    return set(names_in(goal)) - {patch}
 
 
 def _facts(premise: object, scene: Scene) -> list[g.Goal]:

@@ -1,0 +1,56 @@
+"""The table beside its patches: "move the red block from the mat to the table" is off the mat."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+
+from rpg.ir import goal as g
+from rpg.ir import relations as r
+from rpg.ir.node import members
+from rpg.ir.walk import atoms, children, rebuild
+from rpg.passes.schema.resolve.goals.conflicts import undoes
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.things.world import Scene
+
+Marks = dict[str, dict[str, None]]
+"""The patches on which a block was before."""
+
+
+def off_their_patches(goal: g.Goal, scene: Scene) -> g.Goal:
+    """The goal, in which what is put on the table is on no patch on which it was: there it lay on the table as well."""
+    before: Marks = defaultdict(dict)
+    _note(scene.start_goals, before)
+    return _off(goal, before, ()) if before or any(isinstance(x, g.Sequence) for x in (goal, *children(goal))) else goal
+
+
+def _note(goals: Iterable[g.Goal], before: Marks) -> None:
+    for atom in (a for goal in goals for a in atoms(goal) if isinstance(a, r.OnPatch)):
+        for name in members(atom.a):
+            before[name][atom.patch] = None
+
+
+def _off(goal: g.Goal, before: Marks, over: tuple[str, ...]) -> g.Goal:
+    if isinstance(goal, g.Always | g.Not):
+        return goal
+    if isinstance(goal, r.OnTable):
+        pairs: list[tuple[tuple[str, ...], str]] = [
+            ((n,), patch) for n in members(goal.a) for patch in before.get(n, ())
+        ]
+        pairs += [(members(goal.a), patch) for patch in dict.fromkeys(p for n in over for p in before.get(n, ()))]
+        there = [r.OnPatch(a=names, patch=patch, span=goal.span) for names, patch in pairs]
+        return conj([goal, *(g.Not(goal=x, span=goal.span) for x in there)], goal.span) if there else goal
+    if isinstance(goal, g.Sequence):
+        goals: list[g.Goal] = []
+        for stage in goal.stages:
+            goals.append(_off(stage.goal, before, over))
+            _note([stage.goal], before)
+        undone = [any(undoes(after, one) for after in goals[n + 1 :]) for n, one in enumerate(goals)]
+        stages = tuple(
+            g.Stage(goal=one, undone=stage.undone or gone)
+            for stage, one, gone in zip(goal.stages, goals, undone, strict=True)
+        )
+        return goal.model_copy(update={"stages": stages})
+    inner = children(goal)
+    bound = goal.over if isinstance(goal, g.Count) else over
+    return rebuild(goal, tuple(_off(child, before, bound) for child in inner)) if inner else goal

@@ -8,6 +8,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import more_parts, one_more
 from rpg.language.grammar.places.around import surrounded
 from rpg.language.grammar.places.onto import piled_from_an_end
+from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.structures.each import each_clause
 from rpg.language.grammar.structures.each_line import each_line
 from rpg.language.grammar.structures.levels import levels
@@ -41,7 +42,8 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
     for several, j in wholes_told(p, i):
         yield _said(p, i, j, several), j
     yield from _of_a_whole(p, i)
-    start = p.any_of(i, ("make", "let", "have", "keep")) or i
+    yield from _in_a_whole(p, i)
+    start = p.any_of(i, ("make", "let", "have", "keep", "put", "place", "add")) or i
     told = dict.fromkeys(part_statement(p, start))
     for first, j in told:
         yield _said(p, i, j, first), j
@@ -118,6 +120,42 @@ def _of_a_whole(p: Parser, i: int) -> Results[Clause]:
                 for more, last in more_parts(p, i, end, first):
                     if isinstance(more, Coord):
                         yield replace(built, adjuncts=(more,), span=p.span(i, last)), last
+
+
+@choice
+def _in_a_whole(p: Parser, i: int) -> Results[Clause]:
+    """ "the red one is third in a row of five": builds the row, and says so of one of its places."""
+    from rpg.language.grammar.structures.structures import structure
+
+    if not p.anywhere(_PLACED):
+        return
+    start = p.any_of(i, ("put", "place", "set", "have", "i want", "let", "make", "get", "keep")) or i
+    for theme, j in simple(p, start):
+        if not isinstance(theme, Noun) or not _one(theme) or theme.traits.rank is not None:
+            continue
+        told = p.any_of(j, _IS_IN) or j
+        led = p.any_of(told, ("in", "at", "on", "as"))
+        there = [*part(p, told, "block"), *(part(p, led, "block") if led else ()), *at(p, told)]
+        for place, k in dict.fromkeys(there):
+            inside = p.any_of(k, ("in", "of"))
+            for whole, end in structure(p, inside) if inside else ():
+                new = isinstance(whole, Structure) and whole.det in ("a", "bare") and not whole.plural
+                if not new or not isinstance(whole, Structure) or not (whole.sizes or whole.members):
+                    continue
+                look = replace(theme, det="bare")
+                first = Absolute(theme=look, adjuncts=(place,), span=p.span(i, k))
+                built = Clause(verb="build", theme=whole, adjuncts=(first,), mode="goal", span=p.span(i, end))
+                parts = [(x, last) for x, last in more_parts(p, i, end, first) if isinstance(x, Coord)]
+                if not parts:
+                    yield replace(built, lemma="alone"), end
+                for more, last in parts:
+                    yield replace(built, adjuncts=(more,), span=p.span(i, last)), last
+
+
+_PLACED = frozenset({"first", "second", "third", "fourth", "fifth", "sixth", "last", "middle", "center", "leftmost",
+                     "rightmost", "end", "top", "bottom", "lowest", "highest", "left", "right"})  # fmt: skip
+_IS_IN = ("is", "should be", "must be", "comes", "stands", "goes", "has to be", "is to be", "sits", "should stand",
+          "must stand", "being", "as")  # fmt: skip
 
 
 def _said(p: Parser, i: int, j: int, found: Absolute | Coord) -> Clause:

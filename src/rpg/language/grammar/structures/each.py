@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Size
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Size, Structure
 
 _LEADS = (
     "each of", "each made of", "each consisting of", "each built of", "each made from", "each built from", "each with",
@@ -17,6 +17,22 @@ _LEADS = (
     "in each of which", "all of", "both with", "both of", "where each has", "where each one has", "and each has",
     "so that each has", "so that each one has", "such that each has", "of which each has",
 )  # fmt: skip
+_COLON = ("that is", "is")
+_ALIKE = tuple(
+    f"{lead}{same}{end}"
+    for lead in ("that ", "which ", "both ", "they ", "")
+    for same in (
+        "look the same",
+        "look alike",
+        "are the same",
+        "are alike",
+        "are identical",
+        "looking the same",
+        "alike",
+    )
+    for end in (" :", " ,")
+)
+"""Behind several towers: what is told next is told of each."""
 _NOUNS = ("tower", "stack", "row", "column", "line", "one", "group", "pile", "of them", "of the towers",
           "of the stacks", "of the rows", "of these", "of the columns", "of the lines")  # fmt: skip
 _HAS = (
@@ -46,6 +62,8 @@ def each_of(p: Parser, i: int) -> Results[OrderBy]:
     for found, k in _lot(p, i, j or comma) if j or comma > i else ():
         if not found.first and (end := p.any_of(k, _EACH)):
             yield replace(found, span=p.span(i, end)), end
+        elif found.first and j and p.words[j - 1] == "of" and len(set(map(_look, found.items))) > 1:
+            yield found, k  # "two towers of blue on green"
 
 
 @rule
@@ -53,11 +71,12 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
     """As an adjunct: ", each of a red and a blue block", ", green under yellow both times"."""
     comma = p.opt(i, ",", ":")
     if j := p.any_of(comma, _LEADS):
-        yield from _lot(p, i, j)
-        yield from _layered(p, i, j)
+        yield from _made_of(p, i, j)
     if j := p.one(comma, frozenset({"both", "each"})):
-        yield from _layered(p, i, p.opt(j, "one", "tower", "stack"))
-        yield from (x for x in _lot(p, i, p.opt(j, "one", "tower", "stack")) if x[0].first)
+        named = p.opt(p.any_of(p.opt(j, "one", "tower", "stack"), _COLON) or p.opt(j, "one", "tower", "stack"), ":")
+        yield from (x for x in _made_of(p, i, named) if x[0].first)
+    if j := p.any_of(comma, _ALIKE):
+        yield from (x for x in _made_of(p, i, j) if x[0].first)
     for found, j in _lot(p, i, comma) if comma > i and p.anywhere(_TIMES_WORDS) else ():
         if found.first and (k := p.any_of(j, _TIMES)):
             yield replace(found, span=p.span(i, k)), k
@@ -67,13 +86,42 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
 def each_clause(p: Parser, i: int) -> Results[Clause]:
     """ "each tower has one red and one blue block", "in each tower a green block carries a yellow one"."""
     inside = p.one(i, "in")
-    j = p.one(inside or i, frozenset({"each", "every"}))
-    j = p.any_of(j, _NOUNS) if j else 0
+    yield from _of_so_many(p, i)
+    each = p.one(inside or i, frozenset({"each", "every"}))
+    j = (p.any_of(each, _NOUNS) or (each if not inside else 0)) if each else 0
     if not j:
         return
     start = p.any_of(p.opt(j, ","), ("there is", "there are", "there should be", "there must be")) or p.opt(j, ",")
-    for found, k in _lot(p, i, start if inside else p.any_of(j, _HAS)) if inside or p.any_of(j, _HAS) else ():
+    for found, k in _made_of(p, i, start if inside else p.any_of(j, _HAS)) if inside or p.any_of(j, _HAS) else ():
         yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, k)), k
+
+
+def _made_of(p: Parser, i: int, j: int) -> Results[OrderBy]:
+    """What each of several structures has: so many blocks, or one on another, or blocks at its places."""
+    yield from _lot(p, i, j)
+    yield from _layered(p, i, j)
+    for below, k in simple(p, j):
+        with_ = p.any_of(k, ("with", "and on it", "topped with", "topped by", ", with"))
+        for above, end in simple(p, with_) if with_ and len(_items(below, below.span)) == 1 else ():
+            last = p.any_of(end, ("on top", "on it", "on top of it", "above it", "above")) or (
+                end if p.words[with_ - 2] in ("topped", "on") or p.words[with_ - 1] == "it" else 0
+            )
+            if last and len(_items(above, above.span)) == 1:
+                pair = (*_items(below, below.span), *_items(above, above.span))
+                yield OrderBy(by="each", items=pair, first="bottom", span=p.span(i, last)), last
+
+
+def _of_so_many(p: Parser, i: int) -> Results[Clause]:
+    """ "each of the two towers has ...", "both towers have ...": as many towers, unless they were built before."""
+    of = p.any_of(i, ("each of the", "each of", "every one of the", "all the", "all"))
+    number = 2 if (both := p.one(i, "both")) else p.number(of) if of else None
+    j = p.opt(both, "the") if both else of + 1
+    if number is None or number < 2 or p.words[j] not in ("towers", "stacks"):
+        return
+    has = p.any_of(p.reach(j + 1), (*_HAS, "have", "should have", "must have", "consist of", "are made of", "are"))
+    towers = Structure(kind="stack", det="bare", amount=Amount(number, number), plural=True, span=p.span(i, j + 1))
+    for found, k in _made_of(p, i, has) if has else ():
+        yield Clause(verb="part", theme=towers, adjuncts=(found,), mode="goal", span=p.span(i, k)), k
 
 
 _HEIGHTS = ("of heights", "with heights", "with heights of", "with the heights", "having heights", "heights :",
@@ -142,6 +190,10 @@ def _layered(p: Parser, i: int, j: int) -> Results[OrderBy]:
         j = p.any_of(end, (", and", ",", "and"))
         if not j:
             return
+
+
+def _look(item: Meaning) -> Meaning | object:
+    return item.traits if isinstance(item, Noun) else item
 
 
 def _items(meaning: Meaning, span: Span) -> tuple[Noun, ...]:

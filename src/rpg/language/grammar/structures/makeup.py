@@ -364,7 +364,8 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, end: int) -> bool:
     """Whether a phrase behind the noun can be what the structure is made of."""
     lone = isinstance(members, Noun) and members.det in ("the", "a") and not members.plural and not members.amount
-    if lone and p.words[k - 1] == "with":
+    upon = base.plural and isinstance(members, Noun) and not members.plural and p.stands(end, ("on", "over", "above"))
+    if upon or (lone and p.words[k - 1] == "with"):
         return False
     if any(isinstance(x, Noun) and x.traits.extra for x in getattr(members, "items", (members,))):
         return False

@@ -34,6 +34,7 @@ _UNITS = {
     "level": "layer", "levels": "layer", "tier": "layer", "tiers": "layer", "floor": "layer", "floors": "layer",
     "story": "layer", "stories": "layer", "course": "layer", "block": "block", "blocks": "block", "cube": "block",
     "cubes": "block", "brick": "block", "bricks": "block", "one": "block", "ones": "block", "cell": "block",
+    "position": "block", "positions": "block", "place": "block", "places": "block",
     "cells": "block", "half": "half", "third": "third", "tower": "whole", "towers": "whole", "stack": "whole",
     "stacks": "whole", "pyramid": "whole", "wall": "whole", "staircase": "whole", "square": "whole", "circle": "whole",
 }  # fmt: skip
@@ -310,8 +311,10 @@ def _coloured(p: Parser, i: int) -> Results[Absolute]:
             continue
         if p.words[j - 1] == "four" and j > i and not p.stands(k, ("arms", "corners")):
             continue
-        for place, end in part(p, k):
-            if isinstance(place, Places) and place.side == "rest" and p.words[k] != "arms":
+        sides = p.one(k, "sides")
+        there = [(Places(side="rest", unit="block", span=p.span(k, sides)), sides)] if sides else part(p, k)
+        for place, end in there:
+            if isinstance(place, Places) and place.side == "rest" and p.words[k] not in ("arms", "sides"):
                 continue
             theme = Noun(head="any", traits=Traits(colors=marks["colors"]), span=p.span(j, k))
             yield Absolute(theme=theme, adjuncts=(place,), span=p.span(i, end)), end

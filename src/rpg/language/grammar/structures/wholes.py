@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.places.sides import toward
+from rpg.language.grammar.structures.along import listed_along
 from rpg.language.grammar.structures.parts import IS, part
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import literal
+from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Toward, Traits
 
 _HAVING = (
     "with", "having", "should have", "has to have", "must have", "made from", "out of", "made out of", "has", "of",
@@ -112,7 +115,8 @@ def _whole(place: Meaning) -> Places | None:
     return place if isinstance(place, Places) and place.unit in ("whole", "row", "column") else None
 
 
-_WHOLLY = ("entirely", "completely", "purely", "solely", "wholly", "all", "only", "fully", "exclusively",
+_WHOLLY = ("just", "simply", "merely",
+           "entirely", "completely", "purely", "solely", "wholly", "all", "only", "fully", "exclusively",
            "made entirely of", "all in")  # fmt: skip
 _TALL = ("high", "tall", "in height")
 
@@ -122,7 +126,7 @@ def _colored_and_tall(p: Parser, j: int) -> Results[Noun]:
     number = p.number(j)
     if number is not None:
         k = p.any_of(p.opt(j + 1, "blocks", "cubes", "block"), _TALL)
-        of = p.any_of(p.opt(k, ","), ("and all", "and", "of", "all", "")) or p.opt(k, ",") if k else j + 1
+        of = p.any_of(p.opt(k, ","), _IN_COLOR) or p.opt(k, ",") if k else j + 1
         for named, end in color(p, of):
             last = p.opt(end, "blocks", "cubes")
             last = last if k else p.any_of(last, _TALL) if last > end else 0
@@ -139,6 +143,7 @@ def _colored_and_tall(p: Parser, j: int) -> Results[Noun]:
             yield _so_many(tall, named, p.span(j, last)), last
 
 
+_IN_COLOR = ("and all", "and", "of", "all", "in", "and in", "all in", "and all in", "made of", "and made of")
 _OF_SO_MANY = frozenset({"of", "with", "has", "having", "contains", "gets"})
 _ENDS = {
     **dict.fromkeys(("at the bottom", "below", "underneath", "at the base", "lowest", "at the very bottom"), 2),
@@ -177,6 +182,23 @@ def _topped(p: Parser, j: int) -> Results[Coord]:
                 yield Coord(op="piled", items=(above, below), span=p.span(j, last)), last
 
 
+def _along(p: Parser, j: int) -> Results[Coord]:
+    """ "red, white, red from bottom to top": the blocks of a tower one by one."""
+    for items, k in listed(p, j):
+        for way, end in toward(p, p.opt(k, ",")):
+            if isinstance(way, Toward) and way.first in ("top", "bottom") and all(map(_one_of_them, items)):
+                falling = items if way.first == "top" else items[::-1]
+                yield Coord(op="piled", items=falling, span=p.span(j, end)), end
+    for order, end in listed_along(p, j):
+        if order.first in ("top", "bottom") and all(map(_one_of_them, order.items)):
+            falling = order.items if order.first == "top" else order.items[::-1]
+            yield Coord(op="piled", items=falling, span=p.span(j, end)), end
+
+
+def _one_of_them(item: Meaning) -> bool:
+    return isinstance(item, Noun) and _one_look(item)
+
+
 def _one_look(theme: Noun) -> bool:
     one = theme.amount in (None, Amount(1, 1)) and not theme.plural and theme.head != "patch"
     return one and len(theme.traits.colors + theme.traits.labels) == 1 and theme.part_of is None
@@ -198,6 +220,7 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
     yield from _colored_and_tall(p, j)
     yield from _by_ends(p, p.opt(j, "with"))
     yield from _topped(p, j)
+    yield from _along(p, j)
     piled = list(one_on_another(p, p.opt(j, "with")))
     for order, end in piled:
         items = order.items if order.first == "top" else order.items[::-1]

@@ -53,6 +53,7 @@ _PHRASES = {
                      "one of each of the ")
        for rainbow in ("rainbow colors", "colors of the rainbow", "colors of a rainbow", "color of the rainbow")
        if every != "the " or rainbow == "rainbow colors"},
+    "square frame": "square outline", "rectangular frame": "rectangle outline",
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
 }  # fmt: skip
 """What people write, and what it is read as."""
@@ -69,6 +70,10 @@ def rephrased(tokens: list[Token]) -> list[Token]:
             out += _otherwise(tokens, at)
             at += 1
             continue
+        if (shape := _hollow(tokens, at, out)) is not None:
+            out += shape[0]
+            at = shape[1]
+            continue
         begun = phrases.get(tokens[at].word, ()) if tokens[at].kind == "word" else ()
         words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 6]] if begun else []
         said = max((x for x in begun if tuple(words[: len(x)]) == x), key=len, default=())
@@ -81,6 +86,27 @@ def rephrased(tokens: list[Token]) -> list[Token]:
         out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
         at += len(said)
     return out
+
+
+_HOLLOW = frozenset({"square", "rectangle", "circle", "triangle", "ring"})
+
+
+def _hollow(tokens: list[Token], at: int, out: list[Token]) -> tuple[list[Token], int] | None:
+    """ "an empty 3x3 square": a hollow one; "the outline of a 4x4 square": a 4x4 square outline."""
+    words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 8]]
+    of = words[0] == "outline" and words[1:3] in (["of", "a"], ["of", "an"], ["of", "one"])
+    begin = 3 if of else 1
+    if (words[0] != "empty" and not of) or at + begin >= len(tokens):
+        return None
+    sized = 1 if tokens[at + begin].kind == "dims" else 3 if words[begin + 1 : begin + 2] == ["by"] else 0
+    shape = begin + sized
+    if words[shape : shape + 1] == [""] or not words[shape:] or words[shape] not in _HOLLOW or (of and not sized):
+        return None
+    if not of:
+        return [replace(tokens[at], word="hollow"), *tokens[at + 1 : at + shape + 1]], at + shape + 1
+    if out and out[-1].word == "the":
+        out[-1] = replace(out[-1], word="a")
+    return [*tokens[at + begin : at + shape + 1], tokens[at]], at + shape + 1
 
 
 _SPOTS = frozenset({"spot", "place", "location"})

@@ -19,12 +19,12 @@ from rpg.language.meaning import (
     Loc,
     Meaning,
     Noun,
-    OrderBy,
     Pattern,
     Pronoun,
     Structure,
 )
 from rpg.passes.schema.resolve.clauses import turning
+from rpg.passes.schema.resolve.clauses.ahead import ahead, by_verb
 from rpg.passes.schema.resolve.clauses.appearance import appear
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.denials import denied, denied_once
@@ -155,10 +155,6 @@ LEAVING = {"get", "take", "move", "bring", "transfer", "relocate", "pull", "drag
 """Verbs of moving: what they move off something is on it at the start."""
 
 
-_ORDERING = {"alphabetize": "label", "alternate": "alternating"}
-"""Verbs that say in which order."""
-
-
 def _is_off(place: Meaning) -> TypeGuard[Loc]:
     return isinstance(place, Loc) and place.rel == "off" and not place.negated
 
@@ -198,11 +194,10 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return centred(spec, scene, clause.span)
     if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
         return goals
-    if clause.lemma in _ORDERING and clause.theme is not None:
-        spec.orders.append(OrderBy(by=_ORDERING[clause.lemma], span=clause.word or clause.span))
+    by_verb(clause, spec)
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):
         return shaped(clause, spec, scene, scope)
-    if clause.theme is None:
+    if clause.theme is None or ahead(clause.theme, clause.verb, spec, scene):
         return _themeless(clause, spec, scene, scope)
     if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
         return turning.turn(clause, spec, scene, scope)

@@ -92,6 +92,9 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             line, place, builder = host
             built = replace(builder, adjuncts=(*builder.adjuncts, *clause.adjuncts))
             found[line][place] = (found[line][place][0], built)
+    only = [said for kept in found for _, said in kept]
+    if len(only) == 1 and isinstance(only[0], Clause) and only[0].lemma == "alone" and _unlooked(only[0]):
+        raise refuse("ambiguous", "it is not said what the other blocks look like", only[0].span, "say it")
     left = [n for n, kept in enumerate(found) if kept]
     return [links[n] for n in left], tuple(
         replace(chains[n], clauses=tuple(c for _, c in found[n]), links=tuple(link for link, _ in found[n]))

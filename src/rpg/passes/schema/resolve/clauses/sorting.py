@@ -45,6 +45,8 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     divides = clause.lemma in DIVIDES or (clause.lemma in _SORTS and (_from_others(spec) or _opposites(clause.theme)))
     line = any(getattr(i.structure, "kind", "") in _LINED for i in spec.intos)
     ordered = any(o.by != "attribute" for o in spec.orders) or spec.toward
+    if any(o.by in ("ascending", "number", "label") for o in spec.orders):  # "sort by value, descending"
+        spec.orders = [o for o in spec.orders if (o.by, o.attribute) != ("attribute", "label")]
     _no_order(clause, spec, line)
     if isinstance(clause.theme, Structure) and clause.theme.kind == "pile":
         return _sort_piles(clause.theme, spec, scene, scope)[1]

@@ -13,7 +13,7 @@ from rpg.passes.schema.resolve.orders.parts import place_of, widened
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.structures.patterns import pattern_of
 from rpg.passes.schema.resolve.things.members import members_of
-from rpg.passes.schema.resolve.things.things import plain_colors
+from rpg.passes.schema.resolve.things.things import bare_colors, plain_colors
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
@@ -96,7 +96,7 @@ def _two_colors(shape: Structure, spec: Spec) -> Structure:
 def _cornered(shape: Structure, spec: Spec, odd: int) -> Structure:
     """ "a 3x3 checkerboard of black and white, black in the corners": there is one more black one than white ones."""
     corners = [x for x in spec.absolutes if (place := place_of(x)) is not None and place.side == "corners"]
-    colors = plain_colors(shape.members) if shape.members is not None else shape.traits.colors
+    colors = bare_colors(shape.members) if shape.members is not None else shape.traits.colors
     theme = corners[0].theme if len(corners) == 1 else None
     first = theme.traits.colors if isinstance(theme, Noun) else ()
     if not odd or len(colors) != 2 or len(first) != 1 or first[0] not in colors:

@@ -89,6 +89,9 @@ _ON_BODIES = Patterns(",? with? all|all_the|the|every|each? letters|letter|symbo
 """What the colour of the cubes follows that show the letters."""
 
 
+_BOARDS = frozenset({"checkerboard", "chessboard"})
+
+
 def _coloured(members: Noun) -> bool:
     """ "yellow blocks": of one colour, and no more is said of them."""
     return members.det == "bare" and members.amount is None and len(members.traits.colors) == 1
@@ -177,11 +180,19 @@ def adjuncts(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
                 ),
                 k,
             )
+        posed = p.one(p.opt(p.opt(j, ","), "both", "all"), _POSED) if isinstance(first, Into | Using) else 0
+        for rest, k in adjuncts(p, posed) if posed else ():
+            if rest and isinstance(rest[0], Loc) and isinstance(rest[0].landmark, Pronoun):
+                yield (first, *rest), k
         for joined in {p.opt(j, ","), p.opt(p.opt(j, ","), "and"), p.opt(j, "and", "but")} - {j}:
             for rest, k in adjuncts(p, joined):
                 if rest and (p.words[joined - 1] != "but" or _opposed(first, rest[0])):
                     yield (first, *rest), k
     yield (), i
+
+
+_POSED = frozenset({"standing", "placed", "positioned", "lying", "sitting", "located", "set"})
+"""What may stand before how what was formed stands: "as two towers, standing side by side"."""
 
 
 def _later(first: Meaning) -> bool:
@@ -280,7 +291,10 @@ def _using(p: Parser, i: int) -> Results[Meaning]:
             if end and isinstance(members, Noun) and members.head == "block" and members.amount is not None:
                 yield Using(members=members, span=p.span(i, end), cost=1), end
         for members, k in noun_phrase(p, p.opt(comma, "all")):
-            if k >= p.end and isinstance(members, Noun) and members.head == "block" and _coloured(members):
+            if k < p.end or not isinstance(members, Noun):
+                continue
+            board = p.anywhere(_BOARDS) and members.head != "patch" and len(members.traits.colors) == 2
+            if board or (members.head == "block" and _coloured(members)):
                 yield Using(members=members, span=p.span(i, k), cost=2), k
     if j := max(_ON_BODIES.matches(p, i), default=0):
         for members, k in noun_phrase(p, j):

@@ -9,7 +9,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import emphasised, linked
-from rpg.language.grammar.clauses.starts import begun_with, still_begun
+from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
@@ -128,7 +128,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 item = replace(item, cost=item.cost + 2)
             item = _less_likely(previous, item)
             item = _same_letters(previous, item) if link in ("or", "then") and previous is not None else item
-            item = still_begun(p, j, k, previous, item) if link == "and" else item
+            item = begun_of(previous, still_begun(p, j, k, previous, item)) if link == "and" else item
             whole = (*had, item)
             yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, link)))
             yield from _more(p, i, whole, (*links, link), k)
@@ -192,8 +192,14 @@ def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, .
 def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], colon: int) -> Results[Chain]:
     """What is said in more detail: a clause, or what there is."""
     for item, k in clause(p, colon):
-        if isinstance(had[-1], Clause) and isinstance(had[-1].theme, Structure) and _mere_colors(item):
+        if (apart := _set_apart(had[-1], item)) is not None:
+            yield Chain(clauses=(*had[:-1], apart), links=links, span=p.span(i, k)), k
+            yield from _more(p, i, (*had[:-1], apart), links, k)
             continue
+        begun = getattr(item, "mode", "") == "start"
+        if isinstance(had[-1], Clause) and isinstance(had[-1].theme, Structure) and _mere_colors(item) and not begun:
+            continue
+        item = begun_of(had[-1], item)
         told = isinstance(had[-1], Clause) and (had[-1].adjuncts or had[-1].lemma in ("tally", "size", "stock"))
         told = told or getattr(item, "mode", "") == "start"
         if isinstance(item, Clause) and told and item.verb != "exist":
@@ -208,6 +214,18 @@ def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str,
         whole = (*had, item)
         yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
         yield from _more(p, i, whole, (*links, "and"), k)
+
+
+def _set_apart(before: Meaning, item: Meaning) -> Clause | None:
+    """ "Separate them: red and blue must be 20 cm apart", "separate A and B: they ...": how far apart they are."""
+    told = isinstance(before, Clause) and before.lemma == "separate" and not (before.adjuncts or before.negated)
+    if not told or not isinstance(before, Clause) or not isinstance(item, Clause) or item.verb != "be" or item.negated:
+        return None
+    if not item.adjuncts or not all(isinstance(a, Loc) and a.rel in ("apart", "distance") for a in item.adjuncts):
+        return None
+    if isinstance(item.theme, Pronoun):
+        return None if isinstance(before.theme, Pronoun) else replace(item, theme=before.theme)
+    return item if isinstance(before.theme, Pronoun) else None
 
 
 def _plain_command(item: Meaning) -> bool:

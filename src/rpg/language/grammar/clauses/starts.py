@@ -66,6 +66,15 @@ def still_begun(p: Parser, j: int, k: int, before: Clause | None, item: Meaning)
     return replace(item, mode="start") if fact and not item.negated else item
 
 
+def begun_of(before: Meaning | None, item: Meaning) -> Meaning:
+    """ "Reverse the row: it starts as ...": "it" is the row, of which nothing else is known."""
+    it = isinstance(item, Clause) and isinstance(item.theme, Pronoun) and item.theme.word == "it"
+    shape = before.theme if isinstance(before, Clause) and before.verb == "reverse" else None
+    if not isinstance(item, Clause) or not it or item.mode != "start" or not isinstance(shape, Structure):
+        return item
+    return replace(item, theme=shape)
+
+
 _ALREADY = ("initially", "currently", "starting out", "starting", "beginning")
 
 

@@ -12,6 +12,7 @@ from rpg.language.grammar.places.sides import SIDES, at
 from rpg.language.grammar.structures.apposed import AMID
 from rpg.language.grammar.structures.parts import part, part_statement, unit_of
 from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.grammar.things.retold import begins_anew
 from rpg.language.grammar.things.standby import AS_EXTRAS
 from rpg.language.meaning import (
     Absolute,
@@ -71,12 +72,21 @@ def absolute(p: Parser, i: int) -> Results[Meaning]:
         return
     for first, end in _one_absolute(p, j):
         first_place = first.adjuncts[0]
+        if j == comma and isinstance(first_place, At) and _several(first.theme) and _has_comma(p, first.theme):
+            continue  # "red, blue, red leftmost": told of the last one alone
         table = isinstance(first_place, Loc) and isinstance(first_place.landmark, TableTop)
         cost = 2 if table or (j == comma and isinstance(first_place, Loc)) else 1 if isinstance(first_place, At) else 0
         cost += 2 * _printed(p, i, first)
         first = replace(first, cost=cost)
         yield first, end
         yield from _absolute_more(p, i, end, (first,))
+
+
+def _several(theme: Meaning) -> bool:
+    """Several looks without a number."""
+    return len(theme.traits.colors + theme.traits.labels) > 1 if isinstance(theme, Noun) else isinstance(theme, Coord)
+
+
 
 
 def _printed(p: Parser, i: int, part_: Absolute) -> bool:
@@ -166,7 +176,8 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
         k = p.opt(k, "be")
         k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
         for found, end in _places(p, k):
-            yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
+            if not (isinstance(found[0], At) and begins_anew(theme)):
+                yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
     if rank := p.peek(j, _EXTREMES):
         best = Noun(head="any", det="the", traits=Traits(rank=rank), span=p.span(j, j + 1))
         yield from ((Absolute(theme=best, adjuncts=x, span=p.span(j, e)), e) for x, e in _places(p, p.reach(j + 1)))

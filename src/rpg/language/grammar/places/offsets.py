@@ -55,6 +55,26 @@ _MUST = ("must", "should", "have to", "shall", "are to", "need to")
 _DIFFER = ("may differ by", "must not differ by", "should not differ by", "differ by", "may be off by", "are off by")
 
 
+_MIDDLES = frozenset({"centers", "middles"})
+_CENTERS = tuple(
+    f"{the}{centers}{of}"
+    for the in ("the ", "their ", "both ", "the two ", "its ", "")
+    for centers in ("centers", "block centers", "middles")
+    for of in ("", " of the blocks", " of the two blocks", " of both", " of both blocks")
+)
+_NEAR = (
+    *(f"{be}{off} by"
+      for be in ("", "being ", "are ", "may be ", "should be ", "must be ")
+      for off in ("off", "differing", "apart", "shifted", "misaligned", "offset", "displaced", "deviating", "out")),
+    "differ by", "may differ by", "should differ by", "deviate by", "may deviate by", "are", "being", "must be",
+    "should be", "may be", "lie", "lying", "stay", "within", "are within", "to within", "stay within", "lie within",
+    "must be within", "should be within", "aligned within", "aligned to within", "lined up within",
+    "lined up to within", "aligned to",
+)  # fmt: skip
+_APART = ("apart", "of each other", "from each other", "off", "off each other", "away from each other")
+_SO = ("so that", "such that", "so", "where", "and")
+
+
 @rule
 def offset(p: Parser, i: int) -> Results[Loc]:
     """ "centred to within 5 mm", "with at most 5 mm offset", "offset by at most 5 mm": of what lies on what."""
@@ -73,6 +93,7 @@ def offset(p: Parser, i: int) -> Results[Loc]:
             yield _loc(p, i, end, far)
     if end := p.any_of(j, _OFFSET) if start > i else 0:  # "each offset at most 3 mm from the one below"
         yield from (_loc(p, i, p.any_of(k, _OF_WHAT) or k, far) for far, k in _most(p, p.opt(end, "by")))
+    yield from _centers(p, i, lead or p.any_of(i, _SO) or i) if p.rarely(_MIDDLES) else ()
     if end := p.any_of(j, ("off by", "off center by")):
         yield from (_loc(p, i, p.any_of(k, _OF_WHAT) or k, far) for far, k in _most(p, end))
     j = p.opt(j, "the")
@@ -80,6 +101,14 @@ def offset(p: Parser, i: int) -> Results[Loc]:
     k = p.opt(most or j, *_SIDEWAYS)
     if named := p.any_of(k, _OFFSET) or p.any_of(k, _OFF_CENTER):
         yield from _said(p, i, p.any_of(named, _OF_WHAT) or named, bool(most))
+
+
+def _centers(p: Parser, i: int, at: int) -> Results[Loc]:
+    """ "(with) their centers at most 5 mm apart", "the centers off by at most 5 mm"."""
+    j = p.any_of(at, _CENTERS)
+    end = p.any_of(j, _NEAR) or j if j else 0
+    apart = [*_most(p, end), *(length(p, end) if p.words[end - 1] == "within" else ())] if end else []
+    yield from (_loc(p, i, p.any_of(k, _APART) or k, far) for far, k in apart)
 
 
 def _said(p: Parser, i: int, j: int, most: bool) -> Results[Loc]:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.lists import listed
 from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import Coord, Noun, Structure, Toward, Traits
 
@@ -19,6 +20,9 @@ _TO = ("to", "up to", "until", "towards", "on to", "and on to", "and then to", "
 
 def gradient(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     """The blocks of a gradient: its colours as they are named, or all of the rainbow from one to the other."""
+    for items, end in listed(p, p.one(j, ":")) if p.stands(j, (":",)) else ():
+        if all(isinstance(x, Noun) and x.traits == Traits(colors=x.traits.colors[:1]) for x in items):
+            yield replace(base, members=Coord(op="and", items=items, span=p.span(j, end)), span=p.span(i, end)), end
     along = p.any_of(j, _ALONG)
     lead = p.any_of(p.opt(along or j, ","), _FROM)
     named, at = _colors(p, lead) if lead else ((), 0)

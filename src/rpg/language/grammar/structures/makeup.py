@@ -216,7 +216,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     every = p.any_of(j, _ALL_ARE) if flat else 0
     if plain and (comma > j or every or base.kind == "checkerboard"):
         for (named, either), k in colors(p, every or p.any_of(comma, _ALL_IN) or comma):
-            k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 else k
+            k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 or not flat else k
             k = p.opt(k, "everywhere") if flat else k
             closed = k >= p.end or p.words[k] == "," or (flat and p.words[k] in _CLOSED)
             if not either and (len(named) == 1 or base.kind == "checkerboard") and closed:

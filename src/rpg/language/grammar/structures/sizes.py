@@ -195,8 +195,14 @@ def ends_in_lines(p: Parser, j: int) -> bool:
 
 _LAYERED = frozenset({"layers", "levels", "tiers", "floors"})
 _OF_EACH = ("of", "each", ", each", "each of", "each with", ", each of", ", each with", "with", "on a base of", "on a",
-            "each a", ", each a", "being")  # fmt: skip
+            "each a", ", each a", "being", "of a", "of one", "each of a", ", each of a", "in a", "both a")  # fmt: skip
 _EACH_LAYER = ("each", "in each layer", "per layer", "in every layer", "in each", "base", "grid", "square", "in size")
+
+
+_LIKE_A_CUBE = Patterns(
+    ",? like|forming|making|so_as_to_form|as|i.e.|so_it_looks_like|to_form|that_makes a|one big|large|small|solid? "
+    "cube|block|box"
+)
 
 
 @rule
@@ -208,6 +214,7 @@ def layers_of(p: Parser, i: int) -> Results[Size]:
         if len(dims) == 2 and layers is not None:
             j = p.any_of(j, _EACH_LAYER) or j
             end = p.any_of(p.opt(j, "of"), _EACH_LAYER) or j
+            end = max(_LIKE_A_CUBE.matches(p, end), default=end) if {*dims} == {layers} else end
             yield Size(what="dims", dims=(*dims, layers), span=p.span(i, end)), end
 
 

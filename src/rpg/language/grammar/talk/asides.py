@@ -218,7 +218,8 @@ def _standing(words: list[str], at: int, phrases: Beginnings, fits: Callable[[in
 def _emphatic(words: list[str], end: int) -> bool:
     """Whether a description follows."""
     after = words[end] if end < len(words) else ""
-    return bool(after) and after not in _BREAKS | _DEGREES
+    tidied = words[end - 1] == "tidy" and after in ("the", "this", "up", "your", "my", "our")
+    return bool(after) and after not in _BREAKS | _DEGREES and not tidied
 
 
 def _set_off(words: list[str], at: int, end: int) -> bool:

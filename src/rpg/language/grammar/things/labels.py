@@ -98,6 +98,15 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
     yield from reversed(readings)
 
 
+def once_more(p: Parser, i: int, j: int) -> Results[tuple[str, ...]]:
+    """ "(the A and) the other A", "(a 4 and) another 4": a symbol that was named before, not a number."""
+    for at in (j, j - 1):
+        named = symbol(p, at) if i < at < p.end and p.words[at] in p.words[:i] else None
+        if named is not None and p.lex(at + 1, lexicon.BLOCK) is None:
+            yield (named,), at + 1
+            return
+
+
 def look_at(p: Parser, i: int) -> bool:
     """Whether a look stands at i: "red block number 2" is the second of the red ones."""
     if i < 0:

@@ -95,7 +95,7 @@ _RUN = 3
 
 
 def with_commas(tokens: list[Token]) -> list[Token] | None:
-    """ "The red orange yellow and green cubes": the tokens with commas in such lists; None where there is none."""
+    """ "The red orange yellow and green cubes", "one red cube one blue cube": with commas; None where there is none."""
     out: list[Token] = []
     at, found = 0, False
     while at < len(tokens):
@@ -111,7 +111,21 @@ def with_commas(tokens: list[Token]) -> list[Token] | None:
                 found = True
             out.append(token)
         at += len(run)
+        if _next_counted(tokens, at - 1):
+            out.append(Token("punct", ",", ",", tokens[at - 1].span))
+            found = True
     return out if found else None
+
+
+def _next_counted(tokens: list[Token], at: int) -> bool:
+    """ "one red cube | one blue cube": a block that is counted, and right behind it another one."""
+    return _counted(tokens, at - 2) and _counted(tokens, at + 1)
+
+
+def _counted(tokens: list[Token], at: int) -> bool:
+    if at < 0 or at + 2 >= len(tokens) or not _colored(tokens, at + 1) or tokens[at + 2].word not in lexicon.BLOCK:
+        return False
+    return tokens[at].word in ("a", "an") or tokens[at].word in lexicon.NUMBER or tokens[at].kind == "number"
 
 
 def _colored(tokens: list[Token], at: int) -> bool:

@@ -14,7 +14,7 @@ from rpg.language.grammar.things.amounts import Quantity
 from rpg.language.grammar.things.brackets import bracketed
 from rpg.language.grammar.things.edges import of_edges
 from rpg.language.grammar.things.joined import all_but, apposed, more, of_each
-from rpg.language.grammar.things.labels import label_list, literal
+from rpg.language.grammar.things.labels import label_list, literal, once_more
 from rpg.language.grammar.things.printed import printed, with_symbols
 from rpg.language.grammar.things.pronouns import pronoun
 from rpg.language.grammar.things.retold import beside_heap
@@ -170,7 +170,7 @@ def _part(p: Parser, i: int) -> Results[Meaning]:
     j = p.one(i, "the")
     if not j:
         return
-    for phrase, k in p.standing(j, _PARTS):
+    for phrase, k in p.standing(p.opt(j, "exact", "very", "dead"), _PARTS):
         for whole, end in simple(p, of) if (of := p.one(k, "of")) else ():
             if isinstance(whole, TableTop):
                 continue
@@ -273,12 +273,14 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     if j == start and (counted or quantity.det in ("other", "another")):
         digit = quantity.det == "the" and p.tokens[start - 1].kind == "number"
         yield from _finish(p, i, j, quantity, "any", bool(quantity.plural), marks, cost=3 if digit else 2)
+    for labels, k in once_more(p, i, start) if j == start and quantity.det in ("other", "another") else ():
+        yield from _finish(p, i, k, Quantity(quantity.det), "block", False, Marks({"labels": labels}))
     named = j > start and any(p.words[j - 1] in table for table in _SYMBOLS)
     if not named and ((quantity.det in _LISTING and quantity.amount is None) or quantity.det == "a"):
         for (labels, more), k in label_list(p, j):
             held = merge(marks, {"labels": labels, "open_ended": more})
             digit = len(labels) == 1 and labels[0].isdigit()
-            if digit and (amounts.makes_number(p, k) or quantity.det == "all"):
+            if digit and (amounts.makes_number(p, k) or quantity.det == "all" or p.follows(i, ("are",))):
                 continue
             if held is not None and (len(labels) == 1 or quantity.det != "a"):
                 cost = 2 if digit or ("and" not in p.words[j:k] and "," in p.words[j:k]) else 1

@@ -223,3 +223,13 @@ def beside_heap(first: Meaning, found: Meaning) -> Meaning:
 def none_of(theme: Meaning) -> bool:
     """ "nothing", "no red block"."""
     return getattr(theme, "det", "") == "no" or getattr(theme, "word", "") in ("nothing", "nothing else")
+
+
+def begins_anew(theme: Meaning) -> bool:
+    """ "red, green, blue, red (leftmost)": behind different looks one of them again is told of by itself."""
+    looks: tuple[Meaning | str, ...] = ()
+    if isinstance(theme, Noun) and theme.amount is None:
+        looks = theme.traits.colors or theme.traits.labels
+    elif isinstance(theme, Coord) and all(isinstance(x, Noun) and x.amount is None for x in theme.items):
+        looks = tuple(look for x in theme.items if isinstance(x, Noun) for look in x.traits.colors + x.traits.labels)
+    return len(looks) > 3 and looks[-1] in looks[:-1] and len(set(looks)) == len(looks) - 1

@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import Marks, colors
-from rpg.language.meaning import Absolute, Coord, Meaning, Noun, Size, Using
+from rpg.language.meaning import Absolute, Chain, Clause, Coord, Meaning, Noun, Size, That, Using
 from rpg.language.phrases import Classes
 
 _ROLES = "distractor|distractors|distraction|distractions|decoration|decorations|decoy|decoys"
@@ -134,6 +134,9 @@ def leads(p: Parser, j: int, first: Meaning) -> bool:
         return not p.stands(j, lexicon.BLOCK)
     if isinstance(first, Absolute):
         return all_extra(first.theme)
+    told = first.clauses if isinstance(first, That) else None
+    if isinstance(told, Chain) and any(isinstance(x, Clause) and x.verb == "exist" for x in told.clauses):
+        return False  # "so I have a red cube ..." tells what there is
     return not isinstance(first, Size) and not (isinstance(first, Coord) and first.op == "absolutes")
 
 

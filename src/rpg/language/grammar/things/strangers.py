@@ -11,9 +11,10 @@ STRANGERS = frozenset({"outlier", "outliers", "stranger", "strangers", "misfit",
 _STRANGER = Patterns(
     "|".join(sorted(STRANGERS)),
     "odd_one_out|odd_ones_out|odd_one|odd_ones",
-    "wrong|foreign|mismatched|wrongly_colored block|blocks|cube|cubes|one|ones",
+    "wrong|foreign|mismatched|wrongly|wrong|odd|differently|mis? colored|color? block|blocks|cube|cubes|one|ones",
     "block|cube|blocks|cubes|one|ones of|in|with the|another|a|some wrong|other|another|different "
     "color|kind|group|colors",
+    "block|blocks|cube|cubes|one|ones that|which is|are of? wrong|wrongly_colored|the_wrong_color|another_color",
     "block|cube that|which does_not_belong there|to_it?",
 )
 _GROUPS = "group|pile|heap|bunch|cluster|one|of_them|of_the_groups|of_the_piles|of_the_two|of_the_three|of_these"
@@ -67,7 +68,7 @@ def _so_many(p: Parser, i: int, j: int) -> Results[Manner]:
     """ "exactly one stranger in each group"."""
     for many, k in amounts.amount(p, j):
         for end in _STRANGER.matches(p, k) if many.low == many.high else ():
-            if last := max(_IN_EACH.matches(p, end), default=0):
+            if last := max(_IN_EACH.matches(p, end), default=end if "each" in p.words[i:j] else 0):
                 yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last
 
 

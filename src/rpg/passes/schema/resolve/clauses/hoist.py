@@ -27,8 +27,9 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line
-from rpg.passes.schema.resolve.places.drawn import drawn
+from rpg.passes.schema.resolve.places.drawn import drawn, grounded
 from rpg.passes.schema.resolve.places.overs import in_one_tower
+from rpg.passes.schema.resolve.structures.grouped import sorted_with_strangers
 from rpg.passes.schema.resolve.structures.hubs import emptied, in_the_middle, outlines, told_inside
 from rpg.passes.schema.resolve.structures.told_towers import (
     one_more_tower,
@@ -53,7 +54,7 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             if not isinstance(said, Clause):
                 kept.append((link, said))
                 continue
-            said = drawn(plainly(said))
+            said = grounded(drawn(plainly(said)), chains)
             _below_what(_last(found), said)
             if link != "then" and other_side(found, said):
                 continue
@@ -97,7 +98,11 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
         raise refuse("ambiguous", "it is not said what the other blocks look like", only[0].span, "say it")
     left = [n for n, kept in enumerate(found) if kept]
     return [links[n] for n in left], tuple(
-        replace(chains[n], clauses=tuple(c for _, c in found[n]), links=tuple(link for link, _ in found[n]))
+        replace(
+            chains[n],
+            clauses=tuple(sorted_with_strangers(c) for _, c in found[n]),
+            links=tuple(link for link, _ in found[n]),
+        )
         for n in left
     )
 

@@ -4,7 +4,21 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Amount, Clause, Coord, Into, Loc, Meaning, Noun, Structure, Traits
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    TableTop,
+    Traits,
+    parts_of,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 _FIGURES = ("circle", "triangle", "line", "square", "rectangle")
@@ -26,6 +40,19 @@ def drawn(clause: Clause) -> Clause:
         told = f"this could be a {shape.kind} that the blocks form, or a patch that they lie on"
         raise refuse("ambiguous", told, place.span, f"say 'in a {shape.kind}', or 'on a {shape.kind} patch'")
     return clause
+
+
+def grounded(clause: Clause, chains: tuple[Chain, ...]) -> Clause:
+    """ "They are not stacked on anything": they lie on the table, for what else could they lie on but blocks?"""
+    place = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    mark = place.landmark if isinstance(place, Loc) and place.rel in ("on", "above") and not place.negated else None
+    word = mark.word if isinstance(mark, Pronoun) else ""
+    denied = word in ("anything", "anything else") if clause.negated else word == "nothing"
+    patches = any(isinstance(part, Noun) and part.head == "patch" for chain in chains for part in parts_of(chain))
+    if not denied or place is None or clause.verb not in ("be", "stack") or (patches and clause.verb == "be"):
+        return clause
+    table = Loc(rel="on", landmark=TableTop(span=place.span), span=place.span)
+    return replace(clause, verb="be", negated=False, adjuncts=(table,))
 
 
 def _bare(shape: Structure) -> bool:

@@ -15,9 +15,11 @@ def by_corners(shape: Structure, spec: Spec) -> Structure:
     parts = [x for x in told if isinstance(x, Absolute)]
     first = _colour(parts, "corners") if shape.kind == "checkerboard" and len(parts) == len(told) <= 2 else None
     dims = next((z.dims for z in (*shape.sizes, *spec.sizes) if z.dims), shape.dims)
-    if first is None or shape.members is not None or len(dims) != 2:
+    source = shape.members or (spec.usings[0].members if len(spec.usings) == 1 else None)
+    among = _colours(source)
+    if first is None or (source is not None and len(among) != 2) or len(dims) != 2:
         return shape
-    named = [c for c in shape.traits.colors if c != first]
+    named = [c for c in (*shape.traits.colors, *among) if c != first]
     second = _colour(parts, "rest") or (named[0] if len(named) == 1 else None)
     if second is None or second == first or len(parts) > (1 if named else 2):
         return shape
@@ -29,9 +31,18 @@ def by_corners(shape: Structure, spec: Spec) -> Structure:
         Noun(head="block", amount=Amount(n, n), plural=True, traits=Traits(colors=(c,)), span=parts[0].span)
         for c, n in ((first, most), (second, most - 1))
     )
-    spec.absolutes = []
+    spec.absolutes, spec.usings = [], []
     members = Coord(op="and", items=items, span=parts[0].span)
     return replace(shape, members=members, details=(), traits=replace(shape.traits, colors=()))
+
+
+def _colours(source: Meaning | None) -> tuple[str, ...]:
+    """ "black and white cubes": the colours of blocks of which no more is said."""
+    if isinstance(source, Coord):
+        return tuple(color for item in source.items for color in _colours(item))
+    plain = isinstance(source, Noun) and source.traits == Traits(colors=source.traits.colors)
+    counted = not isinstance(source, Noun) or source.amount is not None or source.det not in ("bare", "a")
+    return source.traits.colors if isinstance(source, Noun) and plain and not counted else ()
 
 
 _ALL_LAYERS = ({"bottom", "top"}, {"bottom", "middle", "top"})

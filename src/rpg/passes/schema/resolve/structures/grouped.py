@@ -8,7 +8,7 @@ from itertools import pairwise
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Structure
+from rpg.language.meaning import Amount, Clause, Coord, Manner, Meaning, Noun, OrderBy, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.lots import one_of
 from rpg.passes.schema.resolve.structures.several import Look, told_looks
@@ -24,6 +24,19 @@ def group_size(shape: Structure) -> int | None:
     if amount is not None and amount.low == amount.high:
         return int(amount.low)
     return shape.extent("size", "columns")
+
+
+def sorted_with_strangers(said: Meaning) -> Meaning:
+    """ "a group of four red blocks and a group of four blue ones, one wrong in each": sorted with strangers."""
+    theme = said.theme if isinstance(said, Clause) and said.verb in ("build", "be") and not said.negated else None
+    if not isinstance(said, Clause) or not isinstance(theme, Coord) or theme.op != "and":
+        return said
+    piles = [x.members for x in theme.items if isinstance(x, Structure) and x.kind == "pile" and not x.plural]
+    lots = [x for x in piles if isinstance(x, Noun) and len(x.traits.colors) == 1 and x.amount is not None]
+    strange = any(isinstance(x, Manner) and x.kind == "outliers" for x in said.adjuncts)
+    if not strange or len(lots) != len(theme.items):
+        return said
+    return replace(said, verb="sort", lemma="sort", theme=replace(theme, items=tuple(lots)))
 
 
 def told_lots(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Made:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from rpg.language.meaning import Amount, Chain, Clause, Meaning, Noun, Pronoun, Traits, parts_of
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, Pronoun, Traits, parts_of
 from rpg.passes.schema.resolve.things.world import refuse
 
 _THEM = frozenset({"them", "they", "these", "those"})
@@ -16,6 +16,9 @@ def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
     found = list(chains)
     for n, chain in enumerate(chains):
         for clause in chain.clauses:
+            if (each := _in_turn(clause)) and (told := _respectively(found, n, clause, each)) is not None:
+                found = told
+                continue
             if (many := _number(clause)) is None:
                 continue
             before = [*found[:n], replace(found[n], clauses=found[n].clauses[: _at(found[n], clause)])]
@@ -24,12 +27,47 @@ def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
                 raise refuse("ambiguous", "it is not clear of which blocks so many are there", clause.span,
                              "say for example 'the four red blocks'")  # fmt: skip
             lot = next(iter(lots))
-            rest = tuple((c, x) for c, x in zip(found[n].clauses, found[n].links, strict=True) if c != clause)
-            found[n] = replace(found[n], clauses=tuple(c for c, _ in rest), links=tuple(x for _, x in rest))
-            told = replace(lot, amount=many, det="bare" if lot.det == "some" else lot.det)
-            found = [put(c, lot, told) for c in found]
+            found[n] = _without(found[n], clause)
+            found = [put(c, lot, _so_many(lot, many)) for c in found]
     kept = [n for n, chain in enumerate(found) if chain.clauses]
     return [links[n] for n in kept], tuple(found[n] for n in kept)
+
+
+def _without(chain: Chain, clause: Meaning) -> Chain:
+    rest = tuple((c, x) for c, x in zip(chain.clauses, chain.links, strict=True) if c != clause)
+    return replace(chain, clauses=tuple(c for c, _ in rest), links=tuple(x for _, x in rest))
+
+
+def _so_many(lot: Noun, many: Amount) -> Noun:
+    return replace(lot, amount=many, det="bare" if lot.det == "some" else lot.det)
+
+
+def _in_turn(clause: Meaning) -> tuple[int, ...]:
+    """The numbers in "(white ones in one heap, black ones in another,) 3 and 3"."""
+    theme = clause.theme if isinstance(clause, Clause) and clause.verb == "exist" and clause.mode == "given" else None
+    if not isinstance(clause, Clause) or clause.adjuncts:
+        return ()
+    labels = theme.traits.labels if isinstance(theme, Noun) else ()
+    if isinstance(theme, Noun) and theme.det == "bare" and theme.amount is None:
+        digits = theme.traits == Traits(labels=labels) and all(x.isdigit() for x in labels)
+        return tuple(map(int, labels)) if digits else ()
+    items = theme.items if isinstance(theme, Coord) and theme.op == "and" else ()
+    bare = all(isinstance(x, Noun) and x.head == "any" and x.traits == Traits() and x.part_of is None for x in items)
+    amounts = [x.amount for x in items if isinstance(x, Noun) and x.amount is not None] if bare else []
+    return tuple(x.low for x in amounts if x.low == x.high) if len(amounts) == len(items) else ()
+
+
+def _respectively(found: list[Chain], n: int, clause: Meaning, each: tuple[int, ...]) -> list[Chain] | None:
+    """The sentences with a number for each of the lots whose number is open, in the order in which they are named."""
+    before = [*found[:n], replace(found[n], clauses=found[n].clauses[: _at(found[n], clause)])]
+    nouns = [x for c in before for x in parts_of(c) if isinstance(x, Noun)]
+    lots = list({(x.traits, x.head): x for x in nouns if _open(x)}.values())
+    if len(each) < 2 or len(lots) != len(each) or any(x.traits.labels for x in nouns) or 0 in each:
+        return None
+    found = [*found[:n], _without(found[n], clause), *found[n + 1 :]]
+    for lot, many in zip(lots, each, strict=True):
+        found = [put(c, lot, _so_many(lot, Amount(many, many))) for c in found]
+    return found
 
 
 def _at(chain: Chain, clause: Meaning) -> int:

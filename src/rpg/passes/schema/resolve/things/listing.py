@@ -143,11 +143,11 @@ def _bounded(item: Meaning, bounds: Amount) -> Meaning:
 
 
 def repeats(item: Noun, seen: list[Traits]) -> bool:
-    """ "red, yellow, yellow, red": the second of the same kind in a list is another block."""
+    """ "red, yellow, yellow, red", "the A and the other A": the second of a kind in a list is another block."""
     return (
         item.traits in seen
         and not item.plural
-        and item.det in ("bare", "a")
         and item.amount in (None, Amount(1, 1))
-        and bool(item.traits.colors)
+        and ((item.det in ("bare", "a") and bool(item.traits.colors)) or item.det in ("other", "another"))
+        and item.traits != Traits()
     )

@@ -38,7 +38,7 @@ from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, exami
 from rpg.passes.schema.lots import check_lots
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, patience
-from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun, start_first
+from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun, cleared_of, start_first
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
@@ -49,6 +49,7 @@ from rpg.passes.schema.resolve.goals.contradictions import check
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.bare_table import off_their_patches
+from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
 from rpg.passes.schema.resolve.structures.rows_told import words_in_rows
@@ -161,9 +162,11 @@ def resolve(
     try:
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)
     except Refusal as refusal:
-        if refusal.diagnostics[0].code in UNMEANT and (bold := begun(chains, text, bold=True)) != facts:
+        unmeant = refusal.diagnostics[0].code in UNMEANT
+        for other in (begun(chains, text, bold=True), cleared_of(facts)) if unmeant else ():
             with suppress(Refusal):
-                return _resolved(*told_later(links, bold), text, notes, name, seed, author, lenient)
+                if other != facts:
+                    return _resolved(*told_later(links, other), text, notes, name, seed, author, lenient)
         if (named := told_one_by_one(links, facts, refusal, text)) is not None:
             with suppress(Refusal):
                 return _resolved(*told_later(*named), text, notes, name, seed, author, lenient)
@@ -367,14 +370,10 @@ def _sizes(clause: Clause) -> bool:
     return plural and all(x == Traits(edge=x.edge, size=x.size) for x in marks)
 
 
-_NOTHING = ("nothing", "nothing else", "anything", "anything else")
-
-
 def _of_no_block(clause: Clause) -> bool:
     """ "No block is in the middle of the table", "the right half stays empty": whichever blocks there are."""
     theme = clause.theme
-    marks = [getattr(part, "landmark", None) for part in clause.adjuncts]
-    if marks and all(isinstance(x, Pronoun) and x.word in _NOTHING for x in marks):
+    if clause.adjuncts and all(getattr(getattr(x, "landmark", None), "word", "") in WHATEVER for x in clause.adjuncts):
         return True
     none = isinstance(theme, Noun) and theme.head == "block" and theme.det == "no" and theme.traits == Traits()
     return none and bool(clause.adjuncts) and all(isinstance(part, In) for part in clause.adjuncts)

@@ -20,7 +20,7 @@ from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Figure, Pyramid, Row, Staircase
+from rpg.ir.structures import Figure, Pyramid, Row, Spells, Staircase
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -59,10 +59,15 @@ _PLAIN = {
     "rainbow": "rainbow",
     "staircase stairs": "staircase",
     "swap swapped exchange": "swapped",
-    "upside": "facing",
+    "upside": "facing stack",
 }
 PLAIN = {word: frozenset(terms.split()) for words, terms in _PLAIN.items() for word in words.split()}
 """Words whose meaning depends on no other word, with the terms of a goal one of which they come to."""
+
+
+def _spelt(token: Token, task: TaskSchema) -> bool:
+    """ "Spell MAT": a word that the cubes show, and nothing that lies on the table."""
+    return any(isinstance(atom, Spells) and atom.word == token.raw for atom in atoms(task.goal))
 
 
 def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] = ()) -> Token | None:
@@ -86,7 +91,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms):
             return token
-        if token.word in PATCHES and not task.patches:
+        if token.word in PATCHES and not task.patches and not _spelt(token, task):
             return token
         if token.word == "ones" and chosen and _of_counted(words, index, task):
             return token

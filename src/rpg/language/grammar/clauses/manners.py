@@ -25,7 +25,8 @@ def direction(p: Parser, i: int) -> Results[str]:
     """ "up", "to the left", "towards the camera"."""
     j = p.any_of(i, ("to the", "toward the", "towards the", "to", "towards", "toward", "the")) or i
     if side := p.peek(j, _FACE_WORDS):
-        yield side, p.reach(j + 1)
+        k = p.any_of(p.reach(j + 1), ("side of the table", "side", "edge of the table", "end of the table")) or j + 1
+        yield side, k if p.words[j] in ("left", "right") else j + 1
     if j := p.any_of(i, _AWAY):
         yield "back", j
 

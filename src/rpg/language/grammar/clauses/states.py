@@ -344,7 +344,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
         unmoved = Clause(verb="place", lemma="move", theme=theme, negated=True, mode=mode, span=p.span(i, j))
         yield replace(unmoved, word=p.span(k, j)), j
     yield from _touches(p, i, k, theme, mode, negated)
-    if j := p.one(k, frozenset({"face", "faces", "point", "points"})):
+    if j := p.one(k, frozenset({"face", "faces", "point", "points", "look", "looks"})):
         for side, end in direction(p, j):
             faced = Manner(kind="facing", value=side, span=p.span(k, end))
             yield (

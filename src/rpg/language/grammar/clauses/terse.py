@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.turned import but_turned
 from rpg.language.grammar.clauses.wheres import is_where
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.alongside import alongside
 from rpg.language.grammar.places.cornered import cornered
 from rpg.language.grammar.places.regions import named, named_regions
 from rpg.language.grammar.structures.alternation import alternation_alone
@@ -98,6 +100,8 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _place_first(p, i, mode)
     yield from _figure_first(p, i, mode)
     yield from cornered(p, i)
+    yield from _patch_first(p, i, mode)
+    yield from alongside(p, i)
     yield from _spelt(p, i)
     yield from _solved(p, i)
     yield from kept_clear(p, i)
@@ -220,6 +224,36 @@ def _end_of_line(p: Parser, i: int, j: int, theme: Meaning) -> bool:
 _LINES = frozenset({"row", "line"})
 
 
+_AIMS = ("goal", "target", "aim", "mark", "spot", "area", "zone")
+"""What a text may begin with that speaks of no patch."""
+_NOTHING = ("nothing", "no block", "no blocks", "empty", "stays empty", "nothing on it", "no cube", "none")
+
+
+@choice
+def _patch_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
+    """ "red mat: two red cubes", "on the green mat: nothing": what lies on a patch, behind a colon."""
+    on = p.one(i, "on") or i
+    for patch, j in simple(p, on):
+        goal = p.stands(on, _AIMS) and j == on + 1
+        if not isinstance(patch, Noun) or patch.head != "patch" or patch.plural or goal:
+            continue
+        if not (colon := p.any_of(j, _FOR[:2] if on > i else _FOR)):
+            continue
+        if (end := p.any_of(colon, _NOTHING)) and (end >= p.end or p.words[end] in (",", ";")):
+            empty = Quality(traits=Traits(empty=True), span=p.span(colon, end))
+            yield Clause(verb="be", theme=patch, adjuncts=(empty,), mode="goal", span=p.span(i, end), cost=1), end
+        for theme, k in noun_phrase(p, colon):
+            block = isinstance(theme, Noun) and theme.head != "patch"
+            if (block or isinstance(theme, Coord | Structure)) and (k >= p.end or p.words[k] in (",", ";", "and")):
+                verb = "build" if isinstance(theme, Structure) else "be"
+                place = Loc(rel="on", landmark=patch, span=p.span(i, j))
+                yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=1), k
+
+
+_FOR = (":", "=", "for", "is for", "goes to", "belongs to", "is reserved for", "is meant for", "gets", "holds")
+"""What stands between a part of the table and what lies there."""
+
+
 @rule
 def _place_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "near left corner: the X": what lies in a part of the table, behind a colon."""
@@ -227,7 +261,7 @@ def _place_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
     for region, j in dict.fromkeys([*named(p, start), *named_regions(p, start)]):
         told = region.endswith("_corner") or p.words[j - 1] in ("half", "edge", "table")
         yield from is_where(p, i, j, In(region=region, span=p.span(i, j)), mode) if told else ()
-        colon = p.one(j, frozenset({":", "="})) if told else 0
+        colon = p.any_of(j, _FOR) if told else 0
         for theme, k in noun_phrase(p, colon) if colon else ():
             if isinstance(theme, Noun | Coord | Structure) and (k >= p.end or p.words[k] in (",", ";", "and")):
                 verb = "build" if isinstance(theme, Structure) else "be"
@@ -266,6 +300,7 @@ def _spelt(p: Parser, i: int) -> Results[Meaning]:
     noted = Clause(verb="spell", theme=word, span=p.span(i, i + 1), cost=2)
     if len(text) > 1 and text.isalpha() and any(True for _ in bodies(p, i + 1, noted)):
         yield noted, i + 1
+    yield from but_turned(p, i, text, word)
     if not j and (len(text) < 2 or not p.stands(i + 1, ("in", "as", "down", "from", "along"))):
         return
     for found, k in adjuncts(p, i + 1) if not j else ():

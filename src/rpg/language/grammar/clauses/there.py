@@ -13,7 +13,7 @@ from rpg.language.grammar.talk.framing import WHEN_DONE, past
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Clause, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward
+from rpg.language.meaning import Amount, Clause, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward
 from rpg.language.phrases import Classes
 
 _STANDS = (
@@ -115,6 +115,10 @@ def exists(p: Parser, i: int) -> Results[Meaning]:
         return
     j = p.opt(j, "also", "now", "currently", "initially")
     mode, j = ("goal", end) if (end := past(p, j)) > j else (mode, j)
+    if p.words[j - 1] == "are" and (many := p.number(j)) and (j + 1 >= p.end or p.stands(j + 1, (",", ";"))):
+        them = Pronoun(word="them", span=p.span(j, j + 1))
+        some = Noun(head="any", det="some", amount=Amount(many, many), plural=True, part_of=them, span=them.span)
+        yield Clause(verb="exist", theme=some, mode="given", span=p.span(i, j + 1)), j + 1
     for theme, k in noun_phrase(p, j):
         apart = adjuncts(p, k + 1) if p.words[k : k + 1] == [","] and isinstance(theme, Structure) else []
         nothing = isinstance(theme, Pronoun) or (isinstance(theme, Noun) and theme.det == "no")

@@ -16,6 +16,7 @@ from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import digits_of, literal
 from rpg.language.grammar.things.likes import like_with_like
 from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.grammar.things.retold import begins_anew
 from rpg.language.meaning import (
     Amount,
     At,
@@ -125,6 +126,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         after += adjuncts(p, k - 1) if lemma in ("lift", "pick") and p.words[k - 1] == "off" else []
         for found, end in [*adjuncts(p, k), *after]:
             if lemma in ("take", "pull") and found and isinstance(found[0], Loc) and found[0].rel == "apart":
+                continue
+            if found and isinstance(found[0], At) and begins_anew(theme):
                 continue
             if sense == "keep" and p.words[end - 1] == "there" and not isinstance(found[-1], Loc):
                 continue
@@ -276,7 +279,8 @@ def _too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[M
             yield (replace(said, adjuncts=(*kept, both)) if end > k else said), end
 
 
-_SO_ARE = ("should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
+_SO_ARE = (
+    "not","should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
            "must not", "should not be", "must not be", "is not", "are not", "can be", "may be", "has to", "have to",
            "will be", "will", "shall", "does not", "do not", "may not", "can not", "shall not", "will not",
            "can not be", "may not be")  # fmt: skip

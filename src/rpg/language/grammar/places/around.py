@@ -6,7 +6,21 @@ from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meaning, Noun, Places, Structure
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    At,
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    Places,
+    Structure,
+    That,
+    Traits,
+)
 
 _IS = ("is", "are", "should be", "must be", "has to be", "shall be", "is to be", "being", "be", "needs to be")
 _FLANKED = ("flanked on both sides by", "flanked by", "flanked left and right by", "flanked on either side by",
@@ -55,6 +69,7 @@ def surrounded(p: Parser, i: int) -> Results[Meaning]:
                 yield _between(p, i, p.any_of(end, _BOTH_SIDES) or end, hub, sides), end
     if p.anywhere(_MARKS):
         yield from _told(p, i)
+        yield from around_told(p, i)
 
 
 _MARKS = frozenset({"around", "round", "surrounded", "encircled", "enclosed", "ringed", "flanked", "sides", "side",
@@ -76,7 +91,7 @@ def _told(p: Parser, i: int) -> Results[Meaning]:
             yield from _shaped(p, i, k, hub, ring)
         owns = p.any_of(j, ("has", "should have", "must have", "with", "having", "gets"))
         there = p.any_of(be, _MIDDLE)
-        start = owns or (p.any_of(there, (", and", "and", ",", "with")) if there else 0)
+        start = owns or (p.any_of(there, (", and", "and", ", with", ",", "with")) if there else 0)
         for ring, k in _rings(p, start):
             four = p.any_of(k, _ALL_SIDES) or (p.any_of(k, _EACH_SIDE) if ring.amount == _FOUR else 0)
             if four and ring.amount in (None, _ONE, _FOUR) and not p.anywhere(_BY_THE_FACE):
@@ -155,9 +170,74 @@ def _shaped(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]
     for phrase, k in p.standing(j, _IN_SHAPE):
         if ring.amount is not None and (_IN_SHAPE[phrase] == "circle" or ring.amount == Amount(8, 8)):
             yield _outlined(p, i, k, hub, ring, _IN_SHAPE[phrase]), k
-    each = p.any_of(j, _ONE_EACH)
+    each = p.any_of(j, _ONE_EACH) or _one_by_one(p, j)
     if ring.amount == _FOUR:
         yield from _plus(p, i, each or j, hub, ring)
+
+
+_SIDE = {
+    **{f"{lead}{side}": (side,) for lead in ("", "on the ", "to the ", "on its ", "to its ", "at the ")
+       for side in ("left", "right")},
+    "in front": ("front",), "in front of it": ("front",), "behind": ("behind",), "behind it": ("behind",),
+    "at the back": ("behind",), "on each side": ("left", "right"), "on either side": ("left", "right"),
+    "left and right": ("left", "right"), "in front and behind": ("front", "behind"),
+}  # fmt: skip
+_ALL_FOUR = frozenset({"left", "right", "front", "behind"})
+_THEN = (", and", "and", ",")
+
+
+def _one_by_one(p: Parser, i: int) -> int:
+    """ ": one left, one right, one in front and one behind": the position behind what names each of the four sides."""
+    at, told = p.any_of(i, (":", ", with", ",", "with")) or i, set[str]()
+    while True:
+        sides = p.standing(p.opt(at, "one"), _SIDE)
+        if not sides:
+            return 0
+        told |= {*_SIDE[sides[-1][0]]}
+        at = sides[-1][1]
+        if told == _ALL_FOUR:
+            return at
+        at = p.any_of(at, _THEN)
+        if not at:
+            return 0
+
+
+@choice
+def around_told(p: Parser, i: int) -> Results[Clause]:
+    """ "around the white block: red on its left, blue on its right": which block stands on which side of it."""
+    start = p.any_of(i, ("put", "place", "arrange", "there are")) or i
+    mark = p.any_of(start, _ROUND) or next((p.any_of(j, _ROUND) for _, j in _bare_blocks(p, start)), 0)
+    for hub, j in _hubs(p, mark) if mark else ():
+        colon = p.one(j, frozenset({":", ","}))
+        for told, k in _on_sides(p, colon, hub, ()) if colon else ():
+            if len(told) > 1:
+                rest = Chain(clauses=told[1:], links=("and",) * (len(told) - 1), span=p.span(colon, k))
+                so = That(kind="so", clauses=rest, span=rest.span)
+                yield replace(told[0], adjuncts=(*told[0].adjuncts, so), span=p.span(i, k)), k
+
+
+_ROUND = ("around", "all around", "round")
+
+
+def _bare_blocks(p: Parser, i: int) -> Results[Noun]:
+    """ "three blocks (around ...)": told of one by one behind it."""
+    for blocks, j in simple(p, i):
+        if isinstance(blocks, Noun) and blocks.head == "block" and blocks.traits == Traits() and not blocks.part_of:
+            yield blocks, j
+
+
+def _on_sides(p: Parser, i: int, hub: Noun, had: tuple[Clause, ...]) -> Results[tuple[Clause, ...]]:
+    for theme, j in simple(p, i):
+        side = p.standing(p.any_of(j, ("is", "goes", "stands")) or j, _SIDE) if isinstance(theme, Noun) else []
+        if not side or not isinstance(theme, Noun) or theme.plural or len(_SIDE[side[-1][0]]) > 1:
+            continue
+        phrase, k = side[-1]
+        it = replace(hub, det="the", amount=None) if had else hub
+        place = Loc(rel=_SIDE[phrase][0], landmark=it, span=p.span(j, k))
+        told = (*had, Clause(verb="be", theme=theme, adjuncts=(place,), mode="goal", span=p.span(i, k)))
+        yield told, k
+        if (more := p.any_of(k, _THEN)) and len(told) < len(_ALL_FOUR):
+            yield from _on_sides(p, more, hub, told)
 
 
 def _plus(p: Parser, i: int, j: int, hub: Noun, ring: Noun) -> Results[Clause]:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.places.measures import bounds, their_ends
+from rpg.language.grammar.places.measures import bounds, room, their_ends
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That
@@ -64,6 +64,8 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
     for _, measure, _, before in _GAPS:
         yield from _from_to(p, i, p.any_of(j, before), measure)
     spans += [(b, e, "faces") for b, e in wide]
+    if k := p.any_of(j, ("room for", "space for", "gap of", "space of", "enough room for", "enough space for")):
+        spans += [(b, e, "faces") for b, e in room(p, k)]
     for (low, high), k, measure in spans:
         if m := p.one(k, "between"):
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):

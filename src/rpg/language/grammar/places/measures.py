@@ -7,24 +7,24 @@ from dataclasses import replace
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.prepositions import relation
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.things.amounts import length
+from rpg.language.grammar.things.amounts import block_widths, length
 from rpg.language.grammar.things.nouns import noun_phrase
 from rpg.language.meaning import Loc, Meaning, Pronoun
 
+_KINDS = ("blocks", "cubes", "bricks", "ones", "letters", "digits", "numbers", "signs", "symbols")
 _NEXT = tuple(
     f"{which}{next_}{what}"
     for which in ("", "two ", "the ", "any two ", "every two ", "each two ", "each pair of ", "every pair of ")
-    for next_, whats in (("", ("neighbors",)), ("neighboring ", ("blocks", "cubes", "ones", "letters")),
-                         ("adjacent ", ("blocks", "cubes", "ones", "letters")), ("consecutive ", ("blocks", "cubes")))
+    for next_, whats in (("", ("neighbors", *_KINDS)), ("neighboring ", _KINDS), ("adjacent ", _KINDS),
+                         ("consecutive ", _KINDS), ("successive ", _KINDS))
     for what in whats
 )  # fmt: skip
 """What stands side by side in a line."""
 _ENDS_OF = ("", " of the blocks", " of the cubes", " of them", *(f" of {next_}" for next_ in _NEXT))
 _AMONG = (
     *(f"between {next_}" for next_ in _NEXT),
-    "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
-    "between each", "between each block", "between blocks", "between each pair", "between each of them",
-    "between every two blocks", "between each of the blocks",
+    "between them", "between each other", "in between them", "in between", "between the two",
+    *(f"between each{what}" for what in ("", " pair", " of them", " of the blocks", *(f" {x[:-1]}" for x in _KINDS))),
 )  # fmt: skip
 
 
@@ -48,6 +48,13 @@ def _at_most(p: Parser, i: int) -> Results[float]:
     for phrase, k in p.standing(j, _LIMITS) if j else ():
         if _LIMITS[phrase] == "high":
             yield from length(p, k)
+
+
+@rule
+def room(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
+    """A gap as a range, told by the blocks that it has room for: "one block", "two cubes"."""
+    for wide, j in block_widths(p, i):
+        yield (round(wide - 0.01, 6), round(wide + 0.01, 6)), j
 
 
 @rule
@@ -207,7 +214,7 @@ _BETWEEN_FACES = (
     *(f"between {next_}" for next_ in _NEXT),
     *(f"between {their}{ends}{of}" for their in ("", "the ", "their ") for ends in ("faces", "sides")
       for of in _ENDS_OF),
-    "between them", "between each other", "in between them", "in between", "between the two", "between the blocks",
+    "between them", "between each other", "in between them", "in between", "between the two",
     "between each", "between each block", "of space between them",
     "of empty space between them", "of space between the blocks", "between the groups", "between the two groups",
     "between groups", "between the piles", "between both groups", "between the two piles",
@@ -287,6 +294,8 @@ _ELSEWHERE = Patterns(
 """Not where a block is found."""
 
 
+_ROOM_FOR = ("with room for", "with space for", "leaving room for", "leaving space for", "room for", "space for",
+             "with enough room for", "with just enough room for")  # fmt: skip
 _BY_FACES = frozenset({"gap", "gaps", "space", "spaces"})
 
 
@@ -305,9 +314,13 @@ def _spaced(p: Parser, i: int) -> Results[Meaning]:
                 yield _each_other(p, i, end, low, high, "centres"), end
     if j := p.any_of(i, _GAPS_OF):
         measure = "centres" if _BY_FACES.isdisjoint(p.words[i:j]) else "faces"
-        for (low, high), k in bounds(p, j):
+        for (low, high), k in [*bounds(p, j), *(room(p, j) if measure == "faces" else ())]:
             end = p.any_of(k, _BETWEEN_FACES) or k
             yield _each_other(p, i, end, low, high, measure), end
+    if j := p.any_of(i, _ROOM_FOR):
+        for (low, high), k in room(p, j):
+            end = p.any_of(k, _BETWEEN_FACES) or k
+            yield _each_other(p, i, end, low, high, "faces"), end
 
 
 def _each_other(p: Parser, i: int, end: int, low: float | None, high: float | None, measure: str) -> Loc:

@@ -77,7 +77,7 @@ def piled_up(p: Parser, i: int) -> Results[OrderBy]:
     """ "red, on it orange, on it yellow", "red at the bottom, blue on it, green on that"."""
     for words, first, ends in _WAYS:
         for item, j in simple(p, i):
-            if isinstance(item, Noun) and _single(item):
+            if isinstance(item, Noun) and single(item):
                 j = p.any_of(j, ends) or p.one(j, "first") or j
                 for items, end in _next_on_it(p, j, words, (item,)):
                     yield OrderBy(by="named", items=items, first=first, span=p.span(i, end)), end
@@ -93,7 +93,7 @@ def piled_from_an_end(p: Parser, i: int) -> Results[Clause]:
         for item, j in simple(p, led or start):
             k = j if led else p.any_of(p.opt(j, "is", "goes", "sits", "lies"), ends)
             for items, end in (
-                _next_on_it(p, k, words, (item,)) if k and isinstance(item, Noun) and _single(item) else ()
+                _next_on_it(p, k, words, (item,)) if k and isinstance(item, Noun) and single(item) else ()
             ):
                 order = OrderBy(by="named", items=items, first=first, span=p.span(i, end))
                 tower = Structure(kind="stack", det="the", span=order.span)
@@ -112,7 +112,7 @@ def _next_on_it(p: Parser, i: int, words: tuple[str, ...], had: tuple[Meaning, .
     lead = p.any_of(j, words)
     for item, k in simple(p, lead or j):
         end = k if lead else p.any_of(p.any_of(k, _LYING) or k, words)
-        if end and isinstance(item, Noun) and _single(item):
+        if end and isinstance(item, Noun) and single(item):
             yield (*had, item), end
             yield from _next_on_it(p, end, words, (*had, item))
 
@@ -120,7 +120,7 @@ def _next_on_it(p: Parser, i: int, words: tuple[str, ...], had: tuple[Meaning, .
 def _more(p: Parser, i: int, words: tuple[str, ...]) -> Results[tuple[Meaning, ...]]:
     for item, j in simple(p, i):
         half = p.lex(j, lexicon.PATCH) is not None or p.lex(j, lexicon.BLOCK) is not None
-        if half or not isinstance(item, Noun) or not _single(item):
+        if half or not isinstance(item, Noun) or not single(item):
             continue
         following = p.any_of(j, words)
         further = list(_more(p, following, words)) if following else []
@@ -129,7 +129,7 @@ def _more(p: Parser, i: int, words: tuple[str, ...]) -> Results[tuple[Meaning, .
             yield (item,), j
 
 
-def _single(item: Noun) -> bool:
+def single(item: Noun) -> bool:
     """One block, told by its look."""
     one = not item.plural and item.amount in (None, Amount(1, 1)) and item.det in ("bare", "a", "the")
     told = len(item.traits.colors) + len(item.traits.labels) == 1 and item.traits.rank is None

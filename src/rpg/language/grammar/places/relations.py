@@ -263,6 +263,16 @@ _UNSAID = {
     "one in front of the other": "one_behind", "one behind the other": "one_behind",
     "one row behind the other": "one_behind", "one row in front of the other": "one_behind",
     "one behind another": "one_behind",
+    **{
+        f"{so}{their}{sides} {touch}": "touching"
+        for so, touches in (("with ", ("touching", "in contact", "flush")), ("", ("touching", "in contact", "flush")),
+                            ("so that ", ("touch", "are touching", "are in contact")),
+                            ("such that ", ("touch", "are touching")))
+        for touch in touches
+        for their in (("their ", "the ", "") if "that" not in so else ("their ", "the "))
+        for sides in ("sides", "faces", "side faces", "edges")
+    },
+    "with touching sides": "touching", "with touching faces": "touching",
 }  # fmt: skip
 
 

@@ -185,9 +185,20 @@ _ALONG_X = frozenset({"column", "columns", "line", "file", "queue", "then", "lin
 """What has a near and a far end besides the table."""
 
 
+_IN_A_ROW = frozenset({"row", "line", "lineup", "queue"})
+_SQUARE = frozenset({"grid", "grids", "square", "checkerboard", "matrix", "rows", "columns", "array", "near", "corner"})
+
+
+def far_end(p: Parser, j: int) -> bool:
+    """ "far left" where a row is told of and nothing that has corners: its left end."""
+    far = p.stands(j, ("far",)) and p.stands(j + 1, ("left", "right"))
+    return far and not p.all.isdisjoint(_IN_A_ROW) and p.all.isdisjoint(_SQUARE)
+
+
 def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     word = p.words[j] if j < p.end else ""
-    if word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end":
+    ended = word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end"
+    if ended or far_end(p, j):
         j, word = p.reach(j + 1), p.words[j + 1]
     side = _INSIDES.get(word)
     ending = (

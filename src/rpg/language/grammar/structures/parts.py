@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
-from rpg.language.grammar.places.sides import extreme
+from rpg.language.grammar.places.sides import extreme, far_end
 from rpg.language.grammar.structures.sizes import dimensions
 from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import literal
@@ -128,7 +128,8 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
     if along in ("top", "bottom", "back", "front") and p.stands(j + 1, ("left", "right")):
         across = p.words[j + 1]
         end = p.opt(p.reach(j + 2), "corner", "block", "one", "cell", "cube")
-        yield Places(side=f"{along} {across}", unit="cell", span=p.span(i, end)), end
+        if not far_end(p, j):
+            yield Places(side=f"{along} {across}", unit="cell", span=p.span(i, end)), end
         return
     if (line := p.peek(j, _UNITS)) in _LAYERS and (turn := p.number(j + 1)) and p.number(j + 2) is None:
         yield Places(side="first", unit=line or "", index=turn, span=p.span(i, j + 2)), p.reach(j + 2)

@@ -38,6 +38,15 @@ _PHRASES = {
     "consists out of": "consists of", "consist out of": "consist of", "consisting out of": "consisting of",
     "consists out": "consists of", "consist out": "consist of", "composed out of": "composed of",
     **{
+        f"{must} {looks} {way}": f"{must} be {way}"
+        for must in ("should", "must", "shall", "has to", "is to", "needs to", "will", "ought to")
+        for looks in ("read", "look", "appear", "be read", "be seen", "show")
+        for way in ("upside down", "upright", "sideways")
+    },
+    **{f"upside down {to} {who}": "upside down" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},
+    **{f"{to} the {above}": "up" for to in ("to", "at", "towards", "toward") for above in ("ceiling", "sky")},
+    "faces the ceiling": "faces up", "face the ceiling": "face up", "facing the ceiling": "facing up",
+    **{
         f"{looks} {way}": f"{be} {way}"
         for be, verbs in (("is", ("reads", "looks", "appears")), ("are", ("look", "appear")))
         for looks in verbs

@@ -242,6 +242,22 @@ def length(p: Parser, i: int) -> Results[float]:
             yield factor / 2, j + 1
 
 
+_WIDE = ("block width", "block widths", "cube width", "cube widths", "block", "blocks", "cube", "cubes", "empty block",
+         "empty blocks", "block 's width", "cube 's width", "block size", "further block", "more block")  # fmt: skip
+_SIZED = frozenset({"edge", "edges", "sized", "size", "sizes", "big", "large", "small", "larger", "smaller", "bigger"})
+"""With these words a block is not said to be as wide as blocks are."""
+USUAL_EDGE = 0.04
+
+
+@rule
+def block_widths(p: Parser, i: int) -> Results[float]:
+    """ "(a gap of) one block", "(room for) two cubes": as wide as so many blocks, in metres."""
+    many = p.number(i) or (1 if p.stands(i, ("a", "an")) else None)
+    j = p.any_of(i + 1, _WIDE) if many is not None else 0
+    if many is not None and j and p.all.isdisjoint(_SIZED):
+        yield round(many * USUAL_EDGE, 6), j
+
+
 def makes_number(p: Parser, k: int) -> bool:
     """Whether what follows a digit makes it a number: "3 blocks", "2 red ..."."""
     word = p.words[k] if k < p.end else ""

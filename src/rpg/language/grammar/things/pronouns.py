@@ -35,6 +35,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield from _all_three(p, i, j)
     if (j := p.any_of(i, ("neither", "neither one", "neither of the two"))) and p.stands(j, _FINITE):
         yield Pronoun(word="neither of them", span=p.span(i, j)), j
+    if (j := p.one(i, "none")) and p.stands(j, _FINITE):
+        yield Pronoun(word="none of them", span=p.span(i, j)), j
     if j := p.one(i, frozenset({"him", "her", "he", "she"})):
         yield Pronoun(word="it", span=p.span(i, j)), j
     for _, j in p.standing(

@@ -19,6 +19,7 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     Pronoun,
+    Quality,
     Structure,
     TableTop,
     parts_of,
@@ -146,6 +147,36 @@ def _there_too(chain: Chain) -> Chain:
                 clause = replace(clause, verb="exist", mode="given")
         told.append(clause)
     return replace(chain, clauses=tuple(told)) if tuple(told) != chain.clauses else chain
+
+
+def cleared_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "Clear the mat. A red cube is on it.": the fact behind tells what it is cleared of, which is there at first."""
+    found, emptied = [], False
+    for chain in chains:
+        clauses: list[Meaning] = []
+        for said in chain.clauses:
+            fact = isinstance(said, Clause) and said.lemma == "fact" and said.mode == "goal" and not said.negated
+            on = isinstance(said, Clause) and bool(said.adjuncts) and all(map(_on_it, said.adjuncts))
+            begun_ = emptied and fact and on and isinstance(said, Clause)
+            clauses.append(replace(said, mode="start") if begun_ and isinstance(said, Clause) else said)
+            emptied = emptied or _empties(said)
+        found.append(replace(chain, clauses=tuple(clauses)))
+    return tuple(found)
+
+
+def _on_it(place: Meaning) -> bool:
+    return isinstance(place, Loc) and place.rel == "on" and not place.negated
+
+
+def _empties(said: Meaning) -> bool:
+    """Whether a clause asks for something to be taken away, or for a patch with nothing on it."""
+    if not isinstance(said, Clause) or said.negated or said.mode == "start":
+        return False
+    bare = any(isinstance(a, Quality) and a.traits.empty for a in said.adjuncts)
+    off = any(isinstance(a, Loc) and a.rel == "off" for a in said.adjuncts)
+    none = getattr(said.theme, "det", "") == "no" or getattr(said.theme, "word", "") == "nothing"
+    none = none and any(map(_on_it, said.adjuncts))
+    return bare or off or none or said.verb == "remove"
 
 
 def _all_begun(chain: Chain) -> Chain:

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Clause, Coord, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
+from rpg.language.meaning import At, Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.shaped import shaped
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
@@ -106,6 +106,9 @@ def _gathered(theme: Ref, spec: Spec, scene: Scene, scope: Scope, clause: Clause
     """ "gather the red blocks", "put A and B into one group": all of them in one."""
     spec.intos = []
     spec.places = [p for p in spec.places if not _together(p)]
+    for middle in [x for x in spec.ats if (x.side, x.index, x.whole) == ("middle", None, None)]:
+        spec.ats.remove(middle)  # "gather them in the middle": of the table
+        spec.places.append(In(region="middle", span=middle.span))
     node = s.GroupBy(groups=(theme.names,), span=clause.span)
     ref = replace(theme, built=(scene.add_built("pile", theme.names, False, clause.span),))
     return [node, *places(ref, spec, scene, scope, clause.span)]

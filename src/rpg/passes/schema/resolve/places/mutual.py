@@ -79,12 +79,23 @@ def _alone(ref: Ref, spec: Spec) -> None:
     marks = [p.landmark for p in spec.places if isinstance(p, Loc) and not p.negated and not _mutual(p)]
     mark = marks[0] if len(marks) == 1 else None
     one = len(ref.names) == 1 or (len(ref.built) == 1 and ref.built[0].kind == "stack")
-    if not one or not isinstance(mark, Noun | Structure) or getattr(mark, "head", "") == "patch":
+    if not isinstance(mark, Noun | Structure) or getattr(mark, "head", "") == "patch":
+        return
+    if not one:
+        _clear_what_touches(spec)
         return
     if len(ref.names) > 1 and mark.plural:
         return
     known = replace(mark, det="the", amount=None) if mark.amount in (None, Amount(1, 1)) else mark
     spec.places = [replace(p, landmark=known) if isinstance(p, Loc) and _mutual(p) else p for p in spec.places]
+
+
+def _clear_what_touches(spec: Spec) -> None:
+    """Refuse "two red blocks next to two blue ones, touching"."""
+    for place in spec.places:
+        if isinstance(place, Loc) and _mutual(place) and place.rel == "touching":
+            raise refuse("ambiguous", "what touches what: these each other, or what they are placed by?", place.span,
+                         "say it in a sentence of its own")  # fmt: skip
 
 
 def _mutual(place_: Loc) -> bool:
@@ -130,6 +141,8 @@ def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate)
 
 _NOTHING = ("nothing", "nothing else", "no other")
 _ANYTHING = ("anything", "anything else")
+WHATEVER = (*_NOTHING, *_ANYTHING)
+"""What stands for whichever other blocks there are."""
 
 
 def _touching_none(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate) -> Atoms | None:

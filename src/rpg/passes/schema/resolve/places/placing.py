@@ -260,6 +260,7 @@ def parts_alone(spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
 def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     """ "with a red block next to it", "with the letter A on top": further conditions, or parts of the structure."""
     goals: Goals = []
+    last: Ref | None = None
     for item in spec.absolutes:
         if is_extra(item.theme):
             placed = [a for a in item.adjuncts if not isinstance(getattr(a, "landmark", None), TableTop)]
@@ -306,11 +307,13 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 nothing = theme.everything and theme.quant is not None
                 if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
-                goals += related(theme, _pointed(ref, mark, scene), adjunct, scene, item.span)
+                that = last if mark.word == "that" and last is not None else _pointed(ref, mark, scene)
+                goals += related(theme, that, adjunct, scene, item.span)
             else:
                 before = len(scene.things)
                 goals += place(theme, adjunct, scene, scope, item.span)
                 _among_members(ref, theme, before, scene, item.span)
+        last = theme
     spec.absolutes = []
     return goals
 

@@ -102,7 +102,7 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return (themes or single)[-1].ref
     last = single[-1].clause
     again = [m for m in single if m.word == "it" and m.role == "theme" and m.clause == last]
-    if again and again[-1].sentence == scene.sentence and not single[-1].word:
+    if again and again[-1].sentence == scene.sentence and not single[-1].word and word.word == "it":
         return again[-1].ref
     rivals: dict[tuple[str, ...], Mention] = {m.ref.names: m for m in single if m.clause == last}
     if len(rivals) > 1 and not any(m.ref.built for m in rivals.values()):

@@ -237,7 +237,7 @@ def _patch_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
         goal = p.stands(on, _AIMS) and j == on + 1
         if not isinstance(patch, Noun) or patch.head != "patch" or patch.plural or goal:
             continue
-        if not (colon := p.any_of(j, _FOR[:2] if on > i else _FOR)):
+        if not (colon := p.any_of(j, _FOR[:2] if on > i or patch.det == "each" else _FOR[:4])):
             continue
         if (end := p.any_of(colon, _NOTHING)) and (end >= p.end or p.words[end] in (",", ";")):
             empty = Quality(traits=Traits(empty=True), span=p.span(colon, end))

@@ -11,6 +11,7 @@ from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, 
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.finish import label_of
 from rpg.passes.schema.resolve.things.operands import crown, spread
@@ -38,7 +39,10 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             there = len(scene.start_goals)
             found = held_throughout(goals, scene, clause.span)
             scene.kept += [] if ever else [(always, scene.start_goals[there:]) for always in found]
-            return found
+            goals = list(found)
+        if spec.absolutes and not ever:  # "keep red and blue apart, with yellow between them"
+            scene.mention(theme, "theme")
+            goals += absolutes(theme, spec, scene, scope)
         return goals
     more = [x for item in spec.places for x in place(theme, item, scene, scope, clause.span)]
     spec.places = []

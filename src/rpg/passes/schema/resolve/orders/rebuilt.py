@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Absolute, At, Chain, Clause, Into, Meaning, Pronoun, Structure, That
+from rpg.language.meaning import Absolute, At, Chain, Clause, Into, Manner, Meaning, Pronoun, Structure, That
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.reordered import reverse
@@ -23,18 +23,33 @@ def once_more(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals |
 def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
     """ "rebuild it in reverse", "put the row in reverse order": a structure that is there, the other way round."""
     orders = spec.orders and all(o.by == "reverse" for o in spec.orders)
-    backwards = any(m.kind == "backwards" for m in spec.manners)
+    backwards = any(m.kind == "backwards" or _over(m) for m in spec.manners)
     known = isinstance(clause.theme, Pronoun) or (isinstance(clause.theme, Structure) and clause.theme.det == "the")
     if (
         not (orders or backwards)
         or not known
         or spec.intos
-        or clause.verb not in ("build", "stack", "arrange", "place")
+        or clause.verb not in ("build", "stack", "arrange", "place", "turn", "be")
+        or (clause.verb in ("turn", "be") and not any(map(_over, spec.manners)))
     ):
         return None
-    spec.orders, spec.manners = [], [m for m in spec.manners if m.kind != "backwards"]
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    if any(map(_over, spec.manners)) and not _plain_tower(theme, scene):
+        scene.mentions.pop()
+        return None
+    spec.orders, spec.manners = [], [m for m in spec.manners if m.kind != "backwards" and not _over(m)]
     return [*reverse(theme, scene, clause.span), *places(theme, spec, scene, scope, clause.span)]
+
+
+def _over(manner: Manner) -> bool:
+    """ "Upside down"."""
+    return manner.kind == "turn" and manner.value in (180.0, -180.0)
+
+
+def _plain_tower(theme: Ref, scene: Scene) -> bool:
+    """A tower of blocks that show nothing: upside down, it is one in reverse order."""
+    stack = len(theme.built) == 1 and theme.built[0].kind == "stack"
+    return stack and all(scene.things[n].label is None and scene.things[n].kind is None for n in theme.names)
 
 
 def _rebuilt(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:

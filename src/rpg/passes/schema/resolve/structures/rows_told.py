@@ -15,6 +15,7 @@ from rpg.language.meaning import (
     Meaning,
     Noun,
     Places,
+    Size,
     Structure,
     TableTop,
     Traits,
@@ -26,6 +27,7 @@ _HOSTS = ("row", "word", "grid")
 
 def words_in_rows(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences, where words that are each told with their row make up so many rows."""
+    chains = tuple(map(_each_its_own, chains))
     told = [(n, k, _told(c)) for n, chain in enumerate(chains) for k, c in enumerate(chain.clauses)]
     parts = [part for _, _, found in told for part in found]
     sides = [place.side for part in parts for place in part.adjuncts if isinstance(place, Places)]
@@ -48,6 +50,39 @@ def words_in_rows(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
             whole = replace(chain, links=tuple(link for link, _ in kept), clauses=tuple(c for _, c in kept))
             out.append((links[n], whole))
     return [link for link, _ in out], tuple(chain for _, chain in out)
+
+
+def _each_its_own(chain: Chain) -> Chain:
+    """ "Spell GO and NO as two words", "... in two towers": each of them has its own line or tower."""
+    words = [c for c in chain.clauses if isinstance(c, Clause) and _spells(c)]
+    if len(words) < 2:
+        return chain
+    clauses: list[Meaning] = []
+    for clause in chain.clauses:
+        if isinstance(clause, Clause) and _spells(clause):
+            own = [x for a in clause.adjuncts if (x := _own_line(a, len(words))) is not None]
+            clause = replace(clause, adjuncts=tuple(own))
+        clauses.append(clause)
+    return replace(chain, clauses=tuple(clauses))
+
+
+def _spells(clause: Clause) -> bool:
+    return clause.verb == "spell" and isinstance(clause.theme, Structure) and bool(clause.theme.letter)
+
+
+def _own_line(told: Meaning, many: int) -> Meaning | None:
+    """What is left to say of one word where so many rows, words or towers are told for so many words."""
+    size = told.amount if isinstance(told, Size) and told.what == "rows" else None
+    shape = told.structure if isinstance(told, Into) else None
+    if size == Amount(many, many):
+        return None
+    if not isinstance(told, Into) or not isinstance(shape, Structure) or shape.amount != Amount(many, many):
+        return told
+    if shape.members or shape.sizes or shape.dims or shape.details or replace(shape.traits, shade=None) != Traits():
+        return told
+    if shape.kind == "stack":
+        return replace(told, structure=replace(shape, plural=False, amount=Amount(1, 1), det="a"))
+    return None if shape.kind in ("word", "row", "line") else told
 
 
 def _in_time(links: list[str], chains: tuple[Chain, ...]) -> bool:

@@ -24,3 +24,19 @@ from rpg.pipeline import CompileOptions, compile_instruction
 def test_arranged(text: str) -> None:
     outcome = compile_instruction(text, CompileOptions(paraphrases=0))
     assert outcome.status == "admitted", outcome.diagnostics
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Make a row of red, white and blue, from left to right, but don't move the white one.",
+        "Never move the black cube. Build a tower of three green cubes to the right of it.",
+        "A B C in a row, left to right, B stays where it is",
+        "Build a tower of red, green and blue without moving the green one",
+        "Spell CAT without moving the A",
+        "All towers the same height: take nine white blocks and make three towers.",
+    ],
+)
+def test_arranged_around_what_stays(text: str) -> None:
+    outcome = compile_instruction(text, CompileOptions(paraphrases=0))
+    assert outcome.status == "admitted", outcome.diagnostics

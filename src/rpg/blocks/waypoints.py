@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import islice
 from random import Random
 
-from rpg.blocks.arrange import CHANGES, arrange
+from rpg.blocks.arrange import CHANGES, Impossible, arrange
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.initial import sample_start
 from rpg.blocks.state import BlockState, World
@@ -15,6 +16,8 @@ from rpg.ir.schema import InitialState
 from rpg.ir.walk import atoms, children
 
 STARTS = 50
+LIKELY = 4
+"""Starts that are tried: from some, what has to stay where it is leaves no room for the goal."""
 
 
 def looks_back(goal: g.Goal) -> bool:
@@ -31,11 +34,16 @@ def waypoints(
     """
     if not looks_back(goal):
         return arrange(goal, world, rng=rng)[:1]
-    start = start or _start(goal, init, world)
-    scenes = [start]
-    for moment in _moments(goal):
-        scenes.append(replace(arrange(moment, world, rng=rng, start=start)[0], start=start))
-    return scenes
+    compares = any(atom.kind in CHANGES for atom in atoms(goal))
+    starts = [start] if start is not None else islice(_starts(goal, init, world), LIKELY if compares else 1)
+    reasons = []
+    for begin in starts:
+        try:
+            scenes = [arrange(moment, world, rng=rng, start=begin)[0] for moment in _moments(goal)]
+            return [begin, *(replace(scene, start=begin) for scene in scenes)]
+        except Impossible as reason:
+            reasons.append(reason)
+    raise reasons[0]
 
 
 def _moments(goal: g.Goal) -> Iterator[g.Goal]:
@@ -50,8 +58,8 @@ def _moments(goal: g.Goal) -> Iterator[g.Goal]:
     yield goal
 
 
-def _start(goal: g.Goal, init: InitialState, world: World) -> BlockState:
-    """A start from which the whole way is still ahead, and nothing is lost that must always hold."""
+def _starts(goal: g.Goal, init: InitialState, world: World) -> Iterator[BlockState]:
+    """Starts from which the whole way is still ahead, and nothing is lost that must always hold; any one at last."""
     parts = list(_conjuncts(goal))
     stages = [stage.goal for part in parts if isinstance(part, g.Sequence) for stage in part.stages]
     standing = [part for part in parts if isinstance(part, g.Always)]
@@ -60,8 +68,8 @@ def _start(goal: g.Goal, init: InitialState, world: World) -> BlockState:
         seen = replace(start, start=start)
         ahead = not evaluate(goal, seen) and not any(evaluate(stage, seen) for stage in stages)
         if ahead and all(evaluate(part, seen) for part in standing):
-            return start
-    return sample_start(init, world, 0)
+            yield start
+    yield sample_start(init, world, 0)
 
 
 def _conjuncts(goal: g.Goal) -> Iterator[g.Goal]:

@@ -1,7 +1,7 @@
 """Conditions of one goal that override what a structure of it would ask by itself.
 
-A cube that the goal turns in the plane of its face need not be upright where it is read; a stack that the goal puts
-on another block need not stand on the table.
+A cube that the goal turns in the plane of its face, or that must stay where it is, need not be upright where it is read;
+a stack that the goal puts on another block need not stand on the table.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from rpg.ir import goal as g
 from rpg.ir.node import members
-from rpg.ir.relations import Facing, On
+from rpg.ir.relations import Facing, On, Stayed
 from rpg.ir.structures import Cells, Equation, Row, Spells, Stack
 from rpg.ir.walk import children, transform
 
@@ -19,6 +19,7 @@ def reconcile(goal: g.Goal) -> g.Goal:
     """`goal` with its structures told what its other atoms override."""
     asked = list(_demanded(goal))
     turned = {atom.block for atom in asked if isinstance(atom, Facing) and atom.turn}
+    turned |= {name for atom in asked if isinstance(atom, Stayed) for name in members(atom.a)}
     resting = [atom for atom in asked if isinstance(atom, On)]
 
     def change(node: g.Goal) -> g.Goal:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rpg.blocks.arrange.stability import stands
-from rpg.blocks.constants import TABLE_Z
+from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.evaluate import settled
 from rpg.blocks.geometry import body_gap
 from rpg.blocks.predicate import Cluster
@@ -118,7 +118,9 @@ class Assembly:
             if name in position and max(map(abs, _minus(place, position[name]))) > AGREE:
                 raise Clash
             position[name] = position.get(name, place)
-            turns[name] = _agreed(turns.get(name), moving.orientation[name])
+            turn = turns.get(name)
+            # a block that keeps its place keeps its turn, whatever a structure would prefer
+            turns[name] = turn if turn and still.fixed else _agreed(turn, moving.orientation[name])
         return Piece(position, turns, still.fixed)
 
     def _own(self, piece: Piece) -> None:
@@ -134,11 +136,19 @@ class Assembly:
             piece.position = piece.shifted(0.0, 0.0, -lowest)
 
     def check(self) -> None:
-        """Raise Clash where blocks of a piece overlap or hang in the air."""
+        """Raise Clash where blocks of a piece overlap, hang in the air, or leave the workspace."""
         for piece in self.pieces():
+            if piece.fixed and not all(
+                _within(x, WORKSPACE_X) and _within(y, WORKSPACE_Y) for x, y, _ in piece.position.values()
+            ):
+                raise Clash
             mixed = len({self.world.edge[name] for name in piece.position}) > 1
             if (mixed or not piece.trusted) and len(piece.position) > 1 and not sound(piece, self.world):
                 raise Clash
+
+
+def _within(place: float, span: tuple[float, float]) -> bool:
+    return span[0] - AGREE <= place <= span[1] + AGREE
 
 
 def sound(piece: Piece, world: World) -> bool:

@@ -83,7 +83,7 @@ def _stack_patches(goal: g.Goal) -> g.Goal:
                     goals[goals.index(stack)] = stack.model_copy(update={"patch": on.patch})
                     goals.remove(on)
                     break
-        goals = _one_grouping(_tower_patches(_without_implied(goals)))
+        goals = _one_grouping(_tower_patches(_one_account(_without_implied(goals))))
         return goals[0] if len(goals) == 1 else node.model_copy(update={"goals": tuple(goals)})
 
     return transform(goal, change)
@@ -95,6 +95,20 @@ def _without_implied(goals: list[g.Goal]) -> list[g.Goal]:
     plain = [x for x in stacks if x == s.Stack(blocks=x.blocks, span=x.span)]
     implied = [x for x in plain if any(y not in plain and set(y.blocks) == set(x.blocks) for y in stacks)]
     return [x for x in goals if x not in implied]
+
+
+def _one_account(goals: list[g.Goal]) -> list[g.Goal]:
+    """ "Three towers" and "towers of equal height" of the same blocks are one account of them."""
+    towers = [x for x in goals if isinstance(x, s.Towers)]
+    if len(towers) < 2 or len({frozenset(x.blocks) for x in towers}) > 1:
+        return goals
+    told: dict[str, object] = {}
+    for tower in towers:
+        for field in ("count", "heights", "equal", "each", "separate", "matching"):
+            value = getattr(tower, field)
+            if value and told.setdefault(field, value) != value:
+                return goals
+    return [x.model_copy(update=told) if x is towers[0] else x for x in goals if x is towers[0] or x not in towers]
 
 
 def _one_grouping(goals: list[g.Goal]) -> list[g.Goal]:

@@ -1,7 +1,7 @@
 """Conditions of one goal that override what a structure of it would ask by itself.
 
-A cube that the goal turns in the plane of its face, or that must stay where it is, need not be upright where it is read;
-a stack that the goal puts on another block need not stand on the table.
+A cube that the goal turns in the plane of its face, or that must stay where it is, need not be upright where it is
+read; a stack that the goal puts on another block need not stand on the table.
 """
 
 from __future__ import annotations

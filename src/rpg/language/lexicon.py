@@ -77,7 +77,7 @@ SHAPE_ADJECTIVES = {
     "staircase": "staircase",
 }
 
-SIZES = {"big": "big large huge giant", "small": "small little tiny mini", "medium": "medium standard"}
+SIZES = {"big": "big large huge giant", "small": "small little tiny mini", "medium": "medium standard normal"}
 BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE = 0.05, 0.04, 0.03
 
 VERBS = {

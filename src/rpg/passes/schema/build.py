@@ -20,7 +20,6 @@ from rpg.language.meaning import (
     Clause,
     In,
     Manner,
-    Meaning,
     Noun,
     OrderBy,
     Pronoun,
@@ -59,7 +58,7 @@ from rpg.passes.schema.resolve.things.counted import counted_later
 from rpg.passes.schema.resolve.things.inventory import each_agrees
 from rpg.passes.schema.resolve.things.of_each import each_later
 from rpg.passes.schema.resolve.things.premises import keep_premises
-from rpg.passes.schema.resolve.things.rest import speaks_of_rest
+from rpg.passes.schema.resolve.things.rest import listed_alone, selects, speaks_of_rest
 from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.things.sized import sized
 from rpg.passes.schema.resolve.things.spare import definite, none_ignored, without_spare
@@ -276,8 +275,8 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
                 needed=there,
             )
     check_known(chains, scene)
-    alone = _listed_alone(chains)
-    some = any(_selects(part, alone) for chain in chains for part in parts_of(chain))
+    alone = listed_alone(chains)
+    some = any(selects(part, alone) for chain in chains for part in parts_of(chain))
     told = (
         set(names_in(goal))
         | {n for x in scene.start_goals for n in names_in(x)}
@@ -296,28 +295,10 @@ def _all_used(goal: g.Goal, scene: Scene, chains: tuple[Chain, ...]) -> None:
         )
 
 
-_SELECTING = ("all", "each")
-
-
 def _passed_over(traits: Traits, scene: Scene) -> int:
     """How many blocks of these looks were said to be distractors after they were counted."""
     things = [scene.things[name] for name in scene.ignored]
     return sum(not thing.patch and fits(thing, traits) for thing in things)
-
-
-def _listed_alone(chains: tuple[Chain, ...]) -> bool:
-    """ "Two red blocks, a green one. ...": a sentence that lists and does nothing else says what there is."""
-    lists = [[getattr(c, "lemma", "") == "tally" for c in chain.clauses] for chain in chains]
-    return len(lists) > 1 and any(map(all, lists)) and all(all(x) or not any(x) for x in lists)
-
-
-def _selects(part: Meaning, alone: bool) -> bool:
-    """ "All the red ones", "none of the red ones": of what there is, with others that are not meant. `alone`: what
-    there is is said in a sentence of its own, so that "the red one" is one of that, too."""
-    whole = part.part_of if isinstance(part, Noun) and part.det == "no" else part
-    among = (*_SELECTING, "the") if alone else _SELECTING
-    marks = whole.traits if isinstance(whole, Noun) and (whole is not part or whole.det in among) else Traits()
-    return bool(marks.colors or marks.kind or marks.quality or marks.size or marks.edge) and not marks.labels
 
 
 def _counts_each(chain: Chain) -> bool:

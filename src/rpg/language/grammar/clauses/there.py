@@ -12,8 +12,8 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.framing import WHEN_DONE, past
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.lists import listed
-from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Amount, Clause, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward
+from rpg.language.grammar.things.nouns import noun_phrase, simple
+from rpg.language.meaning import Amount, Clause, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward
 from rpg.language.phrases import Classes
 
 _STANDS = (
@@ -134,3 +134,26 @@ def exists(p: Parser, i: int) -> Results[Meaning]:
 
 _TOO = ("too", "as well", "also")
 _LYING = ("lying", "standing", "sitting", "resting", "placed", "located", "positioned", "situated")
+
+
+_IT = frozenset({"it", "that", "this", "them"})
+_AND = (", and", "and", ",", ";", ", with", "; and", "-")
+
+
+def with_on_it(p: Parser, i: int, mode: str) -> Results[Clause]:
+    """ "A red block, and on it a blue one": what is named first is only there for what is told of it."""
+    from rpg.language.grammar.places.relations import loc
+
+    if i or not p.anywhere(_IT):
+        return
+    for first, j in simple(p, i):
+        joint = p.any_of(j, _AND) if isinstance(first, Noun) and first.head == "block" and first.det != "the" else 0
+        for place, k in loc(p, joint) if joint else ():
+            mark = place.landmark if isinstance(place, Loc) else None
+            if not isinstance(place, Loc) or not isinstance(mark, Pronoun) or mark.word not in _IT or place.negated:
+                continue
+            for theme, end in noun_phrase(p, p.any_of(k, _STANDS) or k):
+                if isinstance(theme, Noun) and theme.head != "patch" and theme.det in ("a", "bare"):
+                    when = "start" if mode == "start" else "goal"
+                    there = replace(place, landmark=first)
+                    yield Clause(verb="be", theme=theme, adjuncts=(there,), mode=when, span=p.span(i, end)), end

@@ -87,8 +87,6 @@ def _several(theme: Meaning) -> bool:
     return len(theme.traits.colors + theme.traits.labels) > 1 if isinstance(theme, Noun) else isinstance(theme, Coord)
 
 
-
-
 def _printed(p: Parser, i: int, part_: Absolute) -> bool:
     """ "the cube with the number 5 on it": of no colour, that is what it shows, rather than what lies on it."""
     theme, place = part_.theme, part_.adjuncts[0]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.amounts import length
-from rpg.language.meaning import Amount, Coord, Noun
+from rpg.language.meaning import Amount, Coord, Noun, Traits
 
 _LEADS = (
     "with edges of", "of", "with edges", "with sides of", "with edge lengths of", "of edge length", "of size",
@@ -62,6 +62,30 @@ def lengths(p: Parser, i: int) -> Results[tuple[float, ...]]:
         if len(numbers) > 1 and last is not None and len(set(found)) == len(found):
             yield found, at
         at = p.opt(p.opt(at, ","), "and", "&")
+
+
+_ONE = frozenset({"a", "an", "one"})
+
+
+@choice
+def one_of_each_edge(p: Parser, i: int) -> Results[Coord]:
+    """ "3, 5 and 6 cm red cubes", "a 3 cm, a 5 cm and a 6 cm red cube": what the noun says is said of each."""
+    from rpg.language.grammar.things.adjectives import adjectives
+
+    found = list(lengths(p, i)) if p.token(i) is not None and p.tokens[i].kind == "number" else []
+    edges: list[float] = []
+    at = i
+    while (one := p.one(at, _ONE)) and (told := next(iter(length(p, one)), None)) is not None:
+        edges.append(told[0])
+        found += [(tuple(edges), told[1])] if len(set(edges)) == len(edges) > 1 else []
+        at = p.opt(p.opt(told[1], ","), "and", "&")
+    for each, j in found:
+        for marks, k in adjectives(p, j):
+            if marks.keys() <= {"colors"} and len(marks.get("colors", ())) < 2 and p.lex(k, lexicon.BLOCK) is not None:
+                span = p.span(i, k + 1)
+                traits = [Traits(**marks, edge=edge) for edge in each]
+                items = tuple(Noun(head="block", amount=Amount(1, 1), traits=x, span=span) for x in traits)
+                yield Coord(op="and", items=items, span=span), k + 1
 
 
 USUAL = frozenset({"standard", "normal", "usual", "ordinary", "default", "regular"})

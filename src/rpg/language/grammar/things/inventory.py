@@ -12,6 +12,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.structures.sizes import IN_TOTAL
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.joined import all_colored
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.retold import retelling
 from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits
@@ -76,10 +77,10 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     of = p.one(i, "of")
     for theme, j in simple(p, of) if of else ():
         if isinstance(theme, Noun) and _counted(theme, True) and theme.det == "the" and p.words[j : j + 1] == [","]:
-            yield given(p, i, j, theme, (), 2), j
-    for items, j in _run(p, of) if of and i == 0 else ():
-        if len(items) > 1 and p.words[j : j + 1] == [","]:
-            yield given(p, i, j, _whole(p, of, j, items), (), 2), j
+            yield replace(given(p, i, j, theme, (), 2), lemma="stock"), j
+    for items, j in _run(p, of, True) if of and i == 0 else ():
+        if (len(items) > 1 or len(items[0].traits.labels) > 1) and p.words[j : j + 1] == [","]:
+            yield replace(given(p, i, j, _whole(p, of, j, items), (), 2), lemma="stock"), j
     added = p.one(i, "add")
     for theme, j in simple(p, added) if added else ():
         if isinstance(theme, Noun) and theme.traits.extra:
@@ -194,7 +195,7 @@ def contents(p: Parser, i: int, definite: bool = False) -> list[tuple[Meaning | 
 
 
 def _whole(p: Parser, i: int, j: int, items: tuple[Noun, ...]) -> Meaning:
-    return items[0] if len(items) == 1 else Coord(op="and", items=items, span=p.span(i, j))
+    return items[0] if len(items) == 1 else Coord(op="and", items=all_colored(p, items, j), span=p.span(i, j))
 
 
 @rule

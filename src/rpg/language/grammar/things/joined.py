@@ -258,7 +258,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
         if not joined and len(items) == 1 and (again := the_other(items[0], item)) is not None:
             yield from ((replace(again, span=p.span(i, j)), end) for end in {j: None, p.opt(j, ","): None})
             continue
-        whole = extra_alike(sized_alike((*items, item)))
+        whole = all_colored(p, extra_alike(sized_alike((*items, item))), j)
         if isinstance(item, Noun) and item.traits.extra and not any(_is_extra(x) for x in whole[:-1]):
             whole = (*whole[:-1], replace(item, cost=item.cost + 3))
         if joined and now == "and" and (named := named_together(whole)) is not None:
@@ -279,6 +279,21 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
             if not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
+
+
+def all_colored(p: Parser, items: tuple[Meaning, ...], j: int) -> tuple[Meaning, ...]:
+    """ "one 5 cm cube and two 3 cm cubes, all white": what ends the list is said of everything in it."""
+    last = items[-1]
+    if not isinstance(last, Noun) or len(last.traits.colors) != 1:
+        return items
+    those = last.det in ("both", "all") and last.head == "any" and last.traits == Traits(colors=last.traits.colors)
+    every = p.words[j - 3 : j - 1] in ([",", "all"], [",", "both"], [",", "each"])
+    told = [x for item in items[:-1] for x in (item.items if isinstance(item, Coord) else (item,))]
+    open_ = all(isinstance(x, Noun) and not x.traits.colors and x.traits != Traits() for x in told)
+    if not every or not open_:
+        return items
+    named = [replace(x, traits=replace(x.traits, colors=last.traits.colors)) for x in told if isinstance(x, Noun)]
+    return (*named,) if those and len(named) > 1 else (*named, last)
 
 
 _AT_LAST = ("and finally", "and lastly", "and last", "and at last", "and last of all")

@@ -262,6 +262,14 @@ _SIZE_OF = (
 )  # fmt: skip
 
 
+_HAVING = Patterns(
+    "all|all_the|the|our|these|all_of_the? blocks|cubes|bricks all? have|are|measure|should_be|must_be|with|being "
+    "all? a|an|the? edge|side|edge_length|side_length|size|length|sides|edges? of?",
+)
+_EDGES = ("edges", "edge", "sides", "wide", "long", "large", "big", "on each side", "in size", "edge length",
+          "side length", "a side", "each", "in width", "tall", "high")  # fmt: skip
+
+
 def _sized(p: Parser, i: int, lead: int) -> Results[Clause]:
     """ "use 5 cm cubes", "block size: 5 cm": how large all the blocks are."""
     if lead or i == 0 or p.follows(i, (",", ":", ";", "(")):
@@ -272,8 +280,11 @@ def _sized(p: Parser, i: int, lead: int) -> Results[Clause]:
             if isinstance(theme, Noun) and plain and sized and theme.amount is None:
                 yield _size(p, i, j, theme.traits, 0 if lead else 2), p.opt(j, "only", "throughout")
     of = p.any_of(i, _SIZE_OF)
-    for edge, j in length(p, p.opt(of, ":", "=", "is", "are", ",", "measure", "measures")) if of else ():
-        yield _size(p, i, j, Traits(edge=edge), 1), p.opt(j, "each")
+    told = {p.opt(of, ":", "=", "is", "are", ",", "measure", "measures")} if of else set()
+    for start in {*told, *_HAVING.matches(p, i)}:
+        for edge, j in length(p, start):
+            end = p.any_of(j, _EDGES) or p.opt(j, "each")
+            yield _size(p, i, end, Traits(edge=edge), int(p.words[end] != ":")), end
 
 
 def _size(p: Parser, i: int, j: int, traits: Traits, cost: int) -> Clause:

@@ -151,3 +151,13 @@ def repeats(item: Noun, seen: list[Traits]) -> bool:
         and ((item.det in ("bare", "a") and bool(item.traits.colors)) or item.det in ("other", "another"))
         and item.traits != Traits()
     )
+
+
+def one_more(noun: Noun) -> Noun:
+    """ "a second red block": another one."""
+    if noun.det != "a" or not (noun.traits.rank or "").isdigit():
+        return noun
+    marks = replace(noun.traits, rank=None)
+    if noun.head == "any" and marks == Traits():
+        raise refuse("ambiguous", "it is not said what this block looks like", noun.span, "say 'a second red one'")
+    return replace(noun, det="another", amount=Amount(1, 1), traits=marks)

@@ -10,7 +10,7 @@ from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, 
 from rpg.passes.schema.resolve.clauses.alls import note_all
 from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
 from rpg.passes.schema.resolve.things.extras import extras
-from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, quantified, repeats
+from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, one_more, quantified, repeats
 from rpg.passes.schema.resolve.things.pronouns import others, pronoun
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
@@ -194,6 +194,7 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
 
 
 def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
+    noun = one_more(noun)
     if noun.part_of is None and elliptical(noun, scene, scope):
         if noun.amount is not None and noun.amount.strict:
             return _of_them(noun, scene, scope)
@@ -317,6 +318,8 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if bare and noun.amount == Amount(1, 1) and noun.det in ("any", "some") and scene.built:
         raise refuse("ambiguous", "one of the blocks, or one more structure of so many?", noun.span,
                      "say 'one of the ...', or name the structure again")  # fmt: skip
+    if scene.sized and isinstance(noun.part_of, Pronoun) and noun.det == "some" and not any(scene.blocks()):
+        return refer(replace(noun, head="block", det="bare", part_of=None), scene, scope)  # "the cubes are 3 cm wide"
     whole = refer(of_whom(noun), scene, scope)
     scene.mentions.pop()
     check_both(noun, whole)

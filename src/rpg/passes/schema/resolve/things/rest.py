@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rpg.language.meaning import Meaning, Noun, Pronoun, Traits
+from rpg.language.meaning import Chain, Meaning, Noun, Pronoun, Traits
 
 
 def speaks_of_rest(parts: Sequence[Meaning]) -> bool:
@@ -23,3 +23,21 @@ def _rest(part: Meaning) -> bool:
         and ("other" in part.word or "rest" in part.word or "remain" in part.word)
         and part.word not in ("each other", "one another")
     )
+
+
+_SELECTING = ("all", "each")
+
+
+def listed_alone(chains: tuple[Chain, ...]) -> bool:
+    """ "Two red blocks, a green one. ...": a sentence that lists and does nothing else says what there is."""
+    lists = [[getattr(c, "lemma", "") == "tally" for c in chain.clauses] for chain in chains]
+    return len(lists) > 1 and any(map(all, lists)) and all(all(x) or not any(x) for x in lists)
+
+
+def selects(part: Meaning, alone: bool) -> bool:
+    """ "All the red ones", "none of the red ones": of what there is, with others that are not meant. `alone`: what
+    there is is said in a sentence of its own, so that "the red one" is one of that, too."""
+    whole = part.part_of if isinstance(part, Noun) and part.det == "no" else part
+    among = (*_SELECTING, "the") if alone else _SELECTING
+    marks = whole.traits if isinstance(whole, Noun) and (whole is not part or whole.det in among) else Traits()
+    return bool(marks.colors or marks.kind or marks.quality or marks.size or marks.edge) and not marks.labels

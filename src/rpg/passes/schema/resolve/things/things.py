@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import string
+from dataclasses import replace
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits, record
@@ -57,7 +58,17 @@ def quality_fits(thing: Thing, quality: str) -> bool:
 
 def matching(traits: Traits, scene: Scene, patch: bool) -> list[Thing]:
     """The objects that a description fits, distractors left out."""
-    return [t for t in scene.things.values() if t.patch == patch and not t.extra and fits(t, traits)]
+    found = [t for t in scene.things.values() if t.patch == patch and not t.extra and fits(t, traits)]
+    return found or (_by_edge(traits, scene) if traits.size in ("big", "small") and not patch else [])
+
+
+def _by_edge(traits: Traits, scene: Scene) -> list[Thing]:
+    """ "the small one" beside blocks of 5 and of 3 cm: those of the smaller edge."""
+    there = [t for t in scene.blocks() if not t.extra and fits(t, replace(traits, size=None))]
+    edges = sorted({t.edge or MEDIUM_EDGE for t in there})
+    if len(edges) != 2 or any(t.size for t in there) or not any(t.edge for t in there):
+        return []
+    return [t for t in there if (t.edge or MEDIUM_EDGE) == (edges[0] if traits.size == "small" else edges[1])]
 
 
 def create(traits: Traits, scene: Scene, patch: bool) -> Thing:

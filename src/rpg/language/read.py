@@ -17,13 +17,17 @@ from rpg.language.grammar.talk.commands import AFTER_THAT, WHEN_OVER
 from rpg.language.grammar.talk.smalltalk import without_talk
 from rpg.language.grammar.things.lists import with_commas
 from rpg.language.meaning import Chain, Clause, cost_of
+from rpg.language.runon import places, runs_on
 from rpg.language.tokens import Token
+from rpg.language.turns import announced, heads, in_turn
 
 MAX_KEPT = 24
 TANGLED = "too-complex"
 _ENDS = frozenset({".", "!", "?"})
 _STEPS = frozenset({"step", "stage", "task", "action", "move", "phase", "part"})
 _COUNTED = frozenset({"step", "stage", "phase"})
+_LISTED = frozenset({"requirement", "condition", "rule", "constraint", "point", "criterion", "wish", "subgoal"})
+"""These are counted as well, and hold all at once."""
 _ASKING = frozenset({"is", "are", "was", "were", "does", "did", "which", "where", "why", "who", "when"})
 """What a question begins with that is no polite command."""
 _BRACKETS = frozenset({"(", ")", "[", "]"})
@@ -136,8 +140,20 @@ def split(tokens: list[Token]) -> list[list[Token]]:
 def read_sentences(tokens: list[Token]) -> list[Sentence]:
     """Every sentence of an instruction with its readings."""
     parts = in_one(_with_predicates(split(tokens)))
-    read = [found for part in [part for part in parts if not idle(part)] or parts for found in _read(part)]
+    read: Parts = []
+    headed: int | None = None
+    for part in [part for part in parts if not idle(part)] or parts:
+        if heads(part) and headed is None and part is not parts[-1]:
+            headed = len(read)
+            continue
+        found = _read(part)
+        if announced(part) and found:
+            (own, first), *more = found
+            found = [(own, Sentence(first.link, tuple(map(in_turn, first.readings)))), *more]
+        read += found
     sentences = [sentence for _, sentence in read]
+    for n in range(headed + 1 if headed is not None else len(read), len(read)):
+        sentences[n] = Sentence("then", sentences[n].readings) if sentences[n].link == "and" else sentences[n]
     for n in range(1, len(read)):
         if sentences[n].link == "and" and sentences[n - 1].link == "and" and Parser(read[n - 1][0]).any_of(0, _FIRST):
             sentences[n] = Sentence("then", sentences[n].readings)
@@ -216,8 +232,8 @@ def _read(tokens: list[Token]) -> Parts:
 def _parts(tokens: list[Token]) -> Parts | Refusal:
     """The sentence or the two that it is made of.
 
-    They meet where a command begins without a stop. Only one place to part them may make sense, for else it is not
-    clear what was said.
+    They meet where a command begins without a stop, or where each of two says where a block goes. Only one place to
+    part them may make sense, for else it is not clear what was said.
     """
     whole = _whole(tokens)
     if not isinstance(whole, Refusal) or whole.diagnostics[0].code == TANGLED:
@@ -225,6 +241,9 @@ def _parts(tokens: list[Token]) -> Parts | Refusal:
     inside = range(2, len(tokens) - 2)
     commands = [n for n in inside if _commands(tokens, n)]
     found = [parts for n in commands if (parts := _parted(tokens[:n], tokens[n:]))]
+    for n in (n for n in inside if n not in commands and runs_on(tokens, n)):
+        parts = _parted(tokens[:n], tokens[n:])
+        found += [parts] if parts and all(places(sentence.readings[0]) for _, sentence in parts) else []
     return found[0] if len(found) == 1 else whole
 
 
@@ -259,9 +278,10 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
     p = Parser(tokens, thorough)
     start = p.opt(0, ",", ":")
     link = "and"
-    if p.words[start] in _COUNTED and (step := p.number(start + 1)) is not None:
+    counted = p.words[start] in _COUNTED or p.words[start] in _LISTED
+    if counted and (step := p.number(start + 1)) is not None:
+        link = "then" if step > 1 and p.words[start] in _COUNTED else "and"
         start = p.opt(start + 2, ":", ",", "-")
-        link = "then" if step > 1 else "and"
     ordinal = p.lex(start, lexicon.ORDINAL)
     if ordinal and p.one(start + 1, _STEPS) and (j := p.one(start + 2, frozenset({":", ",", "-"}))):
         link, start = "then" if ordinal > 1 else "and", j

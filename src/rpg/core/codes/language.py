@@ -61,7 +61,7 @@ CODES: tuple[Code, ...] = (
         "misplaced-word",
         "a known word stands where it does not fit",
         "Everything before the word was understood; with it, no reading of the sentence goes on.",
-        "put the red block on on the blue block",
+        "put the red block onto on the blue block",
         "put the red block on the blue block",
     ),
     Code(

@@ -44,7 +44,7 @@ from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.kept import brought_about
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.moments import in_time
-from rpg.passes.schema.resolve.goals.contradictions import check
+from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.bare_table import off_their_patches
@@ -156,7 +156,7 @@ def resolve(
     if (heaped := heaps_begun(facts)) is not None:
         with suppress(Refusal):
             found = _resolved(*told_later(links, heaped), text, notes, name, seed, author, lenient)
-            if {n for heap in found.task.init.heaps for n in heap} <= set(names_in(found.task.goal)):
+            if set().union(*found.task.init.heaps) <= set(names_in(found.task.goal)):
                 return found
     try:
         return _resolved(*told_later(links, facts), text, notes, name, seed, author, lenient)
@@ -227,7 +227,7 @@ def _resolved(
     settle_sides(scene)
     chosen = finish.choose(scene)
     goal = tidy(goal, scene)
-    check(goal, scene)
+    check_all(goal, scene)
     _all_used(goal, scene, chains)
     names = finish.naming(scene)
     start = InitialState(
@@ -376,6 +376,5 @@ def _no_goal(scene: Scene, text: str) -> Refusal:
         return refuse(
             "no-goal", "a block that is held has no place at the end", scene.picked, "say where to put it down"
         )
-    return refuse(
-        "no-goal", "it is not said what should be done", (0, len(text)), "say where the blocks should be at the end"
-    )
+    hint = "say where the blocks should be at the end"
+    return refuse("no-goal", "it is not said what should be done", (0, len(text)), hint)

@@ -23,6 +23,8 @@ def nothing_at_all(found: Clause) -> Clause:
 
 _NEVER_THERE = Patterns(
     "there must|may|should|can|shall|will|is_to never|not|at_no_time ever? be",
+    "there must|may|should|can|shall|will be at no time|point|moment",
+    "there must|may|should|can|shall|will be never",
     "at|in no time|point|moment|case may|must|should|can|shall there be",
 )
 

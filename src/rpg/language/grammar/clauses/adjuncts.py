@@ -374,3 +374,11 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(comma, ("while keeping", "while leaving", "keeping", "leaving", "but keep", "but leave")):
         for clauses, k in gerund_clause(p, j - 1):
             yield That(kind="while", clauses=clauses, span=p.span(i, k)), k
+
+
+def throughout(p: Parser, i: int, said: Clause, end: int) -> Results[Clause]:
+    """ "(keep the patch empty) at all times": the clause, with how long it is so where that is said."""
+    yield said, end
+    for found, k in adjuncts(p, end):
+        if found and all(isinstance(a, Manner) and a.kind in ("always", "finally") for a in found):
+            yield replace(said, adjuncts=(*said.adjuncts, *found), span=p.span(i, k)), k

@@ -8,6 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.addressed import addressed
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
+from rpg.language.grammar.clauses.becoming import staying
 from rpg.language.grammar.clauses.covered import covered
 from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped
@@ -24,8 +25,9 @@ from rpg.language.grammar.places.piled import piled
 from rpg.language.grammar.structures.details import part_clause
 from rpg.language.grammar.structures.each_color import of_each_color
 from rpg.language.grammar.talk.chatter import CHATTER
-from rpg.language.grammar.talk.commands import COMMANDS, DONT, FIRST
+from rpg.language.grammar.talk.commands import COMMANDS, DONT, FIRST, HANDS_OFF
 from rpg.language.grammar.talk.framing import CLOSING, FRAMES
+from rpg.language.grammar.talk.people import AGENTS, DOERS, WORKERS
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.talk.wishes import DENIALS, STARTS, STATES, TAGS
 from rpg.language.grammar.things.alike import all_alike
@@ -249,17 +251,6 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     return found
 
 
-_AGENTS = (
-    "you", "we", "the robot", "the child", "the student", "the user", "somebody", "someone", "the arm", "the agent",
-    "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
-    "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i",
-)  # fmt: skip
-"""Who does something in the indicative: "the robot puts ..." asks for it."""
-_DOERS = ("somebody", "someone", "the robot", "the robot arm", "the arm", "the machine", "they", "people", "a child",
-          "the child", "the children", "the kids", "the gripper", "some child")  # fmt: skip
-"""Who has done something: what is told of it is so then."""
-
-
 @rule
 def _command(p: Parser, i: int) -> Results[Meaning]:
     """ "stack the red block on ...", "do not move ...", "never touch ..."."""
@@ -272,12 +263,21 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
         if negated and (k := p.one(j, lead)):
             for found, end in state(p, k, "goal"):
                 if isinstance(found, Clause):
-                    yield ever(replace(found, negated=True, span=p.span(i, end)), never), end
-    if k := p.any_of(i, _AGENTS):
+                    yield ever(nothing_at_all(replace(found, negated=True, span=p.span(i, end))), never), end
+            for theme, end in noun_phrase(p, k):
+                yield from staying(p, i, end, theme, "goal")
+    if k := p.any_of(i, HANDS_OFF):
+        for theme, end in noun_phrase(p, k):
+            yield Clause(verb="touch", lemma="touch", theme=theme, negated=True, span=p.span(i, end)), end
+    if p.follows(i, ("and", "then")) and p.rarely(WORKERS):
+        for found, end in verb_phrase(p, i, ("s",)):
+            if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
+                yield replace(found, cost=found.cost + 1), end
+    if k := p.any_of(i, AGENTS):
         for found, end in verb_phrase(p, k, ("base", "s")):
             if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
                 yield replace(found, cost=found.cost + 1), end
-    if (k := p.any_of(i, _DOERS)) and (k := p.one(k, frozenset({"has", "have"}))):
+    if (k := p.any_of(i, DOERS)) and (k := p.one(k, frozenset({"has", "have"}))):
         for found, end in verb_phrase(p, k, ("past",)):
             if found.adjuncts or found.verb != "place":
                 yield replace(found, cost=found.cost + 1), end

@@ -37,6 +37,7 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
         yield from _flipped(p, i, j)
     if lemma in _RESPELLED:
         yield from _respelled(p, i, j)
+        yield from _in_new_order(p, i, j)
     if lemma == "make":
         for theme, k in noun_phrase(p, j):
             told = isinstance(theme, Pronoun) and theme.word in ("it", "them", "these", "those", "that", "this")
@@ -46,7 +47,7 @@ def remade(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]
                     into = Into(structure=shape, span=shape.span)
                     for found, last in adjuncts(p, end):
                         yield _clause(p, i, last, "arrange", theme, (into, *found)), last
-    if lemma in ("take", "pull", "break"):
+    if lemma in ("take", "pull", "break", "knock", "tear"):
         parted = p.one(i + 1, frozenset({"apart", "down"}))
         for theme, k in noun_phrase(p, parted or i + 1):
             if p.words[k if not parted else i + 1] == "down" and not isinstance(theme, Structure):
@@ -82,6 +83,22 @@ def _listed(p: Parser, i: int, j: int, theme: Meaning) -> Results[Clause]:
         order = OrderBy(by="given", items=items, span=p.span(j, k))
         for found, end in adjuncts(p, k):
             yield _clause(p, i, end, "arrange", theme, (order, *found)), end
+
+
+def _in_new_order(p: Parser, i: int, j: int) -> Results[Clause]:
+    """ "rearrange it to C B A", "change the row into B, A, C"."""
+    for theme, k in noun_phrase(p, j):
+        known = isinstance(theme, Pronoun) and theme.word in ("it", "them", "this", "that")
+        known = known or (isinstance(theme, Structure) and theme.det == "the" and theme.kind in _LINES)
+        into = p.any_of(k, _INTO_ORDER) if known else 0
+        for found, end in _listed(p, i, into, theme) if into else ():
+            if isinstance(found.adjuncts[0], OrderBy) and len(found.adjuncts[0].items) > 1:
+                yield found, end
+
+
+_LINES = ("row", "line", "stack", "column")
+_INTO_ORDER = ("to", "into", "as", "to be", "so it reads", "so that it reads", "to the order", "into the order",
+               "in the order")  # fmt: skip
 
 
 def _flipped(p: Parser, i: int, j: int) -> Results[Clause]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language import lexicon
-from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.absent import nothing_at_all
+from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying
 from rpg.language.grammar.clauses.denials import denied_of_all, leave, stays
 from rpg.language.grammar.clauses.manners import direction, manner
@@ -114,7 +115,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 found = replace(found, negated=False)
             if isinstance(found, Clause) and (idle or (words & {"may", "might"} and not asked)):
                 found = leave(found, p.words[i] in ("only", "just") and not idle, p.span(j, k))
-            yield (ever(found, lasting) if isinstance(found, Clause) else found), end
+            yield (ever(nothing_at_all(found), lasting) if isinstance(found, Clause) else found), end
 
 
 def _told_apart(p: Parser, i: int, j: int, theme: Meaning) -> bool:
@@ -299,7 +300,8 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
         elif marks and "rank" not in marks and the == j:
             k = p.opt(k, *lexicon.BLOCK) if marks.keys() <= {"edge", "size"} else k
             quality = Quality(traits=Traits(**marks), span=p.span(j, k))
-            yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
+            said = Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k))
+            yield from throughout(p, i, said, k)
     yield from colored_cubes(p, i, j, theme) if not negated else ()
     for marks, k in of_quality(p, j, head):
         quality = Quality(traits=Traits(**marks), span=p.span(j, k))

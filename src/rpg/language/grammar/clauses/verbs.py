@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.core.diagnostics import Span
 from rpg.language import lexicon
-from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.manners import direction
 from rpg.language.grammar.clauses.remade import remade, reverse
 from rpg.language.grammar.core import Parser, Results, rule
@@ -120,7 +121,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             for marks, end in adjectives(p, k):
                 if marks:
                     quality = Quality(traits=Traits(**marks), span=p.span(k, end))
-                    yield Clause(verb="be", theme=theme, adjuncts=(quality,), span=p.span(i, end), word=word), end
+                    yield from throughout(p, i, _is(theme, quality, p.span(i, end), word), end)
         after = [(f, e) for f, e in adjuncts(p, k + 1) if f] if p.words[k : k + 1] == [","] else []
         after += [x for x in adjuncts(p, k + 1) if x[0] and on_its_own(x[0][0])] if p.stands(k, ("each",)) else []
         after += adjuncts(p, k - 1) if lemma in ("lift", "pick") and p.words[k - 1] == "off" else []
@@ -143,6 +144,10 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
         for found, end in adjuncts(p, j):
             if found:
                 yield Clause(verb=sense, lemma=lemma, adjuncts=found, span=p.span(i, end), word=word, cost=1), end
+
+
+def _is(theme: Meaning, quality: Quality, span: Span, word: Span) -> Clause:
+    return Clause(verb="be", theme=theme, adjuncts=(quality,), span=span, word=word)
 
 
 _TAKING = frozenset({"get", "bring", "move", "remove", "pull", "push"})

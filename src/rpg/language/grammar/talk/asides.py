@@ -145,7 +145,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         if words[at] in VIEW.firsts:
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if end == at:
-            out.append(tokens[at])
+            if not (out and words[at] in _BEGUN and out[-1].raw.lower() == tokens[at].raw == words[at]):
+                out.append(tokens[at])
             at += 1
         elif "order" in words[at:end] and words[at] in ("in", "any", *_WHICHEVER) and not _LINES.isdisjoint(words[:at]):
             # A list tells an order unless this is said; where it cannot be read, it says nothing.

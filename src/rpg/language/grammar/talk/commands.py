@@ -32,6 +32,7 @@ _PREFACES = (
     "per|as_per|following|according_to the|our|my|your? client|customer|boss|teacher|user|manager 's? "
     "request|wish|order|instruction|instructions ,|:",
     "before anything|all|everything else ,",
+    "before you_do|we_do|the_robot_does|doing anything|something else? ,",
     "here_is|this_is|that_is the deal|thing|story|point :|,",
     "whatever you do|happens ,",
     "no matter what happens? ,",
@@ -62,6 +63,8 @@ COMMANDS = Patterns(
     "so|and|well|okay|ok|yeah|just like ,?",
     "hey|hi|hello|ok|okay|so|well|alright|please|robot|agent ,?",
     "task|goal|instruction|requirement :|-?",
+    "constraint|condition|restriction|rule|caveat|limitation|warning|important|addition|additionally|extra :|-",
+    "do_not|never forget|hesitate to",
     "the|your|our? real|actual? task|job itself? :",
     "note|reminder to_self|to_myself? :",
     "in|at the end ,?",
@@ -70,6 +73,7 @@ COMMANDS = Patterns(
     "can|could|shall|should we",
     "you|we|i should|must|can|have_to|are_to|will|shall|would|could|might just|simply|now|then|probably?",
     "let us",
+    "listen|listen_up|listen_carefully|pay_attention|attention ,?",
     "try|attempt|proceed|remember to",
     "try and",
     "go ahead? and?",
@@ -125,12 +129,18 @@ COMMANDS = Patterns(
     classes=WISHING,
 )
 
+_ORDERS = (
+    "do_it|do_this|do_them|do_that|do_everything|work|proceed|go? in this|the_following|that order :|,",
+    "this is the order :",
+    "the order|sequence|plan of_events|of_steps|of_actions? is as_follows|this? :",
+    "in order|sequence :",
+)
+IN_ORDER = Patterns(*_ORDERS)
+"""What is told behind these is done one after the other."""
 FIRST = Patterns(
     "in|do_it_in|the? two|three|four|2|3|4 steps|stages|phases|moves|parts|actions :",
     "as the|a|your|our first step|stage|thing|action|move ,|:?",
-    "in this|the_following order :|,",
-    "this is the order :",
-    "the order of_events? is :",
+    *_ORDERS,
     "start|begin by",
     "phase|stage 1|one :",
     "step 1|2|3|4|one|two|three :?",
@@ -153,9 +163,13 @@ DONT = (
     "do not", "never", "avoid", "do n't", "not", "you are not allowed to", "you are not permitted to",
     "you are not supposed to", "it is not allowed to", "it is not permitted to", "it is forbidden to",
     "it is prohibited to", "nobody may", "no one may", "the robot is not allowed to", "the arm is not allowed to",
+    "be careful not to", "please be careful not to", "careful not to", "take care not to", "make sure not to",
+    "be sure not to", "mind not to", "try not to", "see that you do not", "make sure you do not", "make sure you never",
     "the robot must not", "the arm must not", "the robot may not", "the robot should not", "you are forbidden to",
 )  # fmt: skip
 """What is said behind these must not be done."""
+HANDS_OFF = ("keep your hands off", "hands off", "keep your fingers off", "stay away from")
+"""What is said behind these must not be touched."""
 THEN = (
     "continue with", "continue by", "second of all",
     "and only then", "only then", "and only afterwards", "only afterwards", "but only then", "and only later",

@@ -22,6 +22,18 @@ EVENTS = (
     "session|fun|photograph|poster|slide|slides|thesis|report|website"
 )
 """What an instruction may be given for."""
+AGENTS = (
+    "you", "we", "the robot", "the child", "the student", "the user", "somebody", "someone", "the arm", "the agent",
+    "the robot arm", "the machine", "the player", "the kid", "the pupil", "the worker", "the operator", "your robot",
+    "the children", "the kids", "the students", "people", "the person", "the gripper", "the manipulator", "i",
+)  # fmt: skip
+"""Who does something in the indicative: "the robot puts ..." asks for it."""
+WORKERS = frozenset({"robot", "arm", "agent", "gripper", "machine", "player", "worker", "operator", "manipulator",
+                      "child", "kid", "student", "pupil", "person"})  # fmt: skip
+"""Of whom it may go on without a subject: "the robot takes the red block and puts it on ..."."""
+DOERS = ("somebody", "someone", "the robot", "the robot arm", "the arm", "the machine", "they", "people", "a child",
+          "the child", "the children", "the kids", "the gripper", "some child")  # fmt: skip
+"""Who has done something: what is told of it is so then."""
 WHO = {
     "which": (
         "the|my|our|your|this|that|a|an|one|some|every|their|his|her",

@@ -32,6 +32,8 @@ _PHRASES = {
     **{f"read it {of} the camera": "read it" for of in ("from", "with", "through", "in")},
     **{f"read them {of} the camera": "read them" for of in ("from", "with", "through", "in")},
     "each other at all": "each other", "one another at all": "one another", "touch at all": "touch",
+    **{f"over there {on}": on for on in ("on", "in", "at", "next", "behind")},
+    **{f"{verb} like the": f"{verb} the" for verb in ("put", "place", "move", "take", "stack", "set", "get")},
     "just not": "but not", "only not": "but not", "please to": "please",
     "fill a": "build a filled", "fill the": "build the filled", "fill one": "build one filled",
     "in front from": "in front of", "behind from": "behind",

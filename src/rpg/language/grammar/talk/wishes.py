@@ -70,7 +70,7 @@ _WHEN = (
     "provided|provided_that|when_and_only_when|by_having"
 )
 STATES = Patterns(
-    "want to_see|to_have",
+    "want to_see|to_have?",
     "i_want_you to_have",
     "the scene|picture|goal|image|table shows",
     "the table should show",
@@ -211,6 +211,7 @@ STATES = Patterns(
 TAGS = Patterns(
     "please|thanks|ok|okay|either|now|too",
     "thanks a lot",
+    "and|then? done|finished|ready",
     "thank you very_much?",
     "if you can|could|please",
     "if possible",

@@ -389,7 +389,7 @@ def _labelled(p: Parser, i: int) -> Results[Marks]:
     if not j:
         return
     j = p.opt(j, "with", "as", "by")
-    j = p.opt(j, "the", "a", "an")
+    j = p.opt(j, "the", "an") if j < p.end and p.tokens[j].raw == "A" else p.opt(j, "the", "a", "an")
     noun = p.one(j, _LABEL_NOUNS)
     if noun or p.words[i] not in ("with", "carrying") or j > p.any_of(i, ("with",)):
         read = not noun and p.words[i] in ("reading", "saying") and "of" in p.words[max(0, i - 3) : i]

@@ -39,7 +39,7 @@ def printed(p: Parser, i: int, j: int, k: int, noun: Noun) -> Results[Noun]:
     that a letter block lies on it."""
     end = p.any_of(k, _ON_IT) if noun.traits.labels and p.stands(j, _BEARING) else 0
     letter = not _NAMED.isdisjoint(p.words[j:k])
-    if end and (letter or p.words[j + 1] != "the"):
+    if end and (letter or p.words[j + 1] != "the" or not noun.traits.colors):
         yield replace(noun, span=p.span(i, end), cost=noun.cost + bool(noun.traits.colors and not letter)), end
 
 

@@ -34,8 +34,7 @@ from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sor
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
 from rpg.passes.schema.resolve.clauses.started import laid_down, was_so
-from rpg.passes.schema.resolve.clauses.throughout import of_the_rest
-from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
 from rpg.passes.schema.resolve.places.alone import told_alone
@@ -142,15 +141,6 @@ def not_both(goals: Goals, span: Span) -> Goals:
     return [g.All(goals=(goals[0], g.Not(goal=g.All(goals=parts, span=span), span=span)), span=span)]
 
 
-def held_throughout(goals: Goals, scene: Scene, span: Span) -> Goals:
-    """ "at all times": true from the start on, so that it is arranged at the start too."""
-    goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
-    scene.start_goals += [
-        x for x in goals if not isinstance(x, g.Not | g.Always | r.OnTable) and x not in scene.start_goals
-    ]
-    return [g.Always(goal=conj(goals, span), span=span)] if goals else []
-
-
 LEAVING = {"get", "take", "move", "bring", "transfer", "relocate", "pull", "drag", "carry", "shift", "slide", "shove"}
 """Verbs of moving: what they move off something is on it at the start."""
 
@@ -241,9 +231,13 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
         theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
         scene.assume("moved: at least 5 cm away from where it started")
         return [spread(theme, lambda a: r.Moved(a=a, span=clause.span), clause.span, together=True)]
-    if clause.negated and clause.verb == "place" and all(getattr(a, "kind", "") == "always" for a in clause.adjuncts):
+    if clause.negated and clause.verb == "place" and all(getattr(a, "kind", "") in _BARRED for a in clause.adjuncts):
         return turning.stay(clause, spec, scene, scope, stays=True)
     return None
+
+
+_BARRED = ("always", "allowed")
+"""How a block may be said not to be moved: never, or "may not"."""
 
 
 def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Scope) -> Goals:
@@ -371,8 +365,8 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             return turning.turn(clause, spec, scene, scope)
         case "reverse":
             theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-            told = isinstance(clause.theme, Structure) and (clause.theme.members or clause.theme.details)
-            scene.start_goals += scene.goals.pop(scene.clause, []) if told else []
+            if isinstance(clause.theme, Structure) and (clause.theme.members or clause.theme.details):
+                scene.start_goals += scene.goals.pop(scene.clause, [])
             return reverse(theme, scene, clause.span)
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.core.diagnostics import Span
+from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.language.meaning import Absolute, Chain, Clause, In, Into, Loc, Manner, Meaning, Structure, That
+from rpg.passes.schema.resolve.goals.logic import conj
+from rpg.passes.schema.resolve.things.world import Scene
 
 
 def of_the_rest(clause: Clause) -> Clause:
@@ -48,3 +53,12 @@ def _kept(part: Meaning, always: Meaning) -> That:
         theme, places = (told.theme, told.adjuncts) if told is not None else (None, ())
         keep = Clause(verb="keep", lemma="keep", theme=theme, adjuncts=(*places, always), span=part.span)
     return That(kind="while", clauses=Chain(clauses=(keep,), links=("and",), span=part.span), span=part.span)
+
+
+def held_throughout(goals: list[g.Goal], scene: Scene, span: Span) -> list[g.Goal]:
+    """ "at all times": true from the start on, so that it is arranged at the start too."""
+    goals = [x for x in goals if not (isinstance(x, g.All) and not x.goals)]
+    scene.start_goals += [
+        x for x in goals if not isinstance(x, g.Not | g.Always | r.OnTable) and x not in scene.start_goals
+    ]
+    return [g.Always(goal=conj(goals, span), span=span)] if goals else []

@@ -10,6 +10,7 @@ from rpg.ir import relations as r
 from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, TableTop, That, Using
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.spun import spun
+from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.placing import absolutes
 from rpg.passes.schema.resolve.places.relations import place
@@ -34,8 +35,6 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             goals += place(theme, item, scene, scope, clause.span)
         spec.places = []
         if clause.lemma == "keep" or ever:
-            from rpg.passes.schema.resolve.clauses.clauses import held_throughout
-
             there = len(scene.start_goals)
             found = held_throughout(goals, scene, clause.span)
             scene.kept += [] if ever else [(always, scene.start_goals[there:]) for always in found]

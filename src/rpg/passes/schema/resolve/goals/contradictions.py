@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 
-from rpg.core.diagnostics import Span
+from rpg.core.diagnostics import Refusal, Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
@@ -50,6 +50,16 @@ def _of_those_that_stay(parts: list[g.Goal]) -> None:
         if any({*members(stay.a)} < {*members(there.a)} for stay in stays):
             raise refuse("ambiguous", "a block that is to stay is one of those to be put somewhere", there.span,
                          "say 'all but the red one', or name the blocks that are to be there")  # fmt: skip
+
+
+def check_all(goal: g.Goal, scene: Scene) -> None:
+    """Refuse a goal that cannot hold, and a start that cannot be."""
+    check(goal, scene)
+    try:
+        check(g.All(goals=tuple(scene.start_goals)), scene)
+    except Refusal as refusal:
+        told = {"code": "contradiction", "message": "what is told of the start cannot all be so"}
+        raise Refusal([refusal.diagnostics[0].model_copy(update=told)]) from None
 
 
 def _between_neighbours(parts: list[g.Goal]) -> None:

@@ -97,6 +97,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word in _BESIDES and _joined_by_others(task):
             return token
+        if token.word == "each" and _on_one(words, index, task):
+            return token
         if token.word == "while" and _meanwhile(words, index):
             return token
         if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
@@ -151,6 +153,13 @@ def _joined_by_others(task: TaskSchema) -> bool:
     spoken = set(names(task.goal))
     ends = {x.patch for x in atoms(task.goal) if isinstance(x, OnPatch)}
     return any(patch in ends and not lot & spoken for patch, lot in begun)
+
+
+def _on_one(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
+    """Whether "A and B, each on a mat" came to one mat for all of them."""
+    here = [t.word for t in words[index + 1 : index + 5]]
+    one = here[:1] in (["on"], ["onto"]) and here[1:2] in (["a"], ["one"]) and bool({*here[2:4]} & lexicon.PATCH.keys())
+    return one and any(isinstance(x, OnPatch) and len(members(x.a)) > 1 for x in atoms(task.goal))
 
 
 def _meanwhile(words: Sequence[Token], at: int) -> bool:

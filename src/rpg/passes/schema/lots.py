@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from rpg.ir import goal as g
+from rpg.ir.assets import SemanticCube
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Row, Spells, Stack, Towers
-from rpg.ir.walk import atoms
+from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
@@ -26,6 +27,47 @@ def check_lots(words: Sequence[Token], task: TaskSchema) -> None:
     _same_cubes(words, task)
     _two_pairs(words, task)
     _colors_behind(words, task)
+    _letters_of_words(words, task)
+    _beside_a_chain(words, task)
+    _all_of_them(words, task)
+
+
+def _letters_of_words(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "write NO with blue letters on the mat" as a word and a blue letter that nobody named."""
+    made_up = any(told.startswith("the symbols are not said") for told in task.assumptions)
+    spelt = {n for atom in atoms(task.goal) if isinstance(atom, Spells) for n in atom.blocks}
+    shown = {asset.name for asset in task.assets if isinstance(asset, SemanticCube)}
+    spelt = spelt if ({*names(task.goal)} - spelt) & shown else set()
+    said = next((t for t in words if t.word in ("letter", "letters", "digits", "numbers")), None)
+    if made_up and spelt and said is not None:
+        raise refuse("ambiguous", "these could be the letters of the word, or further ones", said.span,
+                     "say 'in blue letters' right behind the word, or name the letters")  # fmt: skip
+
+
+def _beside_a_chain(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "tower red-blue-green, yellow on the table" as a tower of four: a comma ends what hyphens join."""
+    lines = [len(x.blocks) for x in atoms(task.goal) if isinstance(x, Stack | Row)]
+    for index, token in enumerate(words):
+        run = 1
+        while _named(token) and index + run < len(words) and words[index + run].joined and _named(words[index + run]):
+            run += 1
+        after = words[index + run : index + run + 2]
+        if run > 1 and len(after) == 2 and after[0].word == "," and _named(after[1]) and any(n > run for n in lines):
+            raise refuse("ambiguous", "this could be one more block of the line, or one beside it", after[1].span,
+                         "say it in a sentence of its own")  # fmt: skip
+
+
+def _all_of_them(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "all four blocks stacked; red below blue; green on top" as four blocks and three more."""
+    for one, many, block, after in zip(words, words[1:], words[2:], [*words[3:], words[-1]], strict=False):
+        count = lexicon.NUMBER.get(many.word) if many.kind == "word" else many.value
+        plain = one.word == "all" and block.word in lexicon.BLOCK and after.word not in _PART
+        if plain and isinstance(count, int | float) and len(task.blocks) > int(count):
+            raise refuse("count-mismatch", f"all {int(count)} blocks are spoken of, but there would be more",
+                         (one.span[0], block.span[1]), "say which blocks there are")  # fmt: skip
+
+
+_PART = frozenset({"of", "in", "on", "with", "from", "at", "that", "which"})
 
 
 def _parted_lists(words: Sequence[Token], task: TaskSchema) -> None:
@@ -57,6 +99,7 @@ def _colors_behind(words: Sequence[Token], task: TaskSchema) -> None:
     for end in ends if made_up else ():
         tail = [t.word for t in words[max(end - 4, 0) : end]]
         colors = len(tail) == 4 and tail[0] == "," and tail[2] == "and" and {tail[1], tail[3]} <= lexicon.COLOR.keys()
+        colors = colors or (tail[1:3] == [",", "both"] and tail[3] in lexicon.COLOR)
         if colors:
             raise refuse("ambiguous", "these could be the colours of the blocks before, or further blocks",
                          (words[end - 3].span[0], words[end - 1].span[1]), "say them in front of 'blocks'")  # fmt: skip

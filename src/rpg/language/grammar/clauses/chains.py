@@ -141,6 +141,8 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             nor = isinstance(previous.theme, Coord) and previous.theme.op == "nor"
             neither = link == "or" and (previous.negated or nor)
             for item, k in gapped(p, j, replace(previous, negated=False) if denied else previous):
+                if link == "or" and [",", "and"] in (p.words[n : n + 2] for n in range(j, k - 1)):
+                    continue  # "put A on B or C, and D on the mat": a comma parts more than "or" does
                 item = _same_letters(previous, item) if link in ("or", "then") else _less_likely(previous, item)
                 same = nor and isinstance(item, Clause) and getattr(item.theme, "word", "") == "same"
                 link = "and" if neither and isinstance(item, Clause) and (item.negated or same) else link

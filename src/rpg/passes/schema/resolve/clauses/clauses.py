@@ -12,6 +12,7 @@ from rpg.ir.walk import names as names_in
 from rpg.language.grammar.things.retold import universal
 from rpg.language.meaning import (
     Amount,
+    At,
     Clause,
     Coord,
     In,
@@ -378,7 +379,8 @@ def _thats(clause: Clause, spec: Spec, scene: Scene, start: bool) -> Goals:
 
     goals: Goals = []
     for that in spec.thats:
-        if that.kind == "until" and (clause.negated or clause.verb in ("keep", "be", "touch")):
+        sided = any(isinstance(a, At) for a in clause.adjuncts)  # "to the left until it touches blue": right of blue
+        if that.kind == "until" and (sided or clause.negated or clause.verb in ("keep", "be", "touch")):
             raise refuse("misplaced", "it is not said what holds after that", that.span, "say 'first ..., then ...'")
         if that.kind == "without":
             goals += turning.without(that, scene)

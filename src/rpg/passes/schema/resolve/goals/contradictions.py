@@ -31,6 +31,24 @@ def check(goal: g.Goal, scene: Scene) -> None:
     _between_neighbours(parts)
     _of_those_that_stay(parts)
     _done_and_kept(goal)
+    _inside_lines(parts)
+
+
+def _inside_lines(parts: list[g.Goal]) -> None:
+    """Refuse what is said of some blocks of a line as if they stood alone: "a tower of two red and two blue blocks with
+    the blue ones together", "... with the reds on top of the blues"."""
+    for line in (x for x in parts if isinstance(x, s.Stack | s.Row)):
+        for lot in (x for x in parts if isinstance(x, s.GroupBy) and len(x.groups) == 1):
+            if {*lot.groups[0]} < {*line.blocks}:
+                raise refuse("ambiguous", "how these are together in the line is not clear", lot.span,
+                             "say in which order the blocks of the line come")  # fmt: skip
+        pairs = [x for x in parts if isinstance(x, r.On) and {*members(x.a), *members(x.b)} < {*line.blocks, ""}]
+        lower = {n for x in pairs for n in members(x.b)}
+        pairs = [x for x in pairs if x.span and line.order.by == "any" and not lower & {*members(x.a)}]
+        alike = [x for x in pairs if sum(y.span == x.span for y in pairs) > 1]
+        if alike and isinstance(line, s.Stack):
+            raise refuse("ambiguous", "each of these on one of those, or all of them above those?", alike[0].span,
+                         "say in which order the blocks of the tower come")  # fmt: skip
 
 
 def _done_and_kept(goal: g.Goal) -> None:
@@ -85,6 +103,8 @@ def _to_themselves(goal: g.Goal) -> None:
     """A relation of a tower to one of its own blocks says nothing that could be meant."""
     for atom in atoms(goal):
         a, b = getattr(atom, "a", ()), getattr(atom, "b", ())
+        if isinstance(atom, r.Beside | r.Adjacent | r.Touching) and set(members(a)) & set(members(b)):
+            raise refuse("self-reference", "a block cannot be next to itself", atom.span, "name other blocks")
         towers = isinstance(a, Lowest | Highest) or isinstance(b, Lowest | Highest)
         if towers and set(members(a)) & set(members(b)):
             raise refuse(

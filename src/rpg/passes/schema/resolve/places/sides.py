@@ -89,8 +89,12 @@ def _stated(goal: g.Goal, scene: Scene) -> g.Goal:
 def _of_themselves(loose: list[Loose], goal: g.Goal) -> None:
     """Refuse "red to the left, green to the right, and blue behind the patch": they may be beside the patch, too."""
     own = {name for ref, _, _ in loose for name in ref.names}
-    for beside in (a for a in atoms(goal) if isinstance(a, r.LeftOf | r.RightOf | r.InFrontOf | r.Behind)):
-        if not own & {*members(beside.a), *members(beside.b)}:
+    sides = {at_.side for _, at_, _ in loose if isinstance(at_, At)}
+    if sides & {"left", "right"} and sides & {"front", "back"}:
+        raise refuse("ambiguous", "it is not clear of what these are the sides", loose[0][2], "say of what")
+    placed = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.OnPatch
+    for beside in (a for a in atoms(goal) if isinstance(a, placed)):
+        if not own & {*members(beside.a), *(() if isinstance(beside, r.OnPatch) else members(beside.b))}:
             raise refuse("ambiguous", "this could be a side of the table or of what is spoken of beside it",
                          loose[0][2], "say of what")  # fmt: skip
 
@@ -185,6 +189,9 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
         what = "equation" if isinstance(own, s.Equation) else "groups"
         raise refuse("ambiguous", f"this could be a side of the table or of the {what}", at_.span,
                      "say 'half of the table', or of what")  # fmt: skip
+    for b in scene.built:
+        if b.kind not in (*SIDES, "pile", "towers", "word", "equation") and set(ref.names) < set(b.members):
+            raise refuse("ambiguous", f"this could be a side of the table or of the {b.kind}", at_.span, "say of what")
     figure = any(
         b.kind not in SIDES and len(b.members) > 2 and not set(ref.names) & set(b.members) for b in scene.built
     )

@@ -23,6 +23,11 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     """ "two towers of three red blocks", "towers, one per colour", "two stacks"."""
     if any(z.what == "heights" for z in shape.sizes):
         return _of_heights(shape, spec, theme, scene)
+    for listed in (shape.members, *(x.members for x in spec.usings)):
+        looks = listed.traits.colors if isinstance(listed, Noun) else ()
+        if len(set(looks)) < len(looks):
+            raise refuse("ambiguous", "it is not clear which blocks form which tower", shape.span,
+                         "say of which blocks each tower is")  # fmt: skip
     shape = _told_apart(shape, spec)
     sorted_by = next((o.attribute for o in spec.orders if o.by == "attribute"), None)
     spec.orders = [o for o in spec.orders if o.by != "attribute"]
@@ -40,6 +45,8 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
     per = shape.extent("size", "high", "layers") or (scene.each[0] if scene.each else None)
     equal = spec.manner("equal") is not None
+    if equal and per is not None and count is not None and per % count == 0 and not (scene.each or shape.each_size):
+        raise refuse("ambiguous", f"{per} blocks in each of them, or in all?", shape.span, "say 'each', or 'in all'")
     theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)
     if (
         theme is not None

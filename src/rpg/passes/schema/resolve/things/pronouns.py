@@ -101,6 +101,9 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         themes = [m for m in single if m.role in ("theme", "given")]
         return (themes or single)[-1].ref
     last = single[-1].clause
+    if any(m.role == "landmark" and m.clause == last and m.ref.quant and not m.ref.patch for m in scene.mentions):
+        raise refuse("ambiguous", f"{word.word!r} could be what lies there, or what it lies on", word.span,
+                     "name the one you mean")  # fmt: skip
     again = [m for m in single if m.word == "it" and m.role == "theme" and m.clause == last]
     if again and again[-1].sentence == scene.sentence and not single[-1].word and word.word == "it":
         return again[-1].ref
@@ -317,6 +320,8 @@ def _some_other(noun: Noun, count: int | None, scene: Scene, patch: bool) -> Non
                      "name the blocks, or say how many there are of which look")  # fmt: skip
     if patch:
         named = {n for m in scene.mentions for n in m.ref.names if m.ref.patch}
+        if noun.head == "any" and any(m.ref.op == "or" and not m.ref.patch for m in scene.mentions):
+            raise refuse("no-referent", "this could be the other block, or a further patch", noun.span, "name it")
     if not noun.plural and count in (None, 1) and len(named) > 1:
         what = "patch" if patch else "block"
         raise refuse("no-referent", f"there is no other {what} that this could be", noun.span, f"name the {what}")

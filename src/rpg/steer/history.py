@@ -108,7 +108,17 @@ def _fits(schema: TaskSchema, reference: Reference) -> bool:
         return False
     if not all(_as_many(view, phrase) for phrase in _each(reference.description)):
         return False
+    if reference.part and not _at_the_end(view, reference.part, said[0] if len(said) == 1 else None):
+        return False
     return not reference.only or _nothing_else(view, [traits for traits in said if traits is not None])
+
+
+def _at_the_end(view: View, part: str, traits: m.Traits | None) -> bool:
+    """Whether the tower has such a block on top, or at the bottom."""
+    line = view.main_line()
+    if line is None or line.kind != "tower" or not line.ordered or traits is None:
+        return False
+    return matches(view, line.members[-1 if part == "top" else 0], traits)
 
 
 def _each(phrases: Sequence[m.Meaning]) -> list[m.Meaning]:

@@ -288,7 +288,7 @@ def _nth(members: Sequence[str], rank: str) -> str:
         return members[int(rank) - 1] if int(rank) <= len(members) else ""
     if rank == "middle":
         return members[len(members) // 2] if len(members) % 2 else ""
-    return members[RANKS.get(rank, 0)]
+    return members[RANKS[rank]] if rank in RANKS else ""
 
 
 def _placed(view: View, name: str, condition: m.Meaning) -> bool:

@@ -5,23 +5,24 @@ from __future__ import annotations
 from rpg.ir.edits import SetStart
 from rpg.ir.order import Order
 from rpg.ir.schema import InitialState
-from rpg.ir.structures import Stack
+from rpg.ir.structures import Row, Stack
 from rpg.steer.draft import Draft
 from rpg.steer.refer import resolve
 from rpg.steer.requests.starts import Begin
 
 
 def begin(draft: Draft, request: Begin) -> None:
-    """Another start: all blocks scattered, in a heap, or the tower of the goal turned round."""
+    """Another start: all blocks scattered, in a heap, in a row, or the tower of the goal turned round."""
     draft.aim("TWEAK")
     draft.note("start", request.how)
     init = InitialState(vacant=draft.schema.init.vacant)
-    if request.how == "heap":
+    if request.how in ("heap", "row"):
         view = draft.view
         names = view.busy if view.idle else tuple(view.world.blocks)
         if len(names) < 2:
-            raise draft.refusal("edit-unclear", "one block is no heap", request.span, "say where it starts")
-        init = init.model_copy(update={"heaps": (names,)})
+            raise draft.refusal("edit-unclear", f"one block is no {request.how}", request.span, "say where it starts")
+        told = {"heaps": (names,)} if request.how == "heap" else {"arranged": (Row(blocks=names),)}
+        init = init.model_copy(update=told)
     if request.how == "reverse":
         init = init.model_copy(update={"arranged": (_turned(draft, request),)})
     if init == draft.schema.init:

@@ -26,7 +26,7 @@ class Reference:
     """A version as a request names it: a number, so many steps back, the base, or a description.
 
     `only`: the description is complete ("just red and blue"). `without`: blocks that the version does not have yet
-    ("before I added the green one").
+    ("before I added the green one"). `part`: where in the tower it has what is described, "top" or "bottom".
     """
 
     span: Span
@@ -37,6 +37,7 @@ class Reference:
     marks: tuple[m.Traits, ...] = ()
     only: bool = False
     without: bool = False
+    part: str = ""
 
 
 _UNDO = phrases(
@@ -94,6 +95,13 @@ _WHEN = phrases(
     "it was | the time when it was | where there was | where there were | where we had | when i had | "
     "when you had | when it used | when it only had | when it was a"
 )
+
+
+_ENDS = {
+    "top": "on top | at the top | on the top | is on top | was on top | was at the top | topmost | as the top block",
+    "bottom": "at the bottom | on the bottom | underneath | was at the bottom | below | lowest | as the bottom block",
+}
+"""Where in a tower something was."""
 
 
 @rule
@@ -229,10 +237,11 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
         ):
             n = longest(p, n, ("just", "only")) or n
             for found, end in noun_phrase(p, n):
-                yield (
-                    Reference(span=p.span(i, end), description=(found,), only=p.words[n - 1] in ("just", "only")),
-                    end,
-                )
+                only = p.words[n - 1] in ("just", "only")
+                yield Reference(span=p.span(i, end), description=(found,), only=only), end
+                for part, phrases_ in _ENDS.items() if not only else ():
+                    if last := longest(p, end, phrases_):
+                        yield Reference(span=p.span(i, last), description=(found,), part=part), last
     if plainly:
         for found, end in noun_phrase(p, j):
             yield (Reference(span=p.span(i, end), description=(found,)), end)

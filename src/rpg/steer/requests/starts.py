@@ -10,7 +10,9 @@ from rpg.steer.requests.language import Parser, longest, m, noun_phrase
 
 _WHO = (
     "them | they | it | everything | all of them | all | both | both of them | the two | the two blocks | the blocks | "
-    "all blocks | all the blocks | the tower | the stack | these | those | all three | all four | everything else"
+    "all blocks | all the blocks | the tower | the stack | these | those | all three | all four | everything else | "
+    "all three blocks | all four blocks | them all | all three of them | all of the blocks | all five | "
+    "the three blocks"
 )
 _STARTS = (
     "start | starts | start out | starts out | start off | begin | begins | should start | should start out | "
@@ -28,6 +30,17 @@ _HEAPED = (
     "in a messy pile | in a jumbled heap | in a jumbled pile | jumbled in a heap | all in a heap | all in a pile | "
     "in a big heap | in a big pile | lying in a heap | lying in a pile | already in a heap | piled up in a heap"
 )
+_LINED = (
+    "in a row | in a line | in one row | in one line | lined up | lined up in a row | all in a row | side by side | "
+    "next to each other in a row | standing in a row | lying in a row | side by side in a row | in a single row"
+)
+_THE_START = (
+    "let the start be | the start should be | the start is | the start must be | the start has to be | "
+    "have the start be | "
+    "make the start | the start state should be | let the initial state be | the initial state is | "
+    "the initial state should be | change the start to | let the beginning be | the beginning should be | "
+    "let the episode start | the episode should start | the episode starts | let it start | it should start"
+)
 _FROM_HEAP = (
     "start from a heap | start from a pile | start with a heap | start out from a heap | start in a heap | "
     "start in a pile | begin from a heap | begin with a heap | begin in a heap | start out in a heap"
@@ -44,7 +57,7 @@ _NOT_STACKED = "instead of stacked | rather than stacked | not stacked | , not s
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Begin(r.Request):
-    """How the episode begins: "scattered", "heap", "reverse". `told`: the blocks of a stack from its top, again."""
+    """How the episode begins: "scattered", "heap", "row", "reverse". `told`: the blocks of a stack from its top."""
 
     how: str
     told: tuple[m.Meaning, ...] = ()
@@ -66,6 +79,8 @@ def _starts(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             yield Begin(how="scattered", span=p.span(i, k)), k
         if k := longest(p, j, _HEAPED):
             yield Begin(how="heap", span=p.span(i, k)), k
+        if k := longest(p, j, _LINED):
+            yield Begin(how="row", span=p.span(i, k)), k
         if k := longest(p, j, _TURNED):
             yield Begin(how="reverse", span=p.span(i, k)), k
             for told, end in _pile(p, p.opt(k, ",", ":")):
@@ -78,6 +93,11 @@ def _subject(p: Parser, i: int) -> Iterator[int]:
         p, i, "start | begin | start out | start them | start them all | start all of them | begin with them"
     ):
         yield j
+    if begun := longest(p, i, _THE_START):
+        yield begun
+        whose = longest(p, longest(p, begun, "with | that | such that | having") or begun, _WHO)
+        if whose:
+            yield longest(p, whose, "are | is | being | lying | standing | stand | lie") or whose
     lead = longest(p, i, "let | have | make") or i
     if (j := longest(p, lead, _WHO)) and (k := longest(p, j, _STARTS)):
         yield k

@@ -9,7 +9,7 @@ from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Clause, Pronoun
+from rpg.language.meaning import Clause, Loc, Pronoun, TableTop
 
 
 def nothing_at_all(found: Clause) -> Clause:
@@ -17,6 +17,10 @@ def nothing_at_all(found: Clause) -> Clause:
     theme = found.theme
     if not found.negated or not isinstance(theme, Pronoun) or theme.word not in ("anything", "anything else"):
         return found
+    if found.verb == "stack" and not found.adjuncts and theme.word == "anything":  # "do not stack anything"
+        table = Loc(rel="on", landmark=TableTop(span=found.span), span=found.span)
+        all_ = Pronoun(word="everything", span=theme.span)
+        return Clause(verb="be", theme=all_, adjuncts=(table,), mode="goal", span=found.span)
     nothing = Pronoun(word="nothing else" if theme.word.endswith("else") else "nothing", span=theme.span)
     return replace(found, theme=nothing, negated=False, verb="be", lemma="")
 

@@ -276,10 +276,13 @@ def _in_list(p: Parser, j: int) -> bool:
         return False
     before, after = p.tokens[j - 2], p.tokens[j]
     if before.word in lexicon.COLOR:
-        return after.word in lexicon.COLOR
+        counted = j > 2 and (p.number(j - 3) is not None or p.words[j - 3] in ("a", "an"))
+        placed = counted and p.stands(j + 1, _PLACED)  # "2 green, 1 pink, pink on top"
+        return after.word in lexicon.COLOR and not placed
     return all(token.kind in _LABELS or len(token.word) == 1 for token in (before, after))
 
 
+_PLACED = frozenset({"on", "at", "in", "leftmost", "rightmost", "lowest", "topmost"})
 _LABELS = frozenset({"literal", "number", "sign"})
 """The kinds of words that labels of blocks are; single letters are words."""
 

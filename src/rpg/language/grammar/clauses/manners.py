@@ -131,6 +131,7 @@ _RISING = (
     ),
     "up to the", "up towards the",
 )  # fmt: skip
+_CLOCKWISE = ("clockwise", "to the right")
 _COUNTER = ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise", "to the left")
 
 
@@ -160,8 +161,10 @@ _OPEN_AT = {
 
 def _spun(p: Parser, i: int, j: int, degrees: float) -> Results[Meaning]:
     """A turn by so many degrees, one way or either way."""
-    clockwise = p.any_of(j, ("clockwise",))
+    clockwise = p.any_of(j, _CLOCKWISE)
     counter = p.any_of(j, _COUNTER)
+    if p.stands(clockwise or counter, ("of",)):  # "turned by 90 degrees to the left of the mat"
+        clockwise = counter = 0
     end = clockwise or counter or j
     kind = "by" if clockwise or counter else "by?"
     yield Manner(kind=kind, value=-degrees if clockwise else degrees, span=p.span(i, end)), end

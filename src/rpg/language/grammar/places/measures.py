@@ -219,7 +219,9 @@ _BETWEEN_FACES = (
     "of empty space between them", "of space between the blocks", "between the groups", "between the two groups",
     "between groups", "between the piles", "between both groups", "between the two piles",
 )  # fmt: skip
-_ROOM = ("gap", "gaps", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance")
+_ROOM = (
+    "gap", "gaps", "spaces", "of space", "of free space", "space", "wide gap", "spacing", "distance", "of distance",
+)  # fmt: skip
 _NOTED = (
     "spacing", "gap", "gaps", "distance", "with spacing", "with gaps", "center distance", "with a center distance",
     "center to center distance",

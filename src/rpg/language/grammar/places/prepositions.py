@@ -39,7 +39,8 @@ _SIMPLE = {
     "pushed against": "touching", "pushed up against": "touching", "leaning against": "touching",
     "near": "near", "close to": "near", "near to": "near", "nearby": "near", "in the vicinity of": "near",
     "far from": "apart", "away from": "apart", "far away from": "apart", "well away from": "apart",
-    "apart from": "apart", "off": "off", "off of": "off", "away off": "off",
+    "apart from": "apart", "nowhere near": "apart", "nowhere close to": "apart", "anywhere near": "near",
+    "anywhere close to": "near", "off": "off", "off of": "off", "away off": "off",
     "along with": "together", "together with": "together",
     **{
         f"{more}{side} than": side

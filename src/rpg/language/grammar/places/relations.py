@@ -20,13 +20,17 @@ _COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"}
 """ "Not more than 10 cm from" is a measure, and denies no place."""
 
 
+_NOWHERE = ("nowhere", "not anywhere", "not at all", "in no way", "by no means")
+"""Stronger than "not"."""
+
+
 @rule
 def loc(p: Parser, i: int) -> Results[Meaning]:
     """One statement of place, perhaps negated; "still on the mat" is where the one before is, too."""
     if k := p.one(i, "still"):
         yield from _loc(p, k)
         return
-    j = p.one(i, "not")
+    j = p.any_of(i, _NOWHERE) or p.one(i, "not")
     if j and p.stands(j, _COMPARED):
         j = 0
     for found, k in _loc(p, j or i):
@@ -114,9 +118,15 @@ _SIDES = ("left", "right", "front", "behind")
 
 def _by_so_much(p: Parser, i: int, j: int, placed: Loc) -> Results[Loc]:
     """ "to the left of the blue block by at least 8 cm": how far it is from it."""
-    by = p.one(p.opt(j, ","), "by") if placed.rel in _SIDES and p.stands(j, (",", "by")) else 0
+    comma = p.opt(j, ",")
+    by = p.opt(comma, "by") if placed.rel in _SIDES and p.stands(j, (",", "by")) else 0
     for (low, high), k in bounds(p, by) if by else ():
-        yield replace(placed, low=low, high=high, span=p.span(i, k)), k
+        if by > comma or k >= p.end or p.stands(k, (",", ";", "and")):
+            yield replace(placed, low=low, high=high, span=p.span(i, k)), k
+
+
+_BUT_NOT = (", but not", "but not", ", not", ", yet not", "yet not", "and not", ", and not", ", though not",
+            "though not", "without")  # fmt: skip
 
 
 @choice
@@ -129,16 +139,17 @@ def _either_relation(p: Parser, i: int) -> Results[Meaning]:
     if p.words[start : start + 1] in (["left"], ["right"]):
         firsts.append((p.words[start], p.reach(start + 1)))
     for first, j in firsts:
-        k = p.one(j, frozenset({"or", "and"}))
-        op = p.words[j] if k else ""
+        denied = p.any_of(j, _BUT_NOT)
+        k = denied or p.one(j, frozenset({"or", "and"}))
+        op = "and" if denied else p.words[j] if k else ""
         for (second, mods), m in relation(p, k) if k else ():
-            for landmark, end in noun_phrase(p, m):
+            for landmark, end in noun_phrase(p, p.opt(m, ",") if denied else m):
                 if isinstance(landmark, TableTop):
                     continue
                 span = p.span(i, end)
                 parts = (
                     Loc(rel=first, landmark=landmark, span=span),
-                    Loc(rel=second, landmark=landmark, mods=mods, span=span),
+                    Loc(rel=second, landmark=landmark, mods=mods, negated=denied > 0, span=span),
                 )
                 yield Coord(op=op, items=parts, span=span), end
 

@@ -19,7 +19,7 @@ from rpg.language.grammar.clauses.verbs import PARTICLES, ever, verb_phrase
 from rpg.language.grammar.clauses.wheres import is_where, trading_places
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.gaps import gap
-from rpg.language.grammar.places.held import LEADS, held
+from rpg.language.grammar.places.held import LEADS, held, of_its
 from rpg.language.grammar.places.offsets import centering
 from rpg.language.grammar.places.piled import piled
 from rpg.language.grammar.structures.details import part_clause
@@ -168,7 +168,8 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
         if where and p.words[i] != "separately":
             yield from stands_there(p, i, j, first, mode)
         placed = where or isinstance(first, Toward)
-        further = _fronted(p, j, mode) if placed and p.words[j - 1] == "," else ()
+        again = placed and p.words[j - 1] == ","
+        further = ((of_its(x, first), k) for x, k in _fronted(p, j, mode)) if again else ()
         wished = [start for start, kind in _frames(p, j) if start > j and kind in _SEEN] if placed else ()
         for start in wished if where else ():
             yield from stands_there(p, i, start, first, mode)

@@ -58,6 +58,11 @@ def _one_beside(p: Parser, i: int) -> Iterator[tuple[Meaning, Loc, int]]:
 
 def _beside(p: Parser, i: int) -> Results[Loc]:
     """ "to the right of it", "next to that"; the landmark is left in where it is "it"."""
+    its = p.any_of(i, ("to its", "on its", "at its"))
+    if its and p.stands(its, ("left", "right")):
+        owner = Pronoun(word="it", span=p.span(its - 1, its))
+        end = p.any_of(its + 1, ("side", "hand side")) or its + 1
+        yield Loc(rel=p.words[its], landmark=owner, span=p.span(i, end)), p.reach(end)
     for (name, mods), j in relation(p, i):
         if name in _RELATIONS and p.stands(j, _THAT):
             it = Pronoun(word="it", span=p.span(j, j + 1)) if p.words[j] == "it" else None

@@ -5,11 +5,25 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Absolute, Amount, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Absolute, Amount, Clause, Loc, Meaning, Noun, Pronoun
 
 _SIDES = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near", "touching"})
 _THAT = frozenset({"that", "which"})
 LEADS = _THAT | {"with", "having"}
+
+
+def of_its(found: Meaning, first: Meaning) -> Meaning:
+    """ "Next to the mat, on its right side, put a red block": on the right of the mat."""
+    mark = first.landmark if isinstance(first, Loc) else None
+    side = found.adjuncts[-1] if isinstance(found, Clause) and found.adjuncts else None
+    theme = found.theme.span[0] if isinstance(found, Clause) and found.theme is not None else -1
+    it = isinstance(side, Loc) and isinstance(side.landmark, Pronoun) and side.landmark.word == "it"
+    if not it or not isinstance(found, Clause) or not isinstance(side, Loc) or not isinstance(mark, Noun):
+        return found
+    if side.span[0] > theme:
+        return found
+    known = replace(mark, det="the", amount=None, cost=0)
+    return replace(found, adjuncts=(*found.adjuncts[:-1], replace(side, landmark=known)))
 
 
 def held(p: Parser, j: int, first: Meaning, second: Meaning) -> Absolute | None:

@@ -124,7 +124,7 @@ def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     from rpg.language.grammar.places.onto import one_on_another
 
     lead = p.any_of(k, (",", ":", "in which", "where", ", with", "that is", "which is", "that has", "having"))
-    lead = p.any_of(p.opt(k, ","), _BUILT) or lead or p.any_of(k, _OF)
+    lead = p.any_of(p.opt(k, ","), _PILED) or lead or p.any_of(k, _OF)
     lead = lead or (k if base.det in ("the", "a") and k < p.end and p.words[k] in lexicon.COLOR else 0)
     if not lead or base.kind != "stack" or base.plural or base.sizes or base.traits.colors:
         return
@@ -313,6 +313,7 @@ _MADE = ("made of", "made out of", "made from", "made up of", "built from", "bui
          "built out of", "made with", "formed by", "formed from")  # fmt: skip
 _WHICH = ("which is ", "that is ", "which are ", "that are ", "")
 _BUILT = (*(w + m for w in _WHICH for m in _MADE), "consisting of", "which consists of", "that consists of")
+_PILED = (*_BUILT, "which is", "that is")
 """Those of them that a comma may stand in front of."""
 
 

@@ -78,22 +78,10 @@ _REST = (
     ),
 )  # fmt: skip
 _BETWEEN = (
-    "around it",
-    "all around it",
-    "around the outside",
-    "round it",
-    "around the middle",
-    "around the center",
-    "around that",
-    "in between",
-    "anywhere in between",
-    "somewhere in between",
-    "between them",
-    "elsewhere",
-    "everywhere else",
-    "in between them",
-    "between the ends",
-)
+    "around it", "all around it", "around the outside", "round it", "around the middle", "around the center",
+    "around that", "in between", "anywhere in between", "somewhere in between", "between them", "elsewhere",
+    "everywhere else", "in between them", "between the ends",
+)  # fmt: skip
 IS = (
     "is", "are", "being", "should be", "must be", "shall be", "has to be", "have to be", "will be", "in",
     "made of", "is made of", "are made of", "consists of", "consist of", "contains", "contain", "of", "is all",
@@ -195,6 +183,8 @@ def _sided(p: Parser, i: int, j: int, side: str, several: int | None, each: bool
         yield _place(p, i, end, side, found, several, each), end
         return
     end = p.any_of(j, ("of them", "of these")) or j
+    if end > j and p.words[j - 1] in ("left", "right") and p.words[j - 2] not in _OWN:  # beside them
+        return
     if end > j or unit or several is not None:
         yield _place(p, i, end, side, unit or "block", several, each), end
     elif side not in ("ends", "corners", "edge") and p.words[j - 1].endswith(("est", "most")):

@@ -70,6 +70,13 @@ _FREE = (
     "no matter which ones", "it does not matter which ones", "i do not mind which ones", "i do not care which ones",
     "which ones does not matter", "which ones is up to you", "which ones you choose is up to you",
     "which ones you like", "whichever one",
+    *(
+        f"{lead} {which} {hue}{have}"
+        for lead in ("it does not matter", "no matter", "i do not care", "i do not mind", "does not matter")
+        for which in ("which", "what")
+        for hue in ("color", "colors")
+        for have in ("", " they have", " they are", " you use", " you take", " it has", " it is")
+    ),
     "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
     "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
     "that is all", "that is it", "i think",

@@ -65,6 +65,7 @@ _PHRASES = {
        for rainbow in ("rainbow colors", "colors of the rainbow", "colors of a rainbow", "color of the rainbow")
        if every != "the " or rainbow == "rainbow colors"},
     "square frame": "square outline", "rectangular frame": "rectangle outline",
+    "but not both of them": "but not both", "not both of them": "not both", "and not both of them": "but not both",
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
 }  # fmt: skip
 """What people write, and what it is read as."""

@@ -43,7 +43,8 @@ def universal(item: Meaning) -> bool:
     """ "all blocks", "everything", "nothing": what "but" takes something from."""
     if isinstance(item, Pronoun):
         return item.word in ("everything", "all", "nothing")
-    return isinstance(item, Noun) and item.det in ("all", "no") and item.amount is None
+    any_patch = isinstance(item, Noun) and item.head == "patch" and item.det == "any"
+    return any_patch or (isinstance(item, Noun) and item.det in ("all", "no") and item.amount is None)
 
 
 def restates(before: Meaning, item: Meaning) -> bool:

@@ -10,15 +10,16 @@ from rpg.passes.schema.resolve.goals.logic import disj
 from rpg.passes.schema.resolve.things.world import Built, Scene
 
 
-def spun(name: str, by: Manner, described: bool, scene: Scene, span: Span) -> g.Goal | None:
+def spun(name: str, by: Manner, described: bool, scene: Scene, span: Span, state: bool = False) -> g.Goal | None:
     """ "the word ON with the N turned by 90 degrees": how a symbol of a structure stands; None for other blocks.
 
-    `described`: the turn is part of a picture of the end, and not something to be done.
+    `described`: the turn is part of a picture of the end, and not something to be done. `state`: how it lies is told as
+    well, "on its side, rotated clockwise", so that this is of a symbol by itself, too.
     """
     homes = [b for b in scene.built if name in b.members and _reads(b, described)]
-    if scene.things[name].label is None or not homes:
+    if scene.things[name].label is None or not (homes or (described and state)):
         return None
-    toward = "viewer" if homes[-1].kind == "stack" or homes[-1].side == "top" else "up"
+    toward = "viewer" if homes and (homes[-1].kind == "stack" or homes[-1].side == "top") else "up"
     degrees = float(by.value or 0.0) % 360.0
     turns = dict.fromkeys((degrees, 360.0 - degrees)) if by.kind == "by?" else {degrees: None}
     label = scene.things[name].label or ""

@@ -303,7 +303,7 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             value = float(degrees.value or 0)
             if not 0 < abs(value) <= 360:
                 raise refuse("misplaced", "a turn is by 1 to 360 degrees", degrees.span)
-            read = spun(name, degrees, clause.mode == "goal", scene, clause.span)
+            read = spun(name, degrees, clause.mode == "goal", scene, clause.span, flat is not None)
             came = r.Turned(block=name, degrees=value, either_way=degrees.kind == "by?", span=clause.span)
             goals.append(read or came)
             used.append(degrees)
@@ -320,12 +320,8 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 for n in theme.names
             ]
         elif not spec.places and not spec.thats:
-            raise refuse(
-                "no-goal",
-                "it is not said how far or which way to turn it",
-                clause.span,
-                "say 'by 90 degrees' or 'upside down'",
-            )
+            raise refuse("no-goal", "it is not said how far or which way to turn it", clause.span,
+                         "say 'by 90 degrees' or 'upside down'")  # fmt: skip
     for item in spec.places:
         goals += place(theme, item, scene, scope, clause.span)
     spec.places = []

@@ -188,6 +188,14 @@ def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
     return goals
 
 
+def any_of_the_rest(mark: Ref, loc: Loc) -> Ref:
+    """ "on any patch except the red one": on one of the others."""
+    if not mark.patch or loc.rel not in ("on", "above", "in"):
+        raise refuse("misplaced", "'except' does not fit a place", loc.span,
+                     "say 'all blocks except ...' where they are named")  # fmt: skip
+    return replace(mark, op="or", parts=tuple(Ref(names=(name,), patch=True) for name in mark.names))
+
+
 def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms | None:
     """ "on different patches", "each on a patch of its own": no two share one; None where that is not said."""
     noun = loc.landmark
@@ -197,9 +205,9 @@ def on_separate_patches(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: 
         return _not_together(theme, noun, scene, scope, span)
     if noun.traits.scheme != "different" or noun.traits.colors or theme.quant is not None or theme.op != "and":
         return None
-    units: list[tuple[str, ...]] = (
-        [p.names for p in theme.parts] if len(theme.parts) > 1 else [(n,) for n in theme.names]
-    )
+    whole = len(theme.built) > 1 and {n for b in theme.built for n in b.members} == set(theme.names)
+    parts = [b.members for b in theme.built] if whole else [p.names for p in theme.parts]
+    units: list[tuple[str, ...]] = parts if len(parts) > 1 else [(n,) for n in theme.names]
     if all(len(u) == 1 for u in units) and len(units) == 1:
         return None
     many = replace(noun, plural=True, traits=replace(noun.traits, scheme=None))

@@ -18,6 +18,7 @@ from rpg.passes.schema.resolve.places.corners import corners, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.mutual import none_another, of_the_towers, reciprocal
 from rpg.passes.schema.resolve.places.patches import (
+    any_of_the_rest,
     each_its_own,
     indefinite,
     like_the_last,
@@ -222,8 +223,7 @@ def related(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> Atoms:
     if theme.everything and theme.quant is not None and mark.patch and loc.rel in ("on", "above", "in"):
         return [r.Empty(patch=p, span=span) for p in mark.names]
     if mark.op == "except":
-        hint = "say 'all blocks except ...' where they are named"
-        raise refuse("misplaced", "'except' does not fit a place", loc.span, hint)
+        mark = any_of_the_rest(mark, loc)
     _check_self(theme, mark, loc)
     if "outside" in loc.mods and not mark.patch and not any(b.kind == "stack" for b in mark.built):
         raise refuse("misplaced", "this is no patch that something could be out of", loc.span, "say 'not next to ...'")

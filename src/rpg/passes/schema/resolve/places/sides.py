@@ -119,7 +119,7 @@ def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     (ref, at_, span), *more = loose
     parts = goal.goals if isinstance(goal, g.All) else ()
     node = _TOWARDS.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
-    close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance
+    close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance | r.Swapped
     pairs = [a for a in atoms(goal) if isinstance(a, close)]
     if not pairs and not more and node is not None:
         return _of_the_ends(ref, node, goal, span)
@@ -362,6 +362,8 @@ def _deep(loose: list[Loose]) -> bool:
 def _region(item: Loose) -> g.Goal:
     ref, at_, span = item
     side = at_.side if isinstance(at_, At) else ""
+    if isinstance(at_, At) and at_.own:
+        raise refuse("no-referent", "it is not said of which blocks this is one", at_.span, "name the others")
     if side not in _REGION or (isinstance(at_, At) and at_.index) or ref.quant is not None:
         raise refuse(
             "no-referent", f"it is not clear of what this is the {side}", at_.span, "name the tower or the row"

@@ -17,6 +17,10 @@ _REST = frozenset({"the other ones", "the others", "the rest", "others", "the ot
 _OTHER = frozenset({"the other one", "the other", "the second one", "another"})
 
 
+PAIR = 2
+"""So many are "the other two"."""
+
+
 def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     """What a pronoun stands for."""
     if word.word.startswith("anything"):
@@ -34,6 +38,9 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         noun = Noun(head="any", det="other", plural=word.word in _REST, span=word.span)
         there = {t.name: bool(t.color or t.label) for t in scene.blocks()}
         found = others(noun, scene, scope, scope.like_patch)
+        if word.word == "the other two" and found.names and len(found.names) != PAIR:
+            raise refuse("count-mismatch", f"there are {len(found.names)} others, and not two", word.span,
+                         "say how many there are of all", there=len(found.names))  # fmt: skip
         if word.word == "another" and any(there.values()) and not found.patch and not set(found.names) & set(there):
             raise refuse("ambiguous", "it is not said what this block looks like", word.span, "name its colour")
         return found
@@ -139,6 +146,7 @@ def _parallel(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) 
         return None
     before, again = marks[0].rel, scope.rel
     kept_off = before in ("on", "in") and again in ("not on", "not in", "not above", "off")
+    kept_off = kept_off or (before in ("off", "not on", "not in") and again in ("on", "in"))
     if marks[0].ref.patch and kept_off:
         return marks[0].ref
     others = [m for m in rivals if m is not marks[0]]

@@ -127,7 +127,8 @@ _BOTH_WAYS = ("and", "or")
 
 def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     """ "all blocks except the red one", "the red but not the blue block"."""
-    out = refer(meaning.items[-1], scene, scope)
+    patches = getattr(meaning.items[0], "head", "") == "patch"
+    out = refer(meaning.items[-1], scene, replace(scope, like_patch=scope.like_patch or patches))
     scene.spare.update(out.names)
     whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
     del scene.mentions[-len(meaning.items) :]

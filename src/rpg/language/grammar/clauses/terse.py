@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.turned import but_turned
 from rpg.language.grammar.clauses.wheres import is_where
@@ -184,7 +185,8 @@ def _all_colored(p: Parser, i: int) -> Results[Meaning]:
         j = p.any_of(k, ("of them", "blocks", "cubes")) or k
         theme = Noun(head="block", det="all", amount=Amount(many, many), plural=True, span=p.span(i, j))
     if theme is None and (j := p.any_of(i, _ALL)):
-        theme = Pronoun(word="them", span=p.span(i, j))
+        told = any(word in lexicon.COLOR for word in p.words[:i]) or p.words[i] != "all"
+        theme = Pronoun(word="them" if told else "everything", span=p.span(i, j))
     if theme is None:
         return
     for (listed, either), k in colors(p, p.any_of(j, _ARE) or j):

@@ -13,7 +13,19 @@ from rpg.language.grammar.talk.framing import WHEN_DONE, past
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Amount, Clause, Loc, Manner, Meaning, Noun, OrderBy, Pronoun, Structure, Toward
+from rpg.language.meaning import (
+    Amount,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Structure,
+    Toward,
+)
 from rpg.language.phrases import Classes
 
 _STANDS = (
@@ -45,7 +57,7 @@ _THERE_MUST = Patterns("there also|then? <must> also? <be>", classes=_VERBS)
 _THERE_STANDS = Patterns("there also|then? <is>", classes=_VERBS)
 _FACTS = frozenset({"is", "are", "sits", "stands", "lies", "rests", "lie", "stand", "sit", "rest"})
 _SEEN = Patterns(
-    "there should|must|shall|has_to? be|is|are",
+    "there should|must|shall|has_to? be|is|are|stand|stands|lie|lies|come|comes",
     "put|it_is|they_are",
     "<line>|it|they should|must|shall|has_to? be|is|are|go|goes|read|reads|show|shows|have|has|run|runs",
     "you|we|i|one can? see|sees|read|reads|find|finds",
@@ -77,6 +89,9 @@ def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Result
 def listed_there(p: Parser, i: int, j: int, first: Toward) -> Results[Meaning]:
     """ "from left to right there should be red, green, blue"."""
     there = p.opt(max(_SEEN.matches(p, j), default=j), ":", ",")
+    for theme, end in noun_phrase(p, there) if there > j else ():
+        if isinstance(theme, Coord) and any(isinstance(x, Structure) for x in theme.items):
+            yield Clause(verb="build", theme=theme, adjuncts=(first,), mode="goal", span=p.span(i, end), cost=1), end
     for items, end in listed(p, there):
         given = OrderBy(by="given", items=items, span=p.span(there, end))
         for more, last in adjuncts(p, end):

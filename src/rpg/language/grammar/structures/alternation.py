@@ -97,6 +97,8 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
         yield from ((OrderBy(by=by, span=p.span(i, j)), j) for j in patterns.matches(p, i))
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
+        set_off = p.one(j, frozenset({",", ":"})) if p.follows(j, ("colors",)) else 0
+        yield from _two(p, i, set_off) if set_off else ()
     for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):
         for items, k in listed(p, j):
             if end := p.any_of(k, _AFTER):

@@ -19,7 +19,7 @@ from rpg.language.grammar.structures.wholes import wholes_told
 from rpg.language.grammar.things.bodies import body_clause
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.grammar.things.strangers import strangers_told
-from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, OrderBy, Structure
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, OrderBy, Places, Structure
 
 
 @rule
@@ -43,7 +43,12 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
         yield _said(p, i, j, several), j
     yield from _of_a_whole(p, i)
     yield from _in_a_whole(p, i)
-    start = p.any_of(i, ("make", "let", "have", "keep", "put", "place", "add")) or i
+    start = p.any_of(i, ("make", "let", "have", "keep")) or i
+    put = p.any_of(i, ("put", "place", "add"))
+    ends = part_statement(p, put) if put else ()
+    for at_end, j in ends:
+        if "at" in p.words[put:j] and isinstance(at_end.adjuncts[0], Places) and at_end.adjuncts[0].side == "ends":
+            yield _said(p, i, j, at_end), j
     told = dict.fromkeys(part_statement(p, start))
     for first, j in told:
         yield _said(p, i, j, first), j

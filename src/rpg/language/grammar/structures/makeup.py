@@ -214,7 +214,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
     flat = base.kind in _FLAT
     every = p.any_of(j, _ALL_ARE) if flat else 0
-    if plain and (comma > j or every or base.kind == "checkerboard"):
+    if plain and not amounts.of_more(p, comma) and (comma > j or every or base.kind == "checkerboard"):
         for (named, either), k in colors(p, every or p.any_of(comma, _ALL_IN) or comma):
             k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 or not flat else k
             k = p.opt(k, "everywhere") if flat else k

@@ -69,7 +69,8 @@ _PAIRS = tuple(
 )
 """Both ends of a line, named one by one."""
 _REST = (
-    "everything else", "all else", "all the rest", "all the others", "all others", "every other block",
+    "everything else", "everything below", "everything below it", "everything above", "everything above it",
+    "all else", "all the rest", "all the others", "all others", "every other block",
     *(
         f"{rest} {between}"
         for rest in ("everything", "all", "the ones", "all those", "all blocks", "the blocks", "all the blocks",

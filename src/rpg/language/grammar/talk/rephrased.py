@@ -17,7 +17,8 @@ _TOGETHER = ("mixed up", "jumbled up", "mixed", "jumbled", "thrown together", "l
 _SPECTRUM = "red , orange , yellow , green , cyan , blue , purple and pink"
 """All the colours of the rainbow."""
 _PHRASES = {
-    **{f"{how} {what}": what for how in ("scattered", "strewn") for what in ("blocks", "cubes", "bricks", "boxes")},
+    **{f"{how} {what}": what for how in ("scattered", "strewn")
+       for what in ("blocks", "cubes", "bricks", "boxes", "letters", "numbers", "digits", "letter")},
     **{f"{on} the {floor}": f"{on} the table" for on in ("on", "onto", "to") for floor in ("floor", "ground")},
     **{f"{how} {heap}": heap for how in _MESSY for heap in ("heap", "pile", "jumble", "bunch")},
     **{f"{how} {at}": at for how in _TOGETHER for at in ("in one heap", "in a heap", "in one pile", "in a pile")},

@@ -8,7 +8,7 @@ from typing import Any
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.grammar.things.amounts import length
+from rpg.language.grammar.things.amounts import length, of_more
 from rpg.language.grammar.things.edges import STANDARD, USUAL, edge_told
 from rpg.language.grammar.things.labels import label_list, look_at, run
 from rpg.language.grammar.things.patch_sides import patch_side
@@ -311,7 +311,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
         yield from ((scheme, k) for k in ({j, p.opt(j, ",")} if phrase[0] == "," else (j,)))
     for _, j in p.standing(i, _ALL_OF_THEM) if not p.follows(i, _ONE_THING) else ():
         for (listed, _either), k in colors(p, j):
-            if len(listed) == 1:
+            if len(listed) == 1 and not of_more(p, i + 1):
                 yield Marks({"colors": listed}), k
     if head != "patch" and (j := p.any_of(i, _ALIKE)):
         yield Marks({"scheme": "same"}), j

@@ -286,3 +286,8 @@ def makes_number(p: Parser, k: int) -> bool:
         "other",
         "letters",
     )
+
+
+def of_more(p: Parser, i: int) -> bool:
+    """ "a tower of three and a row of four, all green": said of more than the last of several that have no look."""
+    return p.stands(i, ("all",)) and "and" in p.words[:i] and lexicon.COLOR.keys().isdisjoint(p.words[:i])

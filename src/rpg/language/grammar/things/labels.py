@@ -89,6 +89,8 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
         after = symbol(p, j, spoken)
         if after is None or (j == at and not _bare_row(p, at)):
             break
+        if after == labels[-1] and p.stands(j + 1, _UPON):  # "1 on 2, 2 on 3": the next pair
+            break
         labels.append(after)
         at = j + 1
         if (k := p.one(at, _TO)) and (last := symbol(p, k, spoken)) and (run := _between(after, last)):
@@ -113,6 +115,10 @@ def look_at(p: Parser, i: int) -> bool:
         return False
     letter = len(p.tokens[i].raw) == 1 and p.tokens[i].raw.isupper()
     return letter or p.tokens[i].kind != "word" or p.words[i] in lexicon.COLOR
+
+
+_UPON = frozenset({"on", "onto", "above", "over", "below", "under", "beside", "next", "behind", "atop"})
+"""What begins what is said of a symbol."""
 
 
 def _bare_row(p: Parser, at: int) -> bool:

@@ -85,9 +85,11 @@ def _more(p: Parser, items: tuple[Meaning, ...], at: int) -> Results[tuple[Meani
 
 
 def _next_part(first: Meaning, item: Noun) -> bool:
-    """ "(the first row is) red, the second green": the next part with its look, and no second green block."""
+    """ "(the first row is) red, the second green": the next part with its look, and no second green block; "four gray
+    blocks and one orange block, the orange one ...": one of these."""
     bare = isinstance(first, Noun) and first.det == "bare" and first.traits.rank is None
-    return bare and item.det == "the" and item.traits.rank is not None
+    counted = bare and isinstance(first, Noun) and first.amount is not None and item.amount is None
+    return bare and item.det == "the" and (item.traits.rank is not None or (counted and not item.plural))
 
 
 _RUN = 3

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Quality, Traits
+from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Quality, Structure, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.operands import crown
 from rpg.passes.schema.resolve.things.refer import refer
@@ -23,6 +23,9 @@ def appear(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goa
     if isinstance(clause.theme, Noun) and clause.theme.conditions and clause.mode == "goal":
         raise refuse("ambiguous", "is this so at the start, or at the end?", clause.theme.conditions[0].span,
                      "say 'at the start' or 'must be'")  # fmt: skip
+    listed = [q for q in spec.qualities if len(set(q.traits.colors)) < len(q.traits.colors)]
+    if listed and isinstance(clause.theme, Structure):  # "the row is red, blue, red"
+        raise refuse("misplaced", "this lists the blocks one by one", listed[0].span, "say from which side on")
     said_of = _told_by_size(clause.theme, spec, scene)
     theme = refer(said_of, scene, Scope(given=scope.given)) if said_of is not None else Ref()
     if theme.table:

@@ -49,6 +49,7 @@ from rpg.passes.schema.resolve.places.placing import Goals, distractors, is_shap
 from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.places.stacking import Towers
 from rpg.passes.schema.resolve.structures.heaps import heaped_up
+from rpg.passes.schema.resolve.structures.lined_towers import mixed_line
 from rpg.passes.schema.resolve.structures.structures import make
 from rpg.passes.schema.resolve.structures.towers import on_matching_patches
 from rpg.passes.schema.resolve.things.alike import by_likeness, counterparts
@@ -186,6 +187,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if (goals := _in_a_manner(clause, spec, scene, scope)) is not None:
         return goals
     by_verb(clause, spec)
+    if (line := mixed_line(clause, spec, scene, scope)) is not None:
+        return line
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):
         return shaped(clause, spec, scene, scope)
     if clause.theme is None or ahead(clause.theme, clause.verb, spec, scene):

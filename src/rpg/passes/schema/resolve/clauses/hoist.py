@@ -93,9 +93,12 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
             line, place, builder = host
             built = replace(builder, adjuncts=(*builder.adjuncts, *clause.adjuncts))
             found[line][place] = (found[line][place][0], built)
-    only = [said for kept in found for _, said in kept]
-    if len(only) == 1 and isinstance(only[0], Clause) and only[0].lemma == "alone" and _unlooked(only[0]):
-        raise refuse("ambiguous", "it is not said what the other blocks look like", only[0].span, "say it")
+    said_all = [said for kept in found for _, said in kept if isinstance(said, Clause)]
+    told = [getattr(c.theme, "word", getattr(c.theme, "det", "")) for c in said_all]
+    others = any({"other", "others", "rest", "remaining"} & {*word.split()} for word in told if word)
+    for said in said_all if not others else ():
+        if said.lemma == "alone" and len(said.adjuncts) == 1 and _unlooked(said):
+            raise refuse("ambiguous", "it is not said what the other blocks look like", said.span, "say it")
     left = [n for n, kept in enumerate(found) if kept]
     return [links[n] for n in left], tuple(
         replace(

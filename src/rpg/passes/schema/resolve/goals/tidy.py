@@ -90,7 +90,12 @@ def _stack_patches(goal: g.Goal) -> g.Goal:
 
 
 def _without_implied(goals: list[g.Goal]) -> list[g.Goal]:
-    """ "All in one tower" adds nothing to a stack of the same blocks in an order."""
+    """ "All in one tower" adds nothing to a stack of the same blocks in an order, and no more does a row to a row."""
+    rows = [x for x in goals if isinstance(x, s.Row)]
+    bare = [x for x in rows if x == s.Row(blocks=x.blocks, axis=x.axis, span=x.span)]
+    for row in bare:
+        told = [y for y in rows if y not in bare and set(y.blocks) == set(row.blocks) and row.axis in (None, y.axis)]
+        goals = [x for x in goals if x is not row] if told else goals
     stacks = [x for x in goals if isinstance(x, s.Stack)]
     plain = [x for x in stacks if x == s.Stack(blocks=x.blocks, span=x.span)]
     implied = [x for x in plain if any(y not in plain and set(y.blocks) == set(x.blocks) for y in stacks)]

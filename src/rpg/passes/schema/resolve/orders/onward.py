@@ -33,7 +33,8 @@ def onward(parts: list[Absolute]) -> list[Absolute]:
     for part in parts:
         place = part.adjuncts[0]
         if isinstance(place, Loc) and found:
-            if len(part.adjuncts) > 1 or not _of_the_last(place) or way is None or place.rel not in way:
+            last = _of_the_last(place) or _named_again(place, found[-1].theme)
+            if len(part.adjuncts) > 1 or not last or way is None or place.rel not in way:
                 return parts
             found.append(replace(part, adjuncts=(At(side="next", whole=place.rel, span=place.span),)))
         else:
@@ -41,6 +42,14 @@ def onward(parts: list[Absolute]) -> list[Absolute]:
             way = {"bottom": _UP, "top": _DOWN, "middle": way, "next": way}.get(side)
             found.append(part)
     return found
+
+
+def _named_again(place: Loc, before: Meaning) -> bool:
+    """ "A at the bottom, B on A": of the block that was named last, by its look."""
+    plain = not place.negated and place.low is None and place.high is None and not place.mods
+    mark = place.landmark
+    same = isinstance(mark, Noun) and isinstance(before, Noun) and mark.traits == before.traits and _one_look(mark)
+    return plain and same
 
 
 def _of_the_last(place: Loc) -> bool:

@@ -190,10 +190,13 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
     cells = cells_of(node, count)
     found: list[Claim] = []
     rest: list[tuple[Absolute, Places]] = []
+    from_below = _counted_from(spec, node)
     for item in spec.absolutes:
         place = place_of(item)
         if place is None or not cells:
             continue
+        if from_below and isinstance(place, Places) and (place.unit, place.side) == ("row", "first"):
+            place = replace(place, unit="layer", side="first" if from_below == "bottom" else "last")
         if isinstance(place, Places) and place.side == "rest":
             rest.append((item, place))
             continue
@@ -223,6 +226,13 @@ def all_left(place: At | Places | None, left: int) -> None:
     if place is not None and told not in (None, left):
         raise refuse("count-mismatch", f"{left} places are left for these, but {told} are told", place.span,
                      f"say {left}", places=left, named=told)  # fmt: skip
+
+
+def _counted_from(spec: Spec, node: s.Cells) -> str:
+    """ "the bottom row red, the second row white": from which end the rows of a wall are counted, where one is told."""
+    first = place_of(spec.absolutes[0]) if spec.absolutes else None
+    ends = first is not None and first.side in ("top", "bottom") and getattr(first, "unit", "row") == "row"
+    return first.side if ends and first is not None and upright(node) else ""
 
 
 def in_turn(item: Absolute) -> bool:

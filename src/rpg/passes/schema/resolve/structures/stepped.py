@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
-from rpg.language.meaning import Absolute, At, Loc, Noun, OrderBy, Places, Pronoun, Structure, Traits
+from rpg.language.meaning import Absolute, At, Coord, Loc, Noun, OrderBy, Places, Pronoun, Structure, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.parts import cells_of, widened
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
@@ -20,6 +20,9 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a pyramid with a 3x3 base", "a pyramid of six blocks"."""
+    if shape.extent("wide", "base") is not None:  # "four blocks wide at the bottom"
+        spec.ats = [at_ for at_ in spec.ats if at_.side != "bottom" or at_.index is not None]
+    spec.absolutes = [part for item in spec.absolutes for part in _topped(item)]
     plain(shape)
     base = _base(shape, spec, theme, scene)
     layers = min(base) if base[1] > 1 else base[0]
@@ -33,6 +36,18 @@ def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     pattern, readable = pattern_of(shape, spec, names, (base[1], base[0], layers), scene, scope, form)
     node = s.Pyramid(blocks=names, base=base, pattern=pattern, readable=readable, span=shape.span)
     return made("pyramid", node, names, shape.span, scene)
+
+
+def _topped(item: Absolute) -> list[Absolute]:
+    """ "two white blocks and a black one on top": of two lots the last one is on top, and the first one below."""
+    place = _level(item)
+    lots = item.theme.items if isinstance(item.theme, Coord) and item.theme.op == "and" else ()
+    several, one = lots if len(lots) == 2 else (None, None)
+    many = isinstance(several, Noun) and amount_of(several) in (2, 4)  # what is all but the top of a small one
+    if place is None or place.side != "top" or not many or not isinstance(one, Noun) or (amount_of(one) or 1) > 1:
+        return [item]
+    base = Places(side="bottom", unit="layer", span=item.span)
+    return [replace(item, theme=several, adjuncts=(base,)), replace(item, theme=one)] if several else [item]
 
 
 def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int]:

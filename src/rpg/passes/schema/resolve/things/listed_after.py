@@ -24,6 +24,7 @@ from rpg.language.meaning import (
 )
 
 _LINES = ("stack", "row", "line", "column")
+_FLAT = ("square", "grid", "rectangle")
 
 
 def shapes_pictured(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
@@ -39,7 +40,8 @@ def shapes_pictured(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
 
 def _built(clause: Meaning) -> Meaning:
     there = isinstance(clause, Clause) and (clause.verb, clause.mode, clause.lemma) == ("exist", "given", "")
-    if not there or not isinstance(clause, Clause) or not _unlooked(clause.theme) or not _on_the_table(clause):
+    pictured = there and isinstance(clause, Clause) and (_unlooked(clause.theme) or _unlooked(clause.theme, _FLAT))
+    if not pictured or not isinstance(clause, Clause) or not _on_the_table(clause):
         return clause
     return replace(clause, verb="build", mode="goal")
 
@@ -49,9 +51,9 @@ def _on_the_table(clause: Clause) -> bool:
     return all(isinstance(a, Loc) and isinstance(a.landmark, TableTop) and not a.negated for a in clause.adjuncts)
 
 
-def _unlooked(shape: Meaning | None) -> bool:
+def _unlooked(shape: Meaning | None, kinds: tuple[str, ...] = _LINES) -> bool:
     """ "a row", "a tower of three (blocks)": of its blocks no more than the number is said."""
-    if not isinstance(shape, Structure) or shape.kind not in _LINES or shape.plural or shape.traits != Traits():
+    if not isinstance(shape, Structure) or shape.kind not in kinds or shape.plural or shape.traits != Traits():
         return False
     blocks = shape.members
     plain = isinstance(blocks, Noun) and blocks.head == "block" and blocks.traits == Traits() and not blocks.part_of

@@ -63,9 +63,7 @@ def gerund_single(p: Parser, i: int) -> Results[Clause]:
 
 
 _UP_OR_OUT = ("up", "out", "down", "back")
-_BEHIND = {
-    **dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT), "pick": (*_UP_OR_OUT, "off"),
-}  # fmt: skip
+_BEHIND = {**dict.fromkeys(("stack", "arrange", "place", "unstack"), _UP_OR_OUT), "pick": (*_UP_OR_OUT, "off")}
 """What may follow a verb behind its theme."""
 
 
@@ -134,10 +132,8 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
                 continue
             said = (*found, *alone)
             cost = int(not said and (sense == "keep" or (sense == "pick" and p.words[k - 1] == "off")))
-            yield (
-                Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word, cost=cost),
-                end,
-            )
+            done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=said, span=p.span(i, end), word=word)
+            yield replace(done, cost=cost), end
     if sense == "sort" and p.words[j] in ("by", "according"):
         yield from _by_first(p, i, j, lemma)
     if sense in ("stack", "build", "arrange", "sort", "place"):
@@ -285,10 +281,10 @@ def _too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[M
 
 
 _SO_ARE = (
-    "not","should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
-           "must not", "should not be", "must not be", "is not", "are not", "can be", "may be", "has to", "have to",
-           "will be", "will", "shall", "does not", "do not", "may not", "can not", "shall not", "will not",
-           "can not be", "may not be")  # fmt: skip
+    "not", "should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
+    "must not", "should not be", "must not be", "is not", "are not", "can be", "may be", "has to", "have to", "will be",
+    "will", "shall", "does not", "do not", "may not", "can not", "shall not", "will not", "can not be", "may not be",
+)  # fmt: skip
 """What stands for the whole predicate of the clause before: "... and the blue one should be"."""
 
 

@@ -100,13 +100,9 @@ def hoisted(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tup
         if said.lemma == "alone" and len(said.adjuncts) == 1 and _unlooked(said):
             raise refuse("ambiguous", "it is not said what the other blocks look like", said.span, "say it")
     left = [n for n, kept in enumerate(found) if kept]
+    said_so = {n: tuple(sorted_with_strangers(c) for _, c in found[n]) for n in left}
     return [links[n] for n in left], tuple(
-        replace(
-            chains[n],
-            clauses=tuple(sorted_with_strangers(c) for _, c in found[n]),
-            links=tuple(link for link, _ in found[n]),
-        )
-        for n in left
+        replace(chains[n], clauses=said_so[n], links=tuple(link for link, _ in found[n])) for n in left
     )
 
 

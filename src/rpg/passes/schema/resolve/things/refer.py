@@ -127,8 +127,8 @@ _BOTH_WAYS = ("and", "or")
 
 def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
     """ "all blocks except the red one", "the red but not the blue block"."""
-    patches = getattr(meaning.items[0], "head", "") == "patch"
-    out = refer(meaning.items[-1], scene, replace(scope, like_patch=scope.like_patch or patches))
+    patch = scope.like_patch or getattr(meaning.items[0], "head", "") == "patch"
+    out = refer(meaning.items[-1], scene, replace(scope, like_patch=patch))
     scene.spare.update(out.names)
     whole = [refer(item, scene, scope) for item in meaning.items[:-1]]
     del scene.mentions[-len(meaning.items) :]
@@ -145,9 +145,8 @@ def _except(meaning: Coord, scene: Scene, scope: Scope) -> Ref:
         scene.assume(f"how many other blocks there are is not said: {OTHERS}")
     if not names:
         raise refuse("no-referent", "no block is left to speak of", meaning.span)
-    return Ref(
-        names=names, patch=whole[0].patch, op="except", parts=(Ref(names=names), out), plural=True, span=meaning.span
-    )
+    both, patch = (Ref(names=names), out), whole[0].patch
+    return Ref(names=names, patch=patch, op="except", parts=both, plural=True, span=meaning.span)
 
 
 def _new(meaning: Meaning) -> bool:
@@ -215,8 +214,8 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return ranked(noun, scene, scope)
     if (told := _structure_like(noun, scene, scope)) is not None:
         return told
-    bare = noun.head == "any" and noun.det == "bare" and noun.amount is None and not noun.plural
-    if bare and noun.traits == Traits() and not noun.conditions:
+    bare = (noun.head, noun.det, noun.amount, noun.plural, noun.traits) == ("any", "bare", None, False, Traits())
+    if bare and not noun.conditions:
         return pronoun(Pronoun(word="one", span=noun.span), scene, scope)
     patch = _is_patch(noun, scene, scope)
     if not patch and (noun.traits.long or noun.traits.shape not in (None, "square")):

@@ -1,0 +1,51 @@
+"""Facts that are told of the start by what stands beside them: what a mat is cleared of, what ends a sentence."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Quality
+
+
+def cleared_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "Clear the mat. A red cube is on it.": the fact behind tells what it is cleared of, which is there at first."""
+    found, emptied = [], False
+    for chain in chains:
+        clauses: list[Meaning] = []
+        for said in chain.clauses:
+            fact = isinstance(said, Clause) and said.lemma == "fact" and said.mode == "goal" and not said.negated
+            on = isinstance(said, Clause) and bool(said.adjuncts) and all(map(_on_it, said.adjuncts))
+            begun_ = emptied and fact and on and isinstance(said, Clause)
+            clauses.append(replace(said, mode="start") if begun_ and isinstance(said, Clause) else said)
+            emptied = emptied or _empties(said)
+        found.append(replace(chain, clauses=tuple(clauses)))
+    return tuple(found)
+
+
+def _on_it(place: Meaning) -> bool:
+    return isinstance(place, Loc) and place.rel == "on" and not place.negated
+
+
+def _empties(said: Meaning) -> bool:
+    """Whether a clause asks for something to be taken away, or for a patch with nothing on it."""
+    if not isinstance(said, Clause) or said.negated or said.mode == "start":
+        return False
+    bare = any(isinstance(a, Quality) and a.traits.empty for a in said.adjuncts)
+    off = any(isinstance(a, Loc) and a.rel == "off" for a in said.adjuncts)
+    none = getattr(said.theme, "det", "") == "no" or getattr(said.theme, "word", "") == "nothing"
+    none = none and any(map(_on_it, said.adjuncts))
+    return bare or off or none or said.verb == "remove"
+
+
+def all_begun(chain: Chain) -> Chain:
+    """ "Red is on the mat and blue on the patch at the start": what ends the sentence is said of both facts."""
+    clauses = [c for c in chain.clauses if isinstance(c, Clause) and c.lemma == "fact" and c.mode == "goal"]
+    if len(clauses) < len(chain.clauses) or len(clauses) < 2 or {*chain.links} != {"and"}:
+        return chain
+    times = [[a.kind for a in c.adjuncts if isinstance(a, Manner) and a.kind in _TIMES] for c in clauses]
+    if any(times[:-1]) or "start" not in times[-1]:
+        return chain
+    return replace(chain, clauses=tuple(replace(c, mode="start") for c in clauses))
+
+
+_TIMES = ("start", "finally", "time")

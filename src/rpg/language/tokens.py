@@ -51,6 +51,8 @@ AMERICAN = {
     "metre": "meter", "metres": "meters", "organise": "organize", "multicoloured": "multicolored", "storey": "story",
     "merely": "only", "solely": "only", "purely": "only", "whereby": "where", "unto": "onto", "him": "it",
     "upto": "up to",
+    "invert": "reverse", "inverts": "reverses", "inverted": "reversed", "inverting": "reversing",
+    "policy": "agent", "controller": "agent", "planner": "agent", "learner": "agent",
 }  # fmt: skip
 """Spellings that are read as one."""
 
@@ -93,6 +95,7 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
     """Every token of `text`, and every character that belongs to none."""
     tokens: list[Token] = []
     strays: list[Stray] = []
+    text = _unnumbered(text)
     at = 0
     while at < len(text):
         found = _PIECES.match(text, at)
@@ -111,6 +114,23 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
             tokens += _tokens_of(str(found.lastgroup), raw, (at, end))
         at = end
     return _ordinals(tokens), strays
+
+
+_MARK = re.compile(r"(?:,?\s+and\s+|,\s+)?(?<![\w(])(?:\((?=\w+\)))?(\d{1,2}|[a-h]|i{1,3}|iv|v)\)(?=\s)")
+_COUNTS = ("1 2 3 4 5 6 7 8 9", "a b c d e f g h", "i ii iii iv v")
+
+
+def _unnumbered(text: str) -> str:
+    """ "(1) red on blue, and (2) ...", "(a) ...; (b) ...": each begins a sentence. Of these at least two in order."""
+    marks = list(_MARK.finditer(text))
+    told = [mark.group(1) for mark in marks]
+    ordered = any(told == counted.split()[: len(told)] for counted in _COUNTS)
+    if len(told) < 2 or not ordered or (told[0] == "1" and "(" not in marks[0].group()):  # "1) ..." are bullets
+        return text
+    for number, mark in enumerate(marks):
+        begin, end = mark.span() if number else (mark.start(1) - (text[mark.start(1) - 1] == "("), mark.end())
+        text = text[:begin] + (";" if number else " ").ljust(end - begin) + text[end:]
+    return text
 
 
 def _tokens_of(kind: str, raw: str, span: Span) -> list[Token]:

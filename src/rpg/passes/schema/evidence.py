@@ -159,7 +159,8 @@ def _on_one(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
     """Whether "A and B, each on a mat" came to one mat for all of them."""
     here = [t.word for t in words[index + 1 : index + 5]]
     one = here[:1] in (["on"], ["onto"]) and here[1:2] in (["a"], ["one"]) and bool({*here[2:4]} & lexicon.PATCH.keys())
-    return one and any(isinstance(x, OnPatch) and len(members(x.a)) > 1 for x in atoms(task.goal))
+    placed = [x for x in atoms(task.goal) if isinstance(x, OnPatch)]
+    return one and len({x.patch for x in placed}) == 1 and any(len(members(x.a)) > 1 for x in placed)
 
 
 def _meanwhile(words: Sequence[Token], at: int) -> bool:

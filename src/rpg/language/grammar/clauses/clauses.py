@@ -346,9 +346,19 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
             yield found_, k
 
 
+def _told_one_by_one(theme: Meaning | None) -> bool:
+    """ "Two stacks of two, a red one and a blue one": these are the stacks, and hardly further blocks."""
+    first, *more = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
+    many = first.amount.low if isinstance(first, Structure) and first.plural and first.amount is not None else 0
+    ones = all(isinstance(x, Noun) and (x.head, x.det) == ("any", "a") for x in more)
+    return many > 1 and ones and len(more) == many
+
+
 def _weighed(found: Meaning) -> Meaning:
     """ "First a row of three, then a red block on one of them": what comes then has its own place, not both of them."""
     theme, place = (found.theme, found.adjuncts[0]) if isinstance(found, Clause) and found.adjuncts else (None, None)
+    if isinstance(found, Clause) and _told_one_by_one(found.theme):
+        return replace(found, cost=found.cost + 4)
     if not isinstance(place, Loc):
         return found
     inside = theme.members if isinstance(theme, Structure) else None

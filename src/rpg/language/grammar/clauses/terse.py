@@ -261,7 +261,7 @@ def _place_first(p: Parser, i: int, mode: str) -> Results[Meaning]:
     """ "near left corner: the X": what lies in a part of the table, behind a colon."""
     start = p.opt(i, "the")
     for region, j in dict.fromkeys([*named(p, start), *named_regions(p, start)]):
-        told = region.endswith("_corner") or p.words[j - 1] in ("half", "edge", "table")
+        told = region.endswith("_corner") or p.words[j - 1] in ("half", "side", "edge", "table")
         yield from is_where(p, i, j, In(region=region, span=p.span(i, j)), mode) if told else ()
         colon = p.any_of(j, _FOR) if told else 0
         for theme, k in noun_phrase(p, colon) if colon else ():

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.structures.each_line import EACH
 from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import Absolute, Amount, Coord, Noun, Places, Size, Traits
 
@@ -80,3 +82,22 @@ def layers_told(p: Parser, j: int) -> Results[Size]:
             return
         at = k + 1
     yield Size(what="base", amount=Amount(number, number), span=p.span(start, at)), at
+
+
+def colored_ones(p: Parser, i: int, many: int) -> Results[tuple[str, ...]]:
+    """ "(two towers), a red one and a blue one", "..., one colour each: red and blue": the colours of so many."""
+    for j in EACH.matches(p, p.opt(i, ",")) if p.anywhere(_EACHES) else ():
+        for items, end in listed(p, lead) if (lead := p.any_of(j, (":", ",", "-", ", namely"))) else ():
+            named = tuple(c for x in items if isinstance(x, Noun) and x.amount is None for c in x.traits.colors)
+            if len(named) == len(items) == many:
+                yield named, end
+    lead = p.any_of(i, (",", ":", ", namely"))
+    for items, end in listed(p, lead) if lead else ():
+        nouns = [x for x in items if isinstance(x, Noun) and x.head == "any" and x.det == "a" and not x.part_of]
+        looks = [x.traits.colors for x in nouns if x.traits == Traits(colors=x.traits.colors[:1])]
+        named = tuple(color for look in looks for color in look)
+        if len(named) == len(items) == len(set(named)) == many:
+            yield named, end
+
+
+_EACHES = frozenset({"each", "every"})

@@ -9,9 +9,9 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.along import listed_along, listed_in_turn
-from rpg.language.grammar.structures.apposed import a_lot_each, layers_told, symbols_told
+from rpg.language.grammar.structures.apposed import a_lot_each, colored_ones, layers_told, symbols_told
 from rpg.language.grammar.structures.ascents import measures
-from rpg.language.grammar.structures.each_line import EACH, one_line_each
+from rpg.language.grammar.structures.each_line import one_line_each
 from rpg.language.grammar.structures.gradients import gradient
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
 from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, ends_in_lines, lines_of, size_phrase
@@ -153,12 +153,10 @@ def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     from rpg.language.grammar.structures.wholes import wholes
 
     towers = base.plural and base.kind == "stack" and base.amount is not None
-    for j in EACH.matches(p, p.opt(k, ",")) if towers and p.anywhere(_EACHES) else ():
-        for items, end in listed(p, lead) if (lead := p.any_of(j, (":", ",", "-", ", namely"))) else ():
-            named = tuple(c for x in items if isinstance(x, Noun) and x.amount is None for c in x.traits.colors)
-            if base.amount is not None and len(named) == len(items) == base.amount.low:
-                yield _painted(base, named, Pattern(unit="stack", span=p.span(k, end)), p.span(i, end)), end
-    lots = a_lot_each(p, k, base.amount.low) if towers and base.amount is not None else ()
+    many = base.amount.low if towers and base.amount is not None else 0
+    for named, end in colored_ones(p, k, many) if many else ():
+        yield _painted(base, named, Pattern(unit="stack", span=p.span(k, end)), p.span(i, end)), end
+    lots = a_lot_each(p, k, many) if many else ()
     for told, end in lots if base.members is None else ():
         yield replace(base, details=(*base.details, told), span=p.span(i, end)), end
     for found, end in wholes(p, k) if base.plural else ():
@@ -171,9 +169,6 @@ def _one_each(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
             yield _painted(base, colors, Pattern(unit="stack", span=found.span), p.span(i, end)), end
         else:
             yield replace(base, details=(*base.details, found), span=p.span(i, end)), end
-
-
-_EACHES = frozenset({"each", "every"})
 
 
 def _painted(base: Structure, colors: tuple[str, ...], pattern: Pattern, span: Span) -> Structure:
@@ -368,7 +363,9 @@ def _are_members(p: Parser, j: int, k: int, base: Structure, members: Meaning, e
     upon = base.plural and isinstance(members, Noun) and not members.plural and p.stands(end, ("on", "over", "above"))
     if upon or (lone and p.words[k - 1] == "with"):
         return False
-    if any(isinstance(x, Noun) and x.traits.extra for x in getattr(members, "items", (members,))):
+    # "Two towers of three blocks, each on a mat": of the towers.
+    each = isinstance(members, Noun) and members.det == "each" and members.part_of is not None
+    if each or any(isinstance(x, Noun) and x.traits.extra for x in getattr(members, "items", (members,))):
         return False
     if isinstance(members, Structure) or (isinstance(members, Pronoun) and p.words[k - 1] == "for"):
         return False

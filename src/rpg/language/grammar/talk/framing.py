@@ -176,6 +176,9 @@ _FRAME = (
     "<where>? ,? <table>|<person> <may>? end|ends|end_up|ends_up|finish|finishes|be_left|are_left with <break>*",
     "<person> <did> <well> if|when|once|as_soon_as",
     "<kind>* solution|answer|end_state|requirement|deliverable :|,",
+    "the|this? ground_truth|reference|expected_outcome|expected_behavior|gold_standard|spec|specification of|for? "
+    "the|this|our? demo|task|episode|test|eval|evaluation|benchmark|video|paper|experiment|ablation|baseline? :|is|,:",
+    "for the|an|our|this ablation|baseline|benchmark|evaluation|eval|rollout|rollouts|sanity_check|regression_test ,?",
     "to be? built|made|seen|done|shown|achieved|reached|see|build|achieve|produce|find <where>* :",
     "<wanted> is|are|: <where>* :?",
     "have|take|let_us_have|let_us_take a look|glance|peek|good_look at this|the_following|it|<pictured> :|,",

@@ -140,6 +140,13 @@ def _where_all_of_it_is(clause: Clause, spec: Spec, scope: Scope) -> Clause:
 
 def _of_them_all(clause: Clause, spec: Spec) -> None:
     """ "a tower of red and blue, a green block and a yellow one: all of them in the left half": where all of it is."""
+    several = isinstance(clause.theme, Structure) and clause.theme.plural
+    for told in list(spec.absolutes) if several else ():  # "three stacks of two, each on its own patch"
+        marks = [getattr(a, "landmark", None) for a in told.adjuncts]
+        own = all(isinstance(m, Noun) and m.head == "patch" and m.traits.scheme == "different" for m in marks)
+        if isinstance(told.theme, Pronoun) and told.theme.word == "each" and own:
+            spec.absolutes.remove(told)
+            spec.places += told.adjuncts
     for told in list(spec.absolutes) if isinstance(clause.theme, Coord) else ():
         whose = told.theme.part_of if isinstance(told.theme, Noun) and told.theme.det == "all" else told.theme
         all_ = isinstance(whose, Pronoun) and whose.word in ("them", "all of them", "everything", "all")

@@ -216,6 +216,12 @@ def _place_one(ref: Ref, item: Meaning, scene: Scene, scope: Scope, span: Span, 
 def _tower_patch(ref: Ref, item: Loc, scene: Scene, scope: Scope, span: Span) -> Goals | None:
     """A structure on patches: one patch for all, or a matching one for each tower."""
     landmark = item.landmark
+    if len(ref.built) > 1 and isinstance(landmark, Noun) and landmark.traits.scheme == "different":
+        return None
+    stack = len(ref.built) == 1 and ref.built[0].kind == "stack"
+    if stack and isinstance(landmark, Noun) and landmark.plural and landmark.traits.scheme == "different":
+        raise refuse("contradiction", "one tower does not stand on several patches", item.span,
+                     "say 'make a tower of each color'")  # fmt: skip
     if isinstance(landmark, Noun) and (
         landmark.traits.matching
         or (landmark.head == "patch" and landmark.traits.scheme in ("some", "different") and not landmark.traits.colors)

@@ -48,8 +48,14 @@ def one_by_one(shape: Structure, spec: Spec) -> bool:
         return False
     if shape.kind != "stack":
         return shape.kind not in APART
-    apart = _to_each_other(spec) or (spec.lined and not spec.patterns)
+    apart = _to_each_other(spec) or ((spec.lined or _own_patches(spec)) and not spec.patterns)
     return _sided(spec) is not None or any(map(_whole, spec.absolutes)) or apart
+
+
+def _own_patches(spec: Spec) -> bool:
+    """ "Three stacks of two, each on its own patch": each of them is somewhere else."""
+    marks = [p.landmark for p in spec.places if isinstance(p, Loc) and p.rel == "on" and not p.negated]
+    return any(isinstance(m, Noun) and m.traits.scheme == "different" and not m.traits.colors for m in marks)
 
 
 def _to_each_other(spec: Spec) -> bool:

@@ -26,6 +26,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
                 continue
+            if word.word in ("both", "both of them") and _one_of_two_wholes(ref, scene):
+                return _two_wholes(word, scene)
             if ref.quant is not None and ref.quant.strict and 0 < ref.quant.low < len(ref.names):
                 raise refuse("ambiguous", f"{word.word!r} could be all of these blocks, or just so many of them",
                              word.span, "name the blocks that you mean")  # fmt: skip
@@ -44,6 +46,8 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if len(set(last)) == 1 and word.word in ("them", "they", "both", "both of them"):
         said = [n for m in scene.mentions for n in m.ref.names if not scene.things[n].patch]
         last = list(dict.fromkeys(said))
+    if word.word in ("both", "both of them") and len(set(last)) > 2:
+        return _two_wholes(word, scene)
     if word.word == "all of them":
         last = [n for m in scene.mentions if m not in own for n in m.ref.names if not m.ref.patch]
         return Ref(names=tuple(dict.fromkeys(last)), plural=True) if last else _nobody(word)
@@ -52,6 +56,19 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if last:
         return Ref(names=tuple(last), plural=len(last) > 1)
     return _nobody(word)
+
+
+def _one_of_two_wholes(ref: Ref, scene: Scene) -> bool:
+    """Whether these two blocks are one of two structures that were built there."""
+    return len(scene.built) == 2 and any(set(ref.names) == set(b.members) for b in scene.built)
+
+
+def _two_wholes(word: Pronoun, scene: Scene) -> Ref:
+    """ "The reds form a row, the blues a column, and both are in the left half": of all that was built there."""
+    names = [n for b in scene.built for n in b.members]
+    if len(scene.built) != 2 or len(set(names)) < len(names):
+        raise refuse("ambiguous", f"it is not clear which two {word.word!r} are", word.span, "name them")
+    return Ref(names=tuple(names), built=tuple(scene.built), plural=True, span=word.span)
 
 
 def _two_ends(word: Pronoun, own: list[Mention], scene: Scene) -> Ref | None:

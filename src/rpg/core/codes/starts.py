@@ -9,7 +9,8 @@ CODES: tuple[Code, ...] = (
         id="start-solves-goal",
         title="nearly every start satisfies the goal",
         explanation="Starts are drawn again until the goal does not hold yet and no stage of it is met; where nearly "
-        "every start is already past that point, there is nothing left to do in the task.",
+        "every start is already past that point, there is nothing left to do in the task. Where an instruction only "
+        "says what must not be and nothing of the start, what it denies is so at the start.",
         example="put the red block on the table",
         remedy="put the red block on the blue block",
     ),

@@ -42,13 +42,13 @@ from rpg.passes.schema.resolve.clauses.begun_facts import cleared_of
 from rpg.passes.schema.resolve.clauses.chains import at_their_times, chain_goals, join
 from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
-from rpg.passes.schema.resolve.clauses.kept import brought_about
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.moments import in_time
+from rpg.passes.schema.resolve.goals.ahead import still_ahead
 from rpg.passes.schema.resolve.goals.contradictions import check_all
+from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.orders.told_places import places_told
-from rpg.passes.schema.resolve.places.bare_table import off_their_patches
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
 from rpg.passes.schema.resolve.places.sided_patches import settle_sides
 from rpg.passes.schema.resolve.structures.heaps import from_heaps, heaps_begun, heaps_last, told_later
@@ -58,7 +58,6 @@ from rpg.passes.schema.resolve.things import finish
 from rpg.passes.schema.resolve.things.counted import counted_later
 from rpg.passes.schema.resolve.things.inventory import each_agrees
 from rpg.passes.schema.resolve.things.of_each import each_later
-from rpg.passes.schema.resolve.things.premises import keep_premises
 from rpg.passes.schema.resolve.things.rest import listed_alone, selects, speaks_of_rest
 from rpg.passes.schema.resolve.things.same_blocks import check_counted, told_one_by_one
 from rpg.passes.schema.resolve.things.sized import sized
@@ -223,7 +222,7 @@ def _resolved(
     goal = join([(links[n], stated[n]) for n in sequence], scene, (0, len(text)))
     if isinstance(goal, g.All) and not goal.goals:
         raise _no_goal(scene, text)
-    goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
+    goal = with_what_is_meant(goal, scene)
     check_counted(chains, scene, text)
     settle_sides(scene)
     chosen = finish.choose(scene)
@@ -237,10 +236,11 @@ def _resolved(
     )  # fmt: skip
     final = reconcile(finish.renamed(goal, names))
     made = finish.assets(scene, names)
+    start, assumed = still_ahead(final, start, made)
     found = _schema(
         name=name or family_name(final), instruction=text, author=author, seed=seed, assets=made, init=start,
         goal=final,
-        assumptions=tuple(scene.assumptions), open_={names[t.name]: t.open for t in scene.blocks() if t.open},
+        assumptions=(*scene.assumptions, *assumed), open_={names[t.name]: t.open for t in scene.blocks() if t.open},
     )  # fmt: skip
     return replace(found, chosen=frozenset(names[thing] for thing in chosen))
 

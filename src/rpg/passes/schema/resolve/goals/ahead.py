@@ -1,0 +1,33 @@
+"""Goals that only deny: "no red block touches the blue one" holds wherever blocks usually start."""
+
+from __future__ import annotations
+
+from rpg.blocks.english import clause
+from rpg.blocks.state import World
+from rpg.ir import goal as g
+from rpg.ir.assets import Asset
+from rpg.ir.schema import InitialState
+
+
+def still_ahead(goal: g.Goal, start: InitialState, assets: tuple[Asset, ...]) -> tuple[InitialState, tuple[str, ...]]:
+    """A start in which what the goal denies is so, where nothing is said of the start, and the assumption."""
+    parts = goal.goals if isinstance(goal, g.All) else (goal,)
+    broken = [_broken(part) for part in parts]
+    if start != InitialState() or broken[0] is None or None in broken:
+        return start, ()
+    first = broken[0].model_copy(update={"span": None})
+    told = clause(first, World(assets))
+    return InitialState(arranged=(first,)), (f"the goal would hold at most starts, so at the start {told}",)
+
+
+def _broken(part: g.Goal) -> g.Goal | None:
+    """What such a part denies, by as little as it can; None where it asks for something."""
+    match part:
+        case g.Not(goal=g.Any(goals=goals)):
+            return goals[0]
+        case g.Not():
+            return part.goal
+        case g.Count() if part.at_least == 0 and part.at_most is not None and part.at_most < len(part.over):
+            more = part.at_most + 1
+            return part.model_copy(update={"at_least": more, "at_most": more})
+    return None

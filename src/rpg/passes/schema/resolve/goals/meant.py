@@ -1,0 +1,16 @@
+"""What a goal takes for granted, beside what is said of it."""
+
+from __future__ import annotations
+
+from rpg.ir import goal as g
+from rpg.passes.schema.resolve.clauses.kept import brought_about
+from rpg.passes.schema.resolve.goals.standing import still_standing
+from rpg.passes.schema.resolve.places.bare_table import off_their_patches
+from rpg.passes.schema.resolve.things.premises import keep_premises
+from rpg.passes.schema.resolve.things.world import Scene
+
+
+def with_what_is_meant(goal: g.Goal, scene: Scene) -> g.Goal:
+    """`goal` with the premises of its words: what landmarks are, what is left alone, towers that still stand."""
+    goal = brought_about(off_their_patches(keep_premises(goal, scene), scene), scene)
+    return still_standing(goal, scene.start_goals)

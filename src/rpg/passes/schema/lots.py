@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from rpg.ir import goal as g
-from rpg.ir.assets import SemanticCube
+from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.schema import TaskSchema
 from rpg.ir.structures import Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
@@ -30,6 +30,8 @@ def check_lots(words: Sequence[Token], task: TaskSchema) -> None:
     _letters_of_words(words, task)
     _beside_a_chain(words, task)
     _all_of_them(words, task)
+    _in_turn(words, task)
+    _letter_a(words, task)
 
 
 def _letters_of_words(words: Sequence[Token], task: TaskSchema) -> None:
@@ -68,6 +70,33 @@ def _all_of_them(words: Sequence[Token], task: TaskSchema) -> None:
 
 
 _PART = frozenset({"of", "in", "on", "with", "from", "at", "that", "which"})
+
+
+def _in_turn(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put red and blue on the mat in turn" as a line in which colours alternate: no two are alike."""
+    turn = next((t for before, t in pairwise(words) if t.word in ("turn", "turns") and before.word in _TURNS), None)
+    colors = {asset.name: asset.color for asset in task.blocks}
+    for line in (x for x in atoms(task.goal) if isinstance(x, Row | Stack) and x.order.by == "alternating"):
+        if turn is not None and len({colors[n] for n in line.blocks}) == len(line.blocks):
+            raise refuse("ambiguous", "in a line of alternating colours, or one after the other?", turn.span,
+                         "say 'first ..., then ...'")  # fmt: skip
+
+
+_TURNS = frozenset({"in", "take", "takes", "by"})
+
+
+def _letter_a(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a row of a b and c" as one of B and C: written in small letters, "a" may be one of them."""
+    small = [
+        n for n, t in enumerate(words) if t.kind == "word" and len(t.raw) == 1 and t.raw.islower() and t.raw != "a"
+    ]
+    plain = any(n == 0 or words[n - 1].word not in ("a", "an") for n in small)
+    shown = any(
+        "A" in {asset.symbol(face) for face in FACES} for asset in task.assets if isinstance(asset, SemanticCube)
+    )
+    for n in small if plain and not shown else ():
+        if n and words[n - 1].raw == "a" and words[n].raw not in ("i", "s"):
+            raise refuse("ambiguous", "this 'a' could be the letter A", words[n - 1].span, "write letters large")
 
 
 def _parted_lists(words: Sequence[Token], task: TaskSchema) -> None:

@@ -42,7 +42,8 @@ _HAS = (
 _GETS = Patterns(f"{_HAS} tower|stack of_its_own|of_their_own?")
 _GROUPED = Patterns(f"{_HAS} group|cluster|bunch of_its_own|of_their_own?")
 _GOES = Patterns(
-    "goes|should_go|must_go|is|should_be|must_be|belongs|ends_up|should_end_up|comes|is_to_go|go|are|should_all_be",
+    "goes|should_go|must_go|is|should_be|must_be|belongs|ends_up|should_end_up|comes|is_to_go|go|are|should_all_be|"
+    "have_to_be|must_all_be|should_stay|must_stay|need_to_be",
 )
 _LIES = Patterns(
     "is|are|should_be|must_be|goes|go|come|comes|stays|stay|should_stay|belong|belongs "
@@ -61,7 +62,7 @@ _STACK = ("stack", "stack up", "pile up", "build up", "put up")
 _SORT = ("sort", "group", "gather", "cluster", "collect", "separate", "split up", "divide", "bring")
 _PUT = ("put", "place", "keep", "set", "lay", "bring", "move", "arrange", "gather", "collect", "sort", "stack", "group",
         "separate", "split", "assemble", "organize", "organise", "distribute")  # fmt: skip
-_FOR_EACH = Patterns("for|per|of|from|out_of|in each|every single? color", "per|a color")
+_FOR_EACH = Patterns("for|per|of|from|out_of|in each|every single? color", "per|a color", "each|apiece")
 _MAKE = Patterns(
     "build|make|create|form|put_up|assemble|set_up|there_should_be|there_must_be|i_want|i_would_like|we_want|we_need|"
     "i_need|there_is|give_me|have",
@@ -150,6 +151,7 @@ def _stated(p: Parser, i: int) -> Results[str]:
         yield from (("sort", end) for told in (_GROUPED, _LIES) for end in told.matches(p, j))
         for k in (j, *_GOES.matches(p, j)):
             yield from _parted(p, k)
+            yield from (("sort", end) for end in _TOGETHER.matches(p, k) if k > j)
         yield from (("sort", end) for end in _TOGETHER.matches(p, j))
 
 

@@ -19,6 +19,9 @@ _SPECTRUM = "red , orange , yellow , green , cyan , blue , purple and pink"
 _PHRASES = {
     **{f"{how} {what}": what for how in ("scattered", "strewn")
        for what in ("blocks", "cubes", "bricks", "boxes", "letters", "numbers", "digits", "letter")},
+    **{f"{just} in the {middle}": f"in the {middle}" for just in ("exactly", "precisely")
+       for middle in ("middle", "center")},
+    "share a color": "have the same color", "share the same color": "have the same color",
     **{f"{on} the {floor}": f"{on} the table" for on in ("on", "onto", "to") for floor in ("floor", "ground")},
     **{f"{how} {heap}": heap for how in _MESSY for heap in ("heap", "pile", "jumble", "bunch")},
     **{f"{how} {at}": at for how in _TOGETHER for at in ("in one heap", "in a heap", "in one pile", "in a pile")},

@@ -295,7 +295,7 @@ _ALL_OF_THEM = (
     ", all of them", ", all in", ", all", ", all are", ", which are all", "which are all", "that are all", ", each",
     ", both", ", every one of them",
 )  # fmt: skip
-_ONE_THING = frozenset(w for table in (lexicon.BLOCK, lexicon.PATCH) for w, plural in table.items() if not plural)
+_ONE_THING = frozenset(w for t in (lexicon.BLOCK, lexicon.PATCH) for w, plural in t.items() if not plural) | {"one"}
 """Behind these "all" and "both" speak of something else: "three blocks on the mat, all yellow"."""
 
 

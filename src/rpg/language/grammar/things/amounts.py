@@ -231,7 +231,8 @@ def length(p: Parser, i: int) -> Results[float]:
     """A length in metres: "5 cm", "half a centimetre", "two inches"."""
     value = p.figure(i)
     if value is not None:
-        factor = p.lex(i + 1, lexicon.UNIT)
+        spelt = p.words[i + 1] == "in" and p.tokens[i].kind == "word"  # "put two in the corner", "TEN in white letters"
+        factor = p.lex(i + 1, lexicon.UNIT) if not spelt else None
         if factor is not None:
             yield round(value * factor, 6), i + 2
     if (j := p.one(i, frozenset({"a", "an", "one"}))) and (factor := p.lex(j, lexicon.UNIT)) is not None and factor < 1:

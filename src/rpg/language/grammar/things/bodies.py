@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Span
 from rpg.language import lexicon
-from rpg.language.grammar.core import Parser, Results, rule
+from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import Amount, Clause, Meaning, Noun, Pronoun, Quality, Structure, Traits
@@ -38,6 +39,7 @@ def bodies(p: Parser, i: int, previous: Meaning) -> Results[tuple[Clause, ...]]:
         return
     if (lead := p.one(i, "in")) and previous.verb == "spell":
         yield from (((found,), j) for found, j in _in_one_color(p, i, lead))
+        yield from _one_by_one(p, lead, previous.theme.letter or "")
     start = p.one(i, frozenset({",", ":", ";"})) or i
     start = p.one(start, _LEADS) or (start if start > i else 0)
     if start:
@@ -55,11 +57,40 @@ def _in_one_color(p: Parser, i: int, start: int) -> Results[Clause]:
     """ "(spell CAT) in red": all its letters."""
     for named, k in color(p, start):
         j = p.any_of(k, ("letter cubes", "letter blocks", "letters", "cubes")) or k
-        if j >= p.end or p.stands(j, (",", ";", "and", "from", "along")):
+        if j >= p.end or (p.stands(j, (",", ";", "and", "from", "along")) and not _more_colors(p, j)):
             everyone = Noun(head="block", det="all", plural=True, traits=Traits(kind="letter"), span=p.span(i, j))
             quality = Quality(traits=Traits(colors=(named,)), span=p.span(i, j))
             said = Clause(verb="be", lemma="fact", theme=everyone, adjuncts=(quality,), mode="goal", span=p.span(i, j))
             yield said, j
+
+
+def _more_colors(p: Parser, j: int) -> bool:
+    """ "in red, blue and white": not all of it is red."""
+    return p.lex(p.opt(p.opt(j, ","), "and"), lexicon.COLOR) is not None
+
+
+_IN_ORDER = (", in this order", ", in that order", "in this order", "in that order", "respectively", ", respectively",
+             "letters", "letter cubes", "cubes")  # fmt: skip
+
+
+def _one_by_one(p: Parser, start: int, word: str) -> Results[tuple[Clause, ...]]:
+    """ "(spell BOX) in red, blue and white": a colour for each of its letters."""
+    looks: list[str] = []
+    at = start
+    while (found := next(iter(color(p, at)), None)) is not None:
+        looks.append(found[0])
+        at = found[1]
+        if len(looks) == len(word) == len(set(word)) > 1 and not _more_colors(p, at):
+            end = p.any_of(at, _IN_ORDER) or at
+            told = (_of_letter(letter, look, p.span(start, end)) for letter, look in zip(word, looks, strict=True))
+            yield tuple(told), end
+        at = p.opt(p.opt(at, ","), "and")
+
+
+def _of_letter(letter: str, look: str, span: Span) -> Clause:
+    theme = Noun(head="block", det="the", traits=Traits(labels=(letter,)), span=span)
+    quality = Quality(traits=Traits(colors=(look,)), span=span)
+    return Clause(verb="be", lemma="fact", theme=theme, adjuncts=(quality,), mode="goal", span=span)
 
 
 def _told(p: Parser, i: int, had: tuple[Clause, ...]) -> Results[tuple[Clause, ...]]:
@@ -74,11 +105,28 @@ def _told(p: Parser, i: int, had: tuple[Clause, ...]) -> Results[tuple[Clause, .
 
 def body_clause(p: Parser, i: int) -> Results[Clause]:
     """In a clause of its own, where it can be no place: "the letters are on red cubes", "B is on a red body"."""
+    if i == 0 or p.follows(i, _SET_OFF):
+        yield from _mere_look(p, i)
     if p.any_of(i, _ALL) or p.rarely(_BODIES):
         for said, j in body(p, i):
             told = p.words[j - 1] in _BODIES or (p.any_of(i, _ALL) and p.words[j - 1] in _PLURAL)
             if told and said.adjuncts[0].traits.colors:  # type: ignore[attr-defined]
                 yield said, j
+
+
+_SET_OFF = frozenset({",", ";", "and"})
+
+
+@choice
+def _mere_look(p: Parser, i: int) -> Results[Clause]:
+    """ "The N red, the O white.": of what colour these are, without a verb."""
+    start = p.one(i, "the") or i
+    token = p.token(start)
+    if token is None or len(token.raw) != 1 or not token.raw.isupper() or (start == i and token.raw in "AI"):
+        return
+    for named, j in color(p, start + 1):
+        if j >= p.end or p.stands(j, _SET_OFF | {":"}):
+            yield _of_letter(token.raw, named, p.span(i, j)), j
 
 
 @rule

@@ -13,8 +13,9 @@ _PLACES = frozenset({"top", "bottom", "middle", "first", "last", "second", "thir
                      "leftmost", "rightmost", "center", "lowest", "highest", "topmost", "uppermost", "lowermost",
                      "front", "back", "upper", "lower", "end", "ends", "outer", "inner", "central",
                      "bottommost"})  # fmt: skip
-_OF_THEM = frozenset({"of", "them", "the", "these", "blocks", "cubes", "bricks", "are", "is", "in", "being", "should",
-                      "must", "be", "shall"})  # fmt: skip
+_IN = frozenset({"with", "in", "using"})
+_OF_THEM = frozenset({"letters", "of", "them", "the", "these", "blocks", "cubes", "bricks", "are", "is", "in", "being",
+                      "should", "must", "be", "shall"})  # fmt: skip
 _IS = frozenset({",", "which", "that", "it", "is", "are", "being", "should", "must", "be", "in", "shall"})
 _ONES = frozenset({"one", "ones", "block", "blocks", "cube", "cubes", "brick", "bricks"})
 _FEW = frozenset({"a", "one", "two", "three", "exactly", "single", "just"})
@@ -26,6 +27,8 @@ _PART = 12
 def exceptions_first(tokens: list[Token]) -> list[Token]:
     """The tokens with such exceptions told as two parts."""
     for start, token in enumerate(tokens):
+        if token.word in _IN and (told := _but_one_letter(tokens, start)) is not None:
+            return told
         if token.word == "all" and (found := _at(tokens, start)) is not None:
             part, end, color, other = found
             rest = [_word(word, tokens[start]) for word in ("and", "the", "others")]
@@ -38,6 +41,24 @@ def exceptions_first(tokens: list[Token]) -> list[Token]:
                 lead = lead[:-3]
             return [*lead, *said, *tokens[end:]]
     return tokens
+
+
+def _but_one_letter(tokens: list[Token], start: int) -> list[Token] | None:
+    """ "(spell SEA) with blue cubes except for the E, which is white": with the E white and the others blue."""
+    words = [t.word for t in tokens]
+    if words[start + 1 : start + 2] == [] or words[start + 1] not in lexicon.COLOR:
+        return None
+    every = [replace(tokens[start], word="all", raw="all"), *tokens[start + 1 :]]
+    named = [t for n, t in enumerate(every) if not (n in (2, 3) and t.word in _SHOWN)]
+    found = _at(named, 0)
+    if found is None or len(found[0]) != 2 or len(found[0][1].raw) != 1:
+        return None
+    part, end, color, other = found
+    rest = [_word(word, tokens[start]) for word in ("and", "the", "others")]
+    return [*tokens[:start], _word("with", tokens[start]), *part, other, *rest, color, *named[end:]]
+
+
+_SHOWN = frozenset({"letter", "letters", "cubes", "blocks", "bodies", "cube", "block", "bricks"})
 
 
 def _at(tokens: list[Token], start: int) -> tuple[list[Token], int, Token, Token] | None:
@@ -61,7 +82,8 @@ def _at(tokens: list[Token], start: int) -> tuple[list[Token], int, Token, Token
         return None
     told = begun + next((n for n, word in enumerate(words[begun:end]) if word in _IS and n), end - begun)
     if words[begun] == "the":
-        fits = bool(_PLACES & {*words[begun:told]}) and all(word in _IS for word in words[told:end])
+        lettered = told == begun + 2 and len(tokens[begun + 1].raw) == 1 and tokens[begun + 1].raw.isupper()
+        fits = (lettered or bool(_PLACES & {*words[begun:told]})) and all(word in _IS for word in words[told:end])
         fits = fits and lexicon.COLOR[words[end]] != lexicon.COLOR[color.word]
     else:
         fits = told > begun and all(word in _FEW for word in words[begun:told])

@@ -234,6 +234,8 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     for words, quality, kind in (("vowel", "vowel", "letter"), ("consonant", "consonant", "letter")):
         if j := p.one(i, frozenset({words, words + "s"})):
             yield ("block", p.words[i].endswith("s"), {"kind": kind, "quality": quality}), j
+    if j := p.one(i, frozenset({"odds", "evens"})):
+        yield ("block", True, {"kind": "digit", "quality": p.words[i].rstrip("s")}), j
     start = p.one(i, frozenset({"random", "arbitrary", "other"})) or i
     if j := p.one(start, frozenset({"distractor", "distractors"})):
         yield ("block", p.words[start] == "distractors", {"extra": True}), j

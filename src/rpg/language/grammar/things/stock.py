@@ -229,7 +229,7 @@ def _parted(p: Parser, i: int) -> Results[Clause]:
         items.append(item)
         if len(items) > 1:
             whole = Coord(op="and", items=tuple(items), span=p.span(i, at))
-            yield replace(given(p, i, at, whole, (), 1), lemma="stock"), at
+            yield replace(given(p, i, at, whole, (), int("of" not in p.words[i : i + 3])), lemma="stock"), at
         at = p.any_of(p.opt(at, ",", ";"), ("and", "while", "whereas")) or p.opt(at, ",", ";")
 
 

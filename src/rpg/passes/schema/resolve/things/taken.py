@@ -3,25 +3,43 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
 
 _TAKES = frozenset({"pick", "use"})
 
 
 def plainly(chain: Chain) -> Chain:
     """The sentence with such clauses."""
-    return _taken(_listed_apart(chain))
+    return _another(_taken(_listed_apart(chain)))
+
+
+def _another(chain: Chain) -> Chain:
+    """ "A yellow block goes on the red one and another one on the blue one": another yellow block."""
+    clauses = list(chain.clauses)
+    for n, (first, second) in enumerate(pairwise(clauses)):
+        if not isinstance(first, Clause) or not isinstance(second, Clause):
+            continue
+        one, two = first.theme, second.theme
+        if not isinstance(one, Noun) or not isinstance(two, Noun) or two.det != "another" or two.head != "any":
+            continue
+        single = one.det in ("a", "another") and one.head == "block" and bool(one.traits.colors or one.traits.labels)
+        if single and two.traits == Traits() and two.amount in (None, Amount(1, 1)) and first.verb == second.verb:
+            clauses[n + 1] = replace(second, theme=replace(one, det="another", span=two.span))
+    return replace(chain, clauses=tuple(clauses))
 
 
 def _taken(chain: Chain) -> Chain:
     """ "Take two of the four red blocks and stack them": stack two of the four."""
-    for n, (first, second) in enumerate(zip(chain.clauses, chain.clauses[1:], strict=False)):
+    for n, (first, second) in enumerate(pairwise(chain.clauses)):
         if not isinstance(first, Clause) or not isinstance(second, Clause) or first.verb not in _TAKES:
             continue
-        some = isinstance(first.theme, Noun) and first.theme.part_of is not None and first.theme.det == "some"
-        them = isinstance(second.theme, Pronoun) and second.theme.word == "them" and not second.negated
-        if some and them and not first.adjuncts and not first.negated and chain.links[n + 1] in ("and", "then"):
+        if not isinstance(first.theme, Noun) or not isinstance(second.theme, Pronoun) or second.negated:
+            continue
+        some = first.theme.part_of is not None and first.theme.det == "some" and second.theme.word == "them"
+        some = some or (first.theme.det == "any" and second.theme.word == "it")
+        if some and not first.adjuncts and not first.negated and chain.links[n + 1] in ("and", "then"):
             told = replace(second, theme=first.theme)
             clauses = (*chain.clauses[:n], told, *chain.clauses[n + 2 :])
             return replace(chain, clauses=clauses, links=(*chain.links[: n + 1], *chain.links[n + 2 :]))

@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.symmetry import Canonical
 from rpg.blocks.verdict import Verdict
 from rpg.ir.node import Highest, Lowest, Node
 from rpg.ir.walk import names, rename
@@ -43,7 +42,7 @@ class Atoms:
         self._naming = 0
         self._calls: dict[Hashable, _Call] = {}
         self._script: list[_Call] = []
-        self._distinct: dict[str, Node] = {}
+        self._distinct: dict[Hashable, Node] = {}
         self._verdicts: dict[int, Verdict] = {}
         self._noted: list[tuple[Node, Verdict]] = []
 
@@ -86,14 +85,9 @@ class Atoms:
         return call
 
     def _renamed(self, node: Node) -> Node:
-        """The atom under the naming at hand: one object for all that say the same."""
-        naming = self._namings[self._naming]
-        if not naming:
-            return node
-        said = repr(Canonical(self.world)(node, naming))  # type: ignore[arg-type]
-        if said not in self._distinct:
-            self._distinct[said] = rename(node, naming)  # type: ignore[arg-type]
-        return self._distinct[said]
+        """The atom under the naming at hand: one object for all that are equal."""
+        renamed: Node = rename(node, self._namings[self._naming])  # type: ignore[arg-type]
+        return self._distinct.setdefault(renamed, renamed)
 
     def _check_names(self, node: Node) -> None:
         unknown = [name for name in names(node) if name not in self.world.assets]  # type: ignore[arg-type]

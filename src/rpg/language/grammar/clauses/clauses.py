@@ -343,8 +343,7 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
                         ),
                         end,
                     )
-        for found_, k in _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode):
-            yield found_, k
+        yield from _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode)
 
 
 def _told_one_by_one(theme: Meaning | None) -> bool:

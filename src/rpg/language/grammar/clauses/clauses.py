@@ -14,7 +14,7 @@ from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped
 from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
-from rpg.language.grammar.clauses.there import each_with, exists, listed_there, stands_there, with_on_it
+from rpg.language.grammar.clauses.there import exists, listed_there, on_what_is_named, stands_there
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, verb_phrase
 from rpg.language.grammar.clauses.wheres import is_where, trading_places
 from rpg.language.grammar.core import Parser, Results, rule
@@ -97,8 +97,7 @@ def _plain(p: Parser, i: int, mode: str) -> Results[Meaning]:
         yield (replace(there, lemma="begun") if begun and isinstance(there, Clause) else there), j
     yield from _describe(p, i, when)
     yield from having(p, i, when)
-    yield from with_on_it(p, i, when)
-    yield from each_with(p, i, when)
+    yield from on_what_is_named(p, i, when)
     if mode != "start":
         yield from part_clause(p, i)
         yield from structure_is(p, i)

@@ -155,7 +155,13 @@ _IT = frozenset({"it", "that", "this", "them"})
 _AND = (", and", "and", ",", ";", ", with", "; and", "-")
 
 
-def with_on_it(p: Parser, i: int, mode: str) -> Results[Clause]:
+def on_what_is_named(p: Parser, i: int, mode: str) -> Results[Clause]:
+    """What is on, or beside, things that are only named in front of it."""
+    yield from _with_on_it(p, i, mode)
+    yield from _each_with(p, i, mode)
+
+
+def _with_on_it(p: Parser, i: int, mode: str) -> Results[Clause]:
     """ "A red block, and on it a blue one": what is named first is only there for what is told of it."""
     from rpg.language.grammar.places.relations import loc
 
@@ -182,7 +188,7 @@ _ON_TOP = ("on top of it", "on top of them", "on top", "on it", "on them", "sitt
            "stacked on it", "stacked on top")  # fmt: skip
 
 
-def each_with(p: Parser, i: int, mode: str) -> Results[Clause]:
+def _each_with(p: Parser, i: int, mode: str) -> Results[Clause]:
     """ "Two red blocks, each with a blue block on top": one on each of these."""
     if not p.anywhere(_EACH):
         return

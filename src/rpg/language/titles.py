@@ -25,7 +25,8 @@ _NUMBERED = _words(
 _TEXTS = _words(
     "task job note notes memo benchmark exercise lesson game puzzle test drill challenge mission demo experiment "
     "assignment homework quiz reminder request ticket prompt problem question activity scenario episode round level "
-    "log message brief riddle story report worksheet project trial announcement command skill errand"
+    "log message brief riddle story report worksheet project trial announcement command skill errand description "
+    "caption summary"
 ) | (_NUMBERED - {"scene", "number", "instruction", "no", "id", "run"})
 """What a title calls its text."""
 _ORDERS = frozenset({"order", "instruction", "instructions"})
@@ -36,7 +37,7 @@ _SORTS = _words(
     "rearrangement rearranging pick place picking placing tidying cleaning clean up tidy robot robotics arm lab desk "
     "tabletop manipulation spelling math maths reading logic memory school kids block blocks cube cubes customer work "
     "sequence sequential toy sorting arrangement unit regression baseline held out training validation sanity check "
-    "warm proposed contributed suggested another"
+    "warm scene goal proposed contributed suggested another"
 )
 """What may tell what sort of text it is."""
 _ACTIVITIES = _words(

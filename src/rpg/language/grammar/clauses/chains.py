@@ -48,8 +48,10 @@ _LEADS = {
     "only when": "then",
     "only once": "then",
     "only after": "then",
+    "having": "then",
 }
 """What stands before a clause, and how the one behind it follows: then, before it, or at the same time."""
+_HAVING = ("you have", "we have", "the robot has", "it has", "the arm has", "having", "they have", "i have")
 
 
 @rule
@@ -57,8 +59,9 @@ def chain(p: Parser, i: int) -> Results[Chain]:
     """Clauses joined by "and", "then", "or", "before", commas."""
     for lead, j in p.standing(i, _LEADS):
         order = _LEADS[lead]
+        done = j if lead == "having" else p.any_of(j, _HAVING)
         j = p.opt(j, "you", "that")
-        fronts = [*gerund_clause(p, j), *chain(p, j)]
+        fronts = [*gerund_clause(p, j), *chain(p, j), *(gerund_clause(p, done, ("past", "base")) if done else ())]
         for front, k in fronts:
             for main, end in chain(p, emphasised(p, k)) if k < p.end else ():
                 both = (main, front) if order == "before" else (front, main)

@@ -9,7 +9,7 @@ from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Into, Meaning, Noun, OrderBy, Pronoun, Structure, Using
+from rpg.language.meaning import Clause, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Using
 
 _NEW_ORDER = ("the order to", "its order to", "their order to", "the order into", "the order of the blocks to")
 _ORDER_OF = ("the order of the blocks in", "the order of the cubes in", "the order of", "order of")
@@ -130,3 +130,19 @@ def _turned_into(p: Parser, i: int, j: int) -> Results[Clause]:
 
 def _clause(p: Parser, i: int, j: int, verb: str, theme: Meaning, found: tuple[Meaning, ...]) -> Clause:
     return Clause(verb=verb, lemma=verb, theme=theme, adjuncts=found, span=p.span(i, j), word=p.span(i, i + 1))
+
+
+_OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there", "down",
+        "down again", "down from there", "back down", "back off", "away again", "out of there")  # fmt: skip
+"""Where something is taken from that was said to be somewhere."""
+_CLOSED = frozenset({",", ";", "and", "then", "."})
+
+
+def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
+    """ "Take it off": from where it was said to be."""
+    end = p.any_of(k, _OFF)
+    if end and (end >= p.end or p.stands(end, _CLOSED)):
+        there = Pronoun(word="there", span=p.span(k, end))
+        off = Loc(rel="off", landmark=there, span=there.span)
+        span, word = p.span(i, end), p.span(i, i + 1)
+        yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off,), span=span, word=word), end

@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.manners import direction
-from rpg.language.grammar.clauses.remade import remade, reverse
+from rpg.language.grammar.clauses.remade import remade, reverse, taken_off
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.orders import order
@@ -108,7 +108,7 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
-        yield from _taken_off(p, i, k, theme) if sense == "pick" or lemma in _TAKING else ()
+        yield from taken_off(p, i, k, theme) if sense == "pick" or lemma in _TAKING else ()
         k = p.opt(k, *_BEHIND.get(sense, ()))
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
         if sense == "use":
@@ -147,20 +147,6 @@ def _is(theme: Meaning, quality: Quality, span: Span, word: Span) -> Clause:
 
 
 _TAKING = frozenset({"get", "bring", "move", "remove", "pull", "push"})
-_OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there", "down",
-        "down again", "down from there", "back down", "back off", "away again", "out of there")  # fmt: skip
-"""Where something is taken from that was said to be somewhere."""
-_CLOSED = frozenset({",", ";", "and", "then", "."})
-
-
-def _taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
-    """ "Take it off": from where it was said to be."""
-    end = p.any_of(k, _OFF)
-    if end and (end >= p.end or p.stands(end, _CLOSED)):
-        there = Pronoun(word="there", span=p.span(k, end))
-        off = Loc(rel="off", landmark=there, span=there.span)
-        span, word = p.span(i, end), p.span(i, i + 1)
-        yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off,), span=span, word=word), end
 
 
 def _by_first(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
@@ -245,13 +231,13 @@ def _turn(p: Parser, i: int, j: int, lemma: str) -> Results[Clause]:
 
 
 @rule
-def gerund_clause(p: Parser, i: int) -> Results[Chain]:
-    """ "moving the red block", "touching anything else" after "without" and "while"."""
-    for found, j in verb_phrase(p, i, ("ing", "base")):
+def gerund_clause(p: Parser, i: int, forms: tuple[str, ...] = ("ing", "base")) -> Results[Chain]:
+    """ "moving the red block", "touching anything else" after "without" and "while"; "put it there" after "having"."""
+    for found, j in verb_phrase(p, i, forms):
         yield Chain(clauses=(found,), links=("and",), span=p.span(i, j)), j
         for joint in ("or", "and"):
             if k := p.one(j, joint):
-                for more, end in verb_phrase(p, k, ("ing", "base")):
+                for more, end in verb_phrase(p, k, forms):
                     yield Chain(clauses=(found, more), links=("and", "and"), span=p.span(i, end)), end
 
 

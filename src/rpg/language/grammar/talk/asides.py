@@ -18,7 +18,9 @@ from rpg.language.tokens import Token
 _ANYWHERE = (
     "once upon a time", "as a result", "long story short", "in short", "as discussed", "as agreed", "as requested",
     "to sum up", "in summary", "pretty please", "as promised", "as usual", "as mentioned", "as planned",
-    "all in all", "um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh", "yeah", "yep", "yup", "lol", "haha",
+    "all in all", "um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh",
+    "let me think", "let me see",
+    "yeah", "yep", "yup", "lol", "haha",
     "cheers", "thx", "ty", "tx", "thanks", "thanks a lot", "thanks so much", "thanks in advance", "many thanks",
     "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
     "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",
@@ -34,7 +36,7 @@ _ANYWHERE = (
 """Phrases that carry nothing in any place."""
 SOFT = 1.0
 """The value of a comma that may have set off nothing but an aside."""
-_HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "hmm", "hm", "ah", "oh"})
+_HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
              "nice and neat", "nice and tidy", "good", "proper", "dead", "smack")  # fmt: skip
 """What carries nothing in front of a description; by itself it would be what is asked for."""

@@ -63,6 +63,7 @@ CHATTER = Patterns(
     "everything|it|the_table|the_desk is a|in|in_a|one|such_a? total|complete|big|real? mess|chaos|disorder",
     "do not worry|hurry|rush about_it|anything?",
     "take your time",
+    "done|finished|over|ready|go|stop",
     "have fun",
     "i|we am|are making|doing|shooting|preparing|planning|taking a|the|some|this? nice|little|short? "
     "picture|pictures|photo|photos|video|videos|demo|poster|presentation|game|exercise for|of? my|our|the|a? "

@@ -63,6 +63,9 @@ COMMANDS = Patterns(
     "so|and|well|okay|ok|yeah|just like ,?",
     "hey|hi|hello|ok|okay|so|well|alright|please|robot|agent ,?",
     "task|goal|instruction|requirement :|-?",
+    "objective|aim|purpose|assignment|mission|job :|-",
+    "would not it be nice|great|good|lovely|fun|cool to",
+    "that? you|we|the_robot first",
     "constraint|condition|restriction|rule|caveat|limitation|warning|important|addition|additionally|extra :|-",
     "do_not|never forget|hesitate to",
     "the|your|our? real|actual? task|job itself? :",
@@ -108,7 +111,7 @@ COMMANDS = Patterns(
     "why do? not you|we",
     "do you think|suppose you could|can|would",
     "can|could|may|might i|we ask|request|trouble|bother you to",
-    "i was? wonder|wondering if|whether you could|can|might",
+    "i|we was|were|am? wonder|wondering if|whether? you? could|can|might?",
     "would|do you mind|care",
     "any chance you could|can",
     "it would be nice|great|good|lovely|wonderful|perfect|cool|best|helpful|ideal to|if_you|if_you_could|if_we|"

@@ -12,6 +12,7 @@ _BEGINNING = "initial|starting|start|original|opening"
 _STATES = "state|configuration|setup|situation|scene|arrangement|layout|picture|position"
 STARTS = Patterns(
     "starting|start|starts|begin|beginning with|from",
+    "on|at? reset|initialization :",
     "start out with",
     "to begin with",
     "initially|originally|currently ,|:?",
@@ -71,6 +72,7 @@ _WHEN = (
 )
 STATES = Patterns(
     "want to_see|to_have?",
+    "would not it be nice|great|good|lovely|fun|cool to_have|to_see|if",
     "i_want_you to_have",
     "the scene|picture|goal|image|table shows",
     "the table should show",

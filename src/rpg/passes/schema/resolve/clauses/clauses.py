@@ -35,6 +35,7 @@ from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sor
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
 from rpg.passes.schema.resolve.clauses.started import laid_down, was_so
+from rpg.passes.schema.resolve.clauses.swapped import swap
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
@@ -364,7 +365,7 @@ def _special(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         case "unstack" | "remove":
             return turning.remove(clause, spec, scene, scope)
         case "swap":
-            return turning.swap(clause, spec, scene, scope)
+            return swap(clause, spec, scene, scope)
         case "turn":
             return turning.turn(clause, spec, scene, scope)
         case "reverse":

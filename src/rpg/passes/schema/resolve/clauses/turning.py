@@ -1,4 +1,4 @@
-"""Verbs about the start and about orientation: keep, take off, swap, pick up, turn."""
+"""Verbs about the start and about orientation: keep, take off, pick up, turn."""
 
 from __future__ import annotations
 
@@ -7,7 +7,20 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, Pronoun, TableTop, That, Using
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    In,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    TableTop,
+    That,
+    Using,
+)
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
@@ -17,7 +30,6 @@ from rpg.passes.schema.resolve.places.relations import place
 from rpg.passes.schema.resolve.things.finish import label_of
 from rpg.passes.schema.resolve.things.operands import crown, spread
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.things import Premise
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -48,6 +60,8 @@ def keep(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if clause.verb == "place":
         scene.returned.update(theme.names)
     stayed = _stayed(theme, clause.span)
+    if isinstance(clause.theme, Structure) and stays:  # "leave the tower of red and blue alone": it is there
+        scene.start_goals += scene.goals.pop(scene.clause, [])
     return [g.Always(goal=stayed, span=clause.span) if ever else stayed, *more]
 
 
@@ -247,37 +261,6 @@ def _off(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Goals:
                 scene.start_goals.append(there)
             loc_goals.append(g.Not(goal=there, span=span))
     return loc_goals
-
-
-def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
-    """ "swap the red and the blue block", "swap A with B"."""
-    told = len(scene.premises)
-    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    parts: tuple[Ref, ...] = theme.parts
-    if spec.usings:
-        other = refer(spec.usings.pop(0).members, scene, replace(scope, role="landmark"))
-        parts = (theme, other)
-    elif len(theme.names) == 2:
-        parts = tuple(Ref(names=(n,)) for n in theme.names)
-    scene.premises[told:] = [_as_it_begins(premise) for premise in scene.premises[told:]]
-    spec.manners = [m for m in spec.manners if m.kind != "idle"]
-    if len(parts) != 2 or len(parts[0].names) != len(parts[1].names):
-        raise refuse(
-            "count-mismatch",
-            "two blocks are swapped with each other",
-            clause.span,
-            "say 'swap the red block and the blue block'",
-        )
-    if any(p.patch for p in parts):
-        raise refuse("fixed-patch", "patches are marks on the table and cannot be moved", clause.span, "swap blocks")
-    return [r.Swapped(a=parts[0].names, b=parts[1].names, span=clause.span)]
-
-
-def _as_it_begins(premise: Meaning) -> Meaning:
-    """ "swap A, which is on the mat, with B": what changes its place is told of as it begins."""
-    if isinstance(premise, Premise) and isinstance(premise.condition, Loc):
-        return replace(premise, condition=replace(premise.condition, mods=()))
-    return premise
 
 
 def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:

@@ -17,13 +17,15 @@ _RELATIONS = ("left", "right", "front", "behind", "beside", "adjacent", "touchin
 _COMMANDS = ("first put", "first place", "put", "place", "first", "i want", "start with", "first there is")
 _STANDS = ("is", "goes", "comes", "stands", "there is", "put", "place", ":")
 _MARKED = frozenset({"it", "that", "this", "its"})
+_BEGUN = frozenset({":", ";", ".", "and", "then", "please"})
 MOST = 8
 
 
 @choice
 def alongside(p: Parser, i: int) -> Results[Clause]:
     """Each is placed by the one named before it. "It" is that one, too, where "then" tells that the line goes on."""
-    if not p.anywhere(_MARKED):
+    # behind a place ("on its right a blue block, and behind it ...") each is placed by what that is a place of
+    if not p.anywhere(_MARKED) or (i and p.words[i - 1] not in _BEGUN):
         return
     for first, j in simple(p, p.any_of(i, _COMMANDS) or i):
         if not isinstance(first, Noun) or not single(first):

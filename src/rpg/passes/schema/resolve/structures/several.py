@@ -323,6 +323,10 @@ def _color(shape: Structure, spec: Spec, theme: Ref | None, looks: list[Look], s
     )
     if not plain or theme is not None or spec.usings or spec.orders or spec.patterns or any(looks) or _there(scene):
         return ()
+    long = shape.extent("size", "long", "columns")
+    if long and shape.amount and any(len(b.members) == long * shape.amount.low for b in scene.built):
+        raise refuse("ambiguous", "these could be the blocks named before, or further ones", shape.span,
+                     "say 'another' of further ones, or what the structure is made of in one phrase")  # fmt: skip
     taken = {t.color for t in scene.blocks()}
     free = [c for c in COLORS if c not in taken]
     scene.assume(f"the colours are not said: one for each {shape.kind}")

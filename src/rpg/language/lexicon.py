@@ -85,7 +85,7 @@ VERBS = {
     "locate seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich "
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
     "heave hoist install wedge fit slot squeeze center",
-    "pick": "pick grab grasp lift take",
+    "pick": "pick grab grasp lift take find",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape",
     "arrange": "alphabetize alternate space arrange align order organize organise line lay distribute spread position "

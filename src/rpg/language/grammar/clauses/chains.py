@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.clauses import clause
+from rpg.language.grammar.clauses.dealt import counted_ahead
 from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import emphasised, linked
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
@@ -68,7 +69,7 @@ def chain(p: Parser, i: int) -> Results[Chain]:
                 clauses = (*both[0].clauses, *both[1].clauses)
                 links = (*both[0].links, "and" if order == "and" else "then", *both[1].links[1:])
                 yield Chain(clauses=clauses, links=links, span=p.span(i, end), cost=1), end
-    for begun, j in begun_with(p, i):
+    for begun, j in (*begun_with(p, i), *counted_ahead(p, i)):
         for main, end in chain(p, j):
             links = ("and", *main.links)
             yield Chain(clauses=(begun, *main.clauses), links=links, span=p.span(i, end)), end

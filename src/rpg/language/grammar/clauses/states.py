@@ -48,8 +48,9 @@ _SWAPPED = tuple(
     "switched") for places in ("places", "positions")
 )  # fmt: skip
 _SWAP = (
-    *_SWAPPED, "swap places", "swap positions", "trade places", "change places", "exchange places", "switch places",
-    "be swapped", "exchange positions", "swap", "switch positions",
+    *_SWAPPED, "be swapped", "swap",
+    *(f"{swap} {places}" for swap in ("swap", "trade", "change", "exchange", "switch")
+      for places in ("places", "positions", "their places", "their positions")),
 )  # fmt: skip
 _MOVE = frozenset({"move", "shift", "budge"})
 _HAVE = frozenset({"have", "has"})

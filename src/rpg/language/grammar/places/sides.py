@@ -133,6 +133,7 @@ _WHOLE_OF = {noun: (f"of the {noun}", f"of this {noun}", f"of that {noun}") for 
 _EXTREMES = {
     "leftmost": "left", "rightmost": "right", "topmost": "top", "bottommost": "bottom", "nearest": "front",
     "frontmost": "front", "farthest": "back", "closest": "front", "furthest": "back", "lowermost": "bottom",
+    "lowest": "bottom", "highest": "top", "uppermost": "top",
     "up top": "top", "right up top": "top", "down below": "bottom", "at the summit": "top",
 }  # fmt: skip
 _REACH = Patterns(

@@ -20,7 +20,7 @@ _ANYWHERE = (
     "to sum up", "in summary", "pretty please", "as promised", "as usual", "as mentioned", "as planned",
     "all in all", "um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh",
     "let me think", "let me see",
-    "yeah", "yep", "yup", "lol", "haha",
+    "yeah", "yep", "yup", "yo", "lol", "haha",
     "cheers", "thx", "ty", "tx", "thanks", "thanks a lot", "thanks so much", "thanks in advance", "many thanks",
     "thank you", "thank you very much", "thank you so much", "please", "pls", "plz", "please and thank you",
     "idk", "tbh", "btw", "by the way", "imo", "fyi", "i guess", "i suppose", "you know", "dunno", "i do not know",

@@ -10,6 +10,7 @@ from rpg.blocks.equivalence import equivalent
 from rpg.ir.schema import TaskSchema
 from rpg.passes.schema.frontend import BuiltinFrontEnd
 from tests.corpus.templates import Case, case
+from tests.english.schemas import begun
 
 Outcome = Literal["right", "refused", "wrong", "crash"]
 
@@ -23,7 +24,7 @@ def outcome(one: Case) -> tuple[Outcome, str]:
     if schema is None:
         return "refused", "; ".join(d.message for d in diagnostics)
     for goal in one.goals:
-        wanted = TaskSchema(name="wanted", instruction=one.text, assets=one.assets, goal=goal)
+        wanted = begun(TaskSchema(name="wanted", instruction=one.text, assets=one.assets, goal=goal))
         if equivalent(wanted, schema):
             return "right", ""
     return "wrong", str(schema.goal.model_dump(exclude_defaults=True, exclude={"span"}))

@@ -9,6 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Asset, Block, Color, ColoredCube, GoalPatch, SemanticCube
 from rpg.ir.order import Order
 from rpg.ir.schema import InitialState, TaskSchema
+from rpg.passes.schema.resolve.goals.ahead import still_ahead
 
 COLORS: tuple[Color, ...] = ("red", "orange", "yellow", "green", "blue", "purple", "pink", "black", "white")
 WORDS = ("CAT", "ROBOT", "HELLO", "UP", "BEE")
@@ -33,7 +34,12 @@ def random_schema(seed: int) -> TaskSchema:
     used += [p for p in patches if p.name in mentioned]
     if not parts:
         return random_schema(seed + 10_000)
-    return TaskSchema(name="random", instruction="random", assets=tuple(used), goal=goal, init=InitialState())
+    return begun(TaskSchema(name="random", instruction="random", assets=tuple(used), goal=goal, init=InitialState()))
+
+
+def begun(schema: TaskSchema) -> TaskSchema:
+    """The schema with the start that the front end gives it: where a goal only denies something, that is so."""
+    return schema.model_copy(update={"init": still_ahead(schema.goal, schema.init, schema.assets)[0]})
 
 
 def _names(goal: g.Goal) -> tuple[str, ...]:

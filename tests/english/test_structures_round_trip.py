@@ -14,6 +14,7 @@ from rpg.ir.order import Order
 from rpg.ir.schema import TaskSchema
 from rpg.ir.walk import names
 from rpg.passes.schema.frontend import BuiltinFrontEnd
+from tests.english.schemas import begun
 
 
 def cubes(count: int, color: Color = "red") -> tuple[Asset, ...]:
@@ -119,7 +120,7 @@ CASES: tuple[tuple[tuple[Asset, ...], g.Goal], ...] = (
 def test_description_compiles_to_an_equivalent_task(assets: tuple[Asset, ...], goal: g.Goal) -> None:
     mentioned = set(names(goal))
     used = tuple(asset for asset in assets if asset.name in mentioned)
-    schema = TaskSchema(name="case", instruction="case", assets=used, goal=goal)
+    schema = begun(TaskSchema(name="case", instruction="case", assets=used, goal=goal))
     text = describe(schema)
     read, diagnostics = BuiltinFrontEnd().read(text)
     assert read is not None, f"{text}\n{diagnostics}"

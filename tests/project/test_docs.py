@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from pathlib import Path
+from random import Random
 from types import ModuleType
 from typing import Any
 
@@ -55,6 +56,9 @@ def test_the_example_predicate() -> None:
     predicate = space["TABLE"]["level"]
     assert predicate.evaluate(space["Level"](a=("red_block", "blue_block")), state)
     assert not predicate.evaluate(space["Level"](a=("red_block", "A_block")), state)
+    level = space["Level"](a=("red_block", "blue_block"))
+    misses = list(predicate.near_misses(level, state, Random(0)))
+    assert misses and not any(predicate.evaluate(level, miss.state) for miss in misses)
 
 
 def test_the_example_command(compiled: Path, capsys: pytest.CaptureFixture[str]) -> None:

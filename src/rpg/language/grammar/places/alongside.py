@@ -25,7 +25,7 @@ MOST = 8
 def alongside(p: Parser, i: int) -> Results[Clause]:
     """Each is placed by the one named before it. "It" is that one, too, where "then" tells that the line goes on."""
     # behind a place ("on its right a blue block, and behind it ...") each is placed by what that is a place of
-    if not p.anywhere(_MARKED) or (i and p.words[i - 1] not in _BEGUN):
+    if not p.anywhere(_MARKED) or (i and not p.follows(i, _BEGUN)):
         return
     for first, j in simple(p, p.any_of(i, _COMMANDS) or i):
         if not isinstance(first, Noun) or not single(first):

@@ -9,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Asset, Block, Color, ColoredCube, GoalPatch, SemanticCube
 from rpg.ir.order import Order
 from rpg.ir.schema import InitialState, TaskSchema
-from rpg.passes.schema.resolve.goals.ahead import still_ahead
+from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 
 COLORS: tuple[Color, ...] = ("red", "orange", "yellow", "green", "blue", "purple", "pink", "black", "white")
 WORDS = ("CAT", "ROBOT", "HELLO", "UP", "BEE")

@@ -12,6 +12,8 @@ from rpg.ir.order import Attribute, Order, Pattern
 
 Members = Annotated[Names, Field(min_length=1)]
 Count = Annotated[int, Field(ge=1)]
+TOUCHING_EDGES = 0.05
+"""The widest gaps, in edges, inside of a group whose blocks touch each other."""
 
 
 class Stack(Node):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rpg.store.layout import Family, Version
+from rpg.store.layout import Family
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -22,14 +22,3 @@ def graph(family: Family) -> nx.DiGraph[str]:
         if parent and parent in found:
             found.add_edge(parent, version.hash)
     return found
-
-
-def ancestors(version: Version) -> tuple[Version, ...]:
-    """`version`, its parent, and so on to the base; stops where a parent is missing."""
-    known = {other.hash: other for other in Family(version.directory.parent).versions()}
-    chain: list[Version] = []
-    at: Version | None = version
-    while at is not None and at not in chain:
-        chain.append(at)
-        at = known.get(at.snapshot.parent or "")
-    return tuple(chain)

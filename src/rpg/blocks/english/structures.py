@@ -15,8 +15,6 @@ SIDE_BY_SIDE = 1.0
 """The widest gaps of what stands side by side, in edges."""
 AS_FAR_AS_YOU_LIKE = 10.0
 """The widest gaps of a line that may be of any length, in edges."""
-TOUCHING = 0.05
-"""The widest gaps of what touches in a group, in edges."""
 POINTER = {"L": "foot", "U": "opening", "T": "stem"}
 """The part of a figure that its direction is the direction of; the tip of a triangle or a V."""
 
@@ -142,7 +140,7 @@ def group_by(node: s.GroupBy, say: Speaker) -> str:
     if node.by:
         count = number(len(node.groups))
         return f"{say.the(blocks)} {say.be(blocks)} sorted by {ATTRIBUTES[node.by]} into {count} groups{odd}"
-    if len(node.groups) == 1 and node.inner_edges == TOUCHING and not odd:
+    if len(node.groups) == 1 and node.inner_edges == s.TOUCHING_EDGES and not odd:
         return f"{say.the(blocks)} {say.do(blocks, 'touch', 'touches')} each other"
     groups = [f"{say.the(group)} {say.be(group)} in {_which(i)} group" for i, group in enumerate(node.groups)]
     return f"{join(groups)}{odd}"

@@ -34,7 +34,7 @@ from rpg.language.tokens import Token
 from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
-from rpg.passes.schema.lots import check_lots
+from rpg.passes.schema.joints import check_joints
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, patience
 from rpg.passes.schema.resolve.clauses.beginning import UNMEANT, begun, start_first
@@ -44,9 +44,9 @@ from rpg.passes.schema.resolve.clauses.fitting import check_besides, check_words
 from rpg.passes.schema.resolve.clauses.hoist import hoisted
 from rpg.passes.schema.resolve.clauses.kinds_last import kinds_last, waits
 from rpg.passes.schema.resolve.clauses.moments import in_time
-from rpg.passes.schema.resolve.goals.ahead import still_ahead
 from rpg.passes.schema.resolve.goals.contradictions import check_all
 from rpg.passes.schema.resolve.goals.meant import with_what_is_meant
+from rpg.passes.schema.resolve.goals.only_denied import still_ahead
 from rpg.passes.schema.resolve.goals.tidy import once, tidy
 from rpg.passes.schema.resolve.orders.told_places import places_told
 from rpg.passes.schema.resolve.places.mutual import WHATEVER
@@ -84,7 +84,7 @@ def build(
             found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
             if (token := unfounded(words, found.task, found.chosen)) is not None:
                 raise _lost(token)
-            check_lots(words, found.task)
+            check_joints(words, found.task)
         except Refusal as refusal:
             code = refusal.diagnostics[0].code
             if code in FINAL and best is None:

@@ -10,7 +10,7 @@ from rpg.language.grammar.core import Parser
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.framing import VIEW
 from rpg.language.grammar.talk.rephrased import rephrased
-from rpg.language.grammar.things.exceptional import exceptions_first
+from rpg.language.grammar.things.all_but import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned
 from rpg.language.phrases import Beginnings, by_first
 from rpg.language.tokens import Token

@@ -5,16 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from rpg.blocks.predicates.common import TOUCH
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.walk import transform
 from rpg.passes.schema.resolve.clauses.spec import Spec
-
-TOUCHING_EDGES = 0.05
-"""The widest gaps, in edges, of blocks that touch each other in a group or a figure."""
-TOUCHING = 0.002
-"""The same in metres."""
 
 Structure = s.Grid | s.Pyramid | s.Staircase | s.Figure | s.Spells | s.Equation | s.Row
 
@@ -51,7 +47,7 @@ def spaced(goal: g.Goal, sizes: Mapping[str, float]) -> g.Goal:
 def _is_spacing(part: g.Goal) -> bool:
     """Does it say of several blocks nothing but how far apart neighbours are?"""
     if isinstance(part, s.GroupBy):
-        return len(part.groups) == 1 and part.by is None and part.inner_edges == TOUCHING_EDGES
+        return len(part.groups) == 1 and part.by is None and part.inner_edges == s.TOUCHING_EDGES
     return isinstance(part, s.Row) and part.axis is None and part.order == Order() and not part.readable
 
 
@@ -86,7 +82,7 @@ def _told(structure: Structure, said: g.Goal, sizes: Mapping[str, float]) -> lis
 def _gap(line: s.Row, edge: float) -> tuple[float, float]:
     """The gap (m) between the faces of neighbours in a line, and how much more or less it may be."""
     if line.touching:
-        return 0.0, TOUCHING
+        return 0.0, TOUCH
     if line.spacing is not None:
         return max(0.0, line.spacing - edge), line.tolerance
     if line.gap is not None:

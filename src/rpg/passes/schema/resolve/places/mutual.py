@@ -230,7 +230,7 @@ def _close(names: tuple[str, ...], units: list[Operand], loc: Loc, span: Span) -
         case "touching" if two:
             return r.Touching(a=units[0], b=units[1], span=span)
         case "touching":
-            return s.GroupBy(groups=(names,), inner_edges=0.05, span=span)
+            return s.GroupBy(groups=(names,), inner_edges=s.TOUCHING_EDGES, span=span)
         case "together":
             return s.GroupBy(groups=(names,), span=span)
         case "one_behind" if two and len(names) > 2:

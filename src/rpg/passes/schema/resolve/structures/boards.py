@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.core.diagnostics import Span
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Size, Structure, Traits, parts_of
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import refuse
@@ -26,14 +27,19 @@ def by_corners(shape: Structure, spec: Spec) -> Structure:
     if not dims[0] % 2 or not dims[1] % 2:
         raise refuse("contradiction", "the corners of such a board are of both colours", parts[0].span,
                      "leave the corners out, or name odd numbers of rows and columns")  # fmt: skip
-    most = (dims[0] * dims[1] + 1) // 2
-    items = tuple(
-        Noun(head="block", amount=Amount(n, n), plural=True, traits=Traits(colors=(c,)), span=parts[0].span)
-        for c, n in ((first, most), (second, most - 1))
-    )
     spec.absolutes, spec.usings = [], []
-    members = Coord(op="and", items=items, span=parts[0].span)
+    members = one_more(first, second, dims[0] * dims[1], parts[0].span)
     return replace(shape, members=members, details=(), traits=replace(shape.traits, colors=()))
+
+
+def one_more(first: str, second: str, cells: int, span: Span) -> Coord:
+    """The blocks of a checkerboard of an odd number of cells, whose corners have the first colour."""
+    most = (cells + 1) // 2
+    items = tuple(
+        Noun(head="block", amount=Amount(n, n), plural=n > 1, traits=Traits(colors=(color,)), span=span)
+        for color, n in ((first, most), (second, cells - most))
+    )
+    return Coord(op="and", items=items, span=span)
 
 
 def _colours(source: Meaning | None) -> tuple[str, ...]:

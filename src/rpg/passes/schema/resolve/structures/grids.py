@@ -10,6 +10,7 @@ from rpg.language.meaning import Amount, Coord, Meaning, Noun, Places, Size, Str
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
+from rpg.passes.schema.resolve.structures.boards import one_more
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.structures.patterns import pattern_of
 from rpg.passes.schema.resolve.things.members import members_of
@@ -103,13 +104,7 @@ def _cornered(shape: Structure, spec: Spec, odd: int) -> Structure:
         return shape
     spec.absolutes.remove(corners[0])
     other = colors[1 - colors.index(first[0])]
-    parts = tuple(
-        Noun(head="block", amount=Amount(n, n), plural=n > 1, traits=Traits(colors=(color,)), span=shape.span)
-        for color, n in ((first[0], (odd + 1) // 2), (other, odd // 2))
-    )
-    return replace(
-        shape, members=Coord(op="and", items=parts, span=shape.span), traits=replace(shape.traits, colors=())
-    )
+    return replace(shape, members=one_more(first[0], other, odd, shape.span), traits=replace(shape.traits, colors=()))
 
 
 def _dims(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tuple[int, int, int]:

@@ -12,8 +12,8 @@ from rpg.ir.schema import InitialState
 def still_ahead(goal: g.Goal, start: InitialState, assets: tuple[Asset, ...]) -> tuple[InitialState, tuple[str, ...]]:
     """A start in which what the goal denies is so, where nothing is said of the start, and the assumption."""
     parts = goal.goals if isinstance(goal, g.All) else (goal,)
-    broken = [_broken(part) for part in parts]
-    if start != InitialState() or broken[0] is None or None in broken:
+    broken = [denied for part in parts if (denied := _broken(part)) is not None]
+    if start != InitialState() or not broken or len(broken) < len(parts):
         return start, ()
     first = broken[0].model_copy(update={"span": None})
     told = clause(first, World(assets))

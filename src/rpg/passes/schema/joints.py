@@ -1,4 +1,4 @@
-"""What a list behind "two towers" is divided into: words that part it must come to something in the task."""
+"""Words that join or part blocks, "two towers: A, B and C, D": they must come to something in the task."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _TOWERS = frozenset({"towers", "stacks", "piles"})
 _ENDS = frozenset({".", ";", "!", "?", "(", ")"})
 
 
-def check_lots(words: Sequence[Token], task: TaskSchema) -> None:
+def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse what joins, or tells apart, blocks in a way that nothing in the task shows."""
     _parted_lists(words, task)
     _same_cubes(words, task)

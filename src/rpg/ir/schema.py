@@ -20,6 +20,9 @@ NAME = r"^[a-z0-9]+(-[a-z0-9]+)*$"
 MAX_BLOCKS = 30
 MAX_LETTERS = 26
 MAX_DIGITS = 10
+COLORS_UNSAID = "the colours of the blocks are not said"
+SYMBOLS_UNSAID = "the symbols are not said"
+"""How assumptions begin that chose the looks of blocks."""
 
 
 def slug(text: str) -> str:
@@ -111,3 +114,7 @@ class TaskSchema(Record):
             for problem in problems(goal, patches):
                 raise ValueError(problem)
         return self
+
+    def assumed(self, what: str) -> bool:
+        """Was an assumption made that begins so?"""
+        return any(told.startswith(what) for told in self.assumptions)

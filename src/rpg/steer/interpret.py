@@ -14,7 +14,7 @@ from rpg.blocks.english import describe, describe_goal
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir import goal as g
 from rpg.ir.edits import Edit, Overwrite, SetGoal, SetText, apply
-from rpg.ir.schema import TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.steer.carry import WEAK, carry_out
 from rpg.steer.doubts import Reader, about_all_there, about_new_things, besides, not_half, not_of_what_is_built
 from rpg.steer.draft import Draft
@@ -319,7 +319,7 @@ def _not_of_those_there(found: Interpretation, old: TaskSchema) -> None:
     looks = [look(block) for block in found.task.blocks]
     there = [look(block) for block in old.blocks]
     fewer = Counter(map(repr, looks)) < Counter(map(repr, there))
-    unsaid = any(text.startswith("the colours of the blocks are not said") for text in found.task.assumptions)
+    unsaid = found.task.assumed(COLORS_UNSAID)
     made_up = of_all(found.request) and any("not said" in text for text in found.task.assumptions)
     made_up = made_up or (unsaid and only_named(found.request) and by_itself(found.request) == found.request)
     alike = all(each in there for each in looks) and len(looks) != len(there)

@@ -8,7 +8,7 @@ from typing import Any
 from rpg.blocks.english import describe, describe_goal
 from rpg.blocks.equivalence import equivalent
 from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.ir.schema import TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.ir.walk import rename
 
 _UNORDERED = frozenset({"blocks", "assets", "groups"})
@@ -48,12 +48,9 @@ def same(a: TaskSchema, b: TaskSchema) -> bool:
 
 def _alike_but_for_paint(a: TaskSchema, b: TaskSchema) -> bool:
     """Whether they differ in colours alone that neither was told: the first choice of them is as good as the other."""
-    if not all(any(note.startswith(_PAINTED) for note in task.assumptions) for task in (a, b)):
+    if not all(task.assumed(COLORS_UNSAID) for task in (a, b)):
         return False
     return _unpainted(a) == _unpainted(b)
-
-
-_PAINTED = "the colours of the blocks are not said"
 
 
 def _unpainted(schema: TaskSchema) -> str:

@@ -8,7 +8,7 @@ from itertools import combinations, pairwise
 
 from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
-from rpg.ir.schema import TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
 from rpg.ir.structures import Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
@@ -36,7 +36,7 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
 
 def _letters_of_words(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "write NO with blue letters on the mat" as a word and a blue letter that nobody named."""
-    made_up = any(told.startswith("the symbols are not said") for told in task.assumptions)
+    made_up = task.assumed(SYMBOLS_UNSAID)
     spelt = {n for atom in atoms(task.goal) if isinstance(atom, Spells) for n in atom.blocks}
     shown = {asset.name for asset in task.assets if isinstance(asset, SemanticCube)}
     spelt = spelt if ({*names(task.goal)} - spelt) & shown else set()
@@ -124,7 +124,7 @@ def _two_pairs(words: Sequence[Token], task: TaskSchema) -> None:
 def _colors_behind(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "two towers of two, 15 cm apart, red and blue" as towers of other colours beside these two blocks."""
     ends = [n for n, t in enumerate(words) if t.word in _ENDS] + [len(words)]
-    made_up = any(told.startswith("the colours of the blocks are not said") for told in task.assumptions)
+    made_up = task.assumed(COLORS_UNSAID)
     for end in ends if made_up else ():
         tail = [t.word for t in words[max(end - 4, 0) : end]]
         colors = len(tail) == 4 and tail[0] == "," and tail[2] == "and" and {tail[1], tail[3]} <= lexicon.COLOR.keys()

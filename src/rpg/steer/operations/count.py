@@ -13,6 +13,7 @@ from rpg.ir import goal as g
 from rpg.ir.assets import Asset, Block, ColoredCube, SemanticCube
 from rpg.ir.edits import AddAsset, ChangeCondition, RemoveAsset, SetField
 from rpg.ir.order import Pattern
+from rpg.ir.schema import COLORS_UNSAID
 from rpg.ir.structures import Cells, Equation, Figure, Grid, Pyramid, Row, Spells, Stack, Staircase, Towers
 from rpg.ir.walk import children
 from rpg.steer.draft import Draft
@@ -105,10 +106,6 @@ def _loose(draft: Draft, names: Sequence[str], request: r.Recount) -> None:
     grow(draft, alike, wanted, request.span)
 
 
-_UNSAID = "the colours of the blocks are not said"
-"""What is assumed of blocks any of which may go or stay."""
-
-
 def _line(draft: Draft, line: Line, request: r.Recount) -> None:
     if isinstance(line.node, Spells | Equation):
         raise draft.refusal(
@@ -124,7 +121,7 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
         told, hint = "there is no structure whose size this could be", "say what is to be built, or which blocks"
         raise draft.refusal("edit-unclear", told, request.span, hint)
     shown = all(Traits(draft.view.world).symbol(name) for name in line.members)
-    unsaid = any(text.startswith(_UNSAID) for text in draft.schema.assumptions)
+    unsaid = draft.schema.assumed(COLORS_UNSAID)  # any of them may go or stay
     vague = (request.what == "number" or request.of_them) and not unsaid
     if vague and not shown and len({draft.view.world.look[name] for name in line.members}) > 1:
         told, hint = "these blocks do not all look alike, so that it is not said which", "say their colours"

@@ -8,6 +8,7 @@ from dataclasses import fields
 from rpg.blocks.traits import Traits
 from rpg.ir import goal as g
 from rpg.ir.edits import AddAsset, AddCondition, ChangeCondition, RemoveAsset
+from rpg.ir.schema import COLORS_UNSAID
 from rpg.ir.structures import Stack, Towers
 from rpg.steer.draft import Draft
 from rpg.steer.operations.make import describe, named, new_assets, unused_colors
@@ -69,7 +70,7 @@ def so_many(draft: Draft, request: SoManyTowers) -> None:
     there, each = len(node.heights), heights.pop()
     other = request.amount > 0 and request.amount != there and len(node.blocks) % request.amount == 0
     other = other and not request.only
-    unsaid = any(text.startswith("the colours of the blocks are not said") for text in draft.schema.assumptions)
+    unsaid = draft.schema.assumed(COLORS_UNSAID)
     if (
         not (alike or unsaid)
         or node.each is not None

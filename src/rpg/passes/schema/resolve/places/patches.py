@@ -9,6 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH
+from rpg.ir.schema import COLORS_UNSAID
 from rpg.language.meaning import Amount, Loc, Meaning, Noun, Traits
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.things.operands import spread
@@ -174,7 +175,7 @@ def matching_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> Atoms:
     for block in blocks:
         if block.color is None:
             block.color = next(spare, "red")
-            scene.assume("the colours of the blocks are not said: one of each colour")
+            scene.assume(f"{COLORS_UNSAID}: one of each colour")
     goals: Atoms = []
     for color in dict.fromkeys(b.color for b in blocks):
         patch = next((t for t in scene.things.values() if t.patch and t.color == color), None) or next(

@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
+from rpg.ir.schema import SYMBOLS_UNSAID
 from rpg.language.meaning import Amount, Noun, Structure, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.grouped import group_size, told_lots
@@ -276,7 +277,7 @@ def _fill_labels(open_: list[Thing], attribute: str, scene: Scene) -> None:
             label = rows[index % len(rows)]
         thing.label = label
         thing.kind = "letter" if label.isalpha() else "digit"
-    scene.assume("the symbols are not said: chosen to fit")
+    scene.assume(f"{SYMBOLS_UNSAID}: chosen to fit")
 
 
 __all__ = ["attribute_of", "fill", "piles", "replace", "sort_into", "value_of"]

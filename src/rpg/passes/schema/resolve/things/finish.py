@@ -8,6 +8,7 @@ from collections import Counter
 from rpg.ir import goal as g
 from rpg.ir.assets import PATCH_SIDE, Asset, ColoredCube, Faces, GoalPatch, SemanticCube
 from rpg.ir.goal import Goal
+from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID
 from rpg.ir.walk import rename
 from rpg.passes.schema.resolve.things.sized import size_all
 from rpg.passes.schema.resolve.things.strangers import no_strangers
@@ -38,7 +39,7 @@ def label_of(thing: Thing, scene: Scene) -> str:
             )
         thing.label = fresh
         thing.open = string.ascii_uppercase + DIGITS if thing.kind == "symbol" else choice
-        scene.assume("the symbols are not said: chosen in order")
+        scene.assume(f"{SYMBOLS_UNSAID}: chosen in order")
         if taken[fresh] and thing.kind != "symbol":
             scene.assume("there are more blocks than symbols of their sort: some show the same")
     return thing.label
@@ -143,7 +144,7 @@ def _paint_blocks(open_: list[Thing], scene: Scene) -> None:
             thing.color = palette[index % len(palette)]
             taken.append(thing.color)
             chosen.append(thing.color)
-    scene.assume(f"the colours of the blocks are not said: {', '.join(dict.fromkeys(chosen))}")
+    scene.assume(f"{COLORS_UNSAID}: {', '.join(dict.fromkeys(chosen))}")
 
 
 def _base(thing: Thing) -> str:

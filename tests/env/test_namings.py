@@ -7,15 +7,20 @@ from dataclasses import replace
 from random import Random
 from typing import Any
 
+import numpy as np
 import pytest
 
+from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.evaluate import evaluate, settled
+from rpg.blocks.near_miss import near_misses
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable, link, namings, rename_state
-from rpg.blocks.verdict import Verdict
+from rpg.blocks.verdict import Verdict, between, every, some
+from rpg.blocks.verdicts import Verdicts, counted
 from rpg.env import BlockTask
 from rpg.env.progress import Memory
 from rpg.ir import goal as g
+from rpg.ir.assets import ColoredCube
 from rpg.ir.walk import instances
 from tests.blocks.random_goals import random_atom, random_state, random_world
 
@@ -142,3 +147,123 @@ def test_a_task_judges_look_alikes_as_the_definition_does(block: int) -> None:
             assert (judged.success.value, judged.failed, judged.stage) == (success.value, failed, stage), goal
             assert judged.success.margin == pytest.approx(success.margin, abs=1e-9), goal
     assert several > 10
+
+
+def _of(*names: int, **fields: Any) -> dict[str, Any]:
+    return {"blocks": [f"red_{k}" for k in names], **fields}
+
+
+STRUCTURES: dict[str, tuple[int, g.Goal]] = {
+    "three rows of two, not one of six": (
+        6,
+        g.All(
+            goals=(
+                *(g.Row(**_of(k, k + 1, axis="y")) for k in (1, 3, 5)),
+                g.Not(goal=g.Row(**_of(1, 2, 3, 4, 5, 6, axis="y"))),
+            )
+        ),
+    ),
+    "two towers of two and a row of two": (
+        6,
+        g.All(
+            goals=(
+                g.Stack(**_of(1, 2, exact=True)),
+                g.Stack(**_of(3, 4, exact=True)),
+                g.Row(**_of(5, 6)),
+                g.Beside(a="red_1", b="red_3", gap_edges=2.0),
+            )
+        ),
+    ),
+    "a tower of three and an L or a row of three": (
+        6,
+        g.All(
+            goals=(
+                g.Stack(**_of(1, 2, 3)),
+                g.Any(goals=(g.Figure(**_of(4, 5, 6, shape="L")), g.Row(**_of(4, 5, 6, evenly=True)))),
+            )
+        ),
+    ),
+    "pairs on the table, at least two of the others on them": (
+        5,
+        g.All(
+            goals=(
+                g.OnTable(a=("red_1", "red_2")),
+                g.Near(a="red_1", b="red_2"),
+                g.Count(over=("red_3", "red_4", "red_5"), at_least=2, goal=g.Above(a="each", b="red_1")),
+            )
+        ),
+    ),
+    "two groups": (5, g.GroupBy(groups=(("red_1", "red_2", "red_3"), ("red_4", "red_5")))),
+}
+
+
+@pytest.mark.parametrize("told_as", STRUCTURES)
+def test_structures_of_look_alikes_are_judged_as_the_definition_does(told_as: str) -> None:
+    count, goal = STRUCTURES[told_as]
+    world = World([ColoredCube(name=f"red_{k}", color="red") for k in range(1, count + 1)])
+    task, plain, rng = task_of(goal, world), Plain(goal, world), Random(told_as)
+    assert len(plain.namings) > 5
+    states = [random_state(world, rng) for _ in range(5)]
+    for _ in range(2):
+        arranged = Solver(goal, world, None).solve(rng, vary=True)
+        assert arranged is not None
+        names = list(world.blocks)
+        shuffled = dict(zip(names, rng.sample(names, count), strict=True))
+        states += [rename_state(state, shuffled) for state in (arranged, *_some(goal, arranged, rng))]
+    for state in states:
+        (judged,) = task.judge_states([state])
+        success, _, _ = plain.judge(state)
+        assert judged.success.value == success.value
+        assert judged.success.margin == pytest.approx(success.margin, abs=1e-9)
+    assert any(task.judge_states([state])[0].success for state in states)
+
+
+def _some(goal: g.Goal, state: BlockState, rng: Random) -> list[BlockState]:
+    found = [miss.state for miss in near_misses(goal, state, rng)]
+    return rng.sample(found, min(5, len(found)))
+
+
+def test_verdicts_combine_under_all_namings_as_they_do_under_each() -> None:
+    rng = Random(5)
+    for _ in range(300):
+        several = [[_verdict(rng) for _ in range(7)] for _ in range(rng.randint(1, 5))]
+        vectors = [Verdicts.spread(column, np.arange(7)) for column in several]
+        least, most = rng.randint(0, 5), rng.choice((None, 0, 1, 3))
+        joined, either = vectors[0], vectors[0]
+        for vector in vectors[1:]:
+            joined, either = joined & vector, either | vector
+        enough = counted(least, most, vectors, 7)
+        for k in range(7):
+            column = [verdicts[k] for verdicts in several]
+            assert joined.of(k) == every(column)
+            assert either.of(k) == some(column)
+            assert (~vectors[0]).of(k) == ~column[0]
+            assert enough.of(k) == between(least, most, column)
+        best = max(range(7), key=lambda k: joined.of(k))
+        assert joined.of(joined.best()) == joined.of(best)
+
+
+def _verdict(rng: Random) -> Verdict:
+    value = rng.random() < 0.5
+    margin = rng.choice((0.0, 0.25, rng.random()))
+    return Verdict(value, margin if value else -margin)
+
+
+def test_code_that_looks_at_single_verdicts_is_asked_about_every_naming_in_turn() -> None:
+    world = World([ColoredCube(name=f"red_{k}", color="red") for k in range(1, 5)])
+    goal = g.All(goals=(g.On(a="red_1", b="red_2"), g.On(a="red_3", b="red_1")))
+
+    class Looking(task_of(goal, world).__class__):  # type: ignore[misc]
+        def _success(self) -> Verdict:
+            if self.on("red_1", "red_2") and self.on("red_1", "red_2").margin >= 0.0:
+                return self.on("red_3", "red_1") & self.at_rest()
+            return self.on("red_1", "red_2") & self.at_rest()
+
+    task, other = Looking(), task_of(goal, world)
+    start = random_state(world, Random(1))
+    up = {f"red_{k}": ((0.5, 0.0, 0.97 + 0.04 * z), (1.0, 0.0, 0.0, 0.0)) for k, z in ((4, 0), (2, 1), (3, 2))}
+    for state in (start, start.moved(up)):
+        assert [j.success.value for j in task.judge_states([state])] == [
+            j.success.value for j in other.judge_states([state])
+        ]
+    assert task.judge_states([start.moved(up)])[0].success

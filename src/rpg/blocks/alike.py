@@ -10,11 +10,12 @@ from rpg.blocks.arrange.builds import STRUCTURES
 from rpg.blocks.arrange.explain import conditions
 from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.evaluate import perhaps, rests, satisfied
+from rpg.blocks.namings import all_namings
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.symmetry import interchangeable, namings
+from rpg.blocks.symmetry import interchangeable
 from rpg.ir import goal as g
-from rpg.ir.walk import instances, rename, transform
+from rpg.ir.walk import instances, transform
 
 
 class Renamed:
@@ -23,11 +24,13 @@ class Renamed:
 
     def __init__(self, goal: g.Goal, parts: Sequence[g.Goal], world: World) -> None:
         numbers: dict[g.Goal, int] = {}
-        plain = [transform(part, _without_span) for part in parts]
-        self.namings = tuple(
-            tuple(numbers.setdefault(rename(part, naming), len(numbers)) for part in plain)
-            for naming in namings(interchangeable(goal, world))
-        )
+        found = all_namings(interchangeable(goal, world))
+        columns = []
+        for part in parts:
+            different, which = found.spread(transform(part, _without_span))
+            known = [numbers.setdefault(one, len(numbers)) for one in different]
+            columns.append([known[k] for k in which])
+        self.namings = tuple(zip(*columns, strict=True)) if columns else ((),) * len(found)
         self.goals = tuple(numbers)
 
 

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Sequence
 from copy import deepcopy
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
+
+import numpy as np
+import numpy.typing as npt
 
 from rpg.blocks.evaluate import evaluate
+from rpg.blocks.namings import Namings
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict
+from rpg.blocks.verdicts import Verdicts
+from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, Node
-from rpg.ir.walk import names, rename
+from rpg.ir.walk import names
 
 Names = str | Sequence[str]
 """One name, or several."""
@@ -19,12 +25,15 @@ Where = Names | Lowest | Highest
 
 
 class _Call(NamedTuple):
-    """A call of a predicate method: its kind of atom, its arguments, and the atom, by naming as it then stands."""
+    """A call of a predicate method: its kind of atom, its arguments, and the atom; the different ones that it is under
+    all namings, and which of them under each."""
 
     kind: type[Node]
     fields: dict[str, Any]
     node: Node
-    renamed: dict[int, Node]
+    different: list[g.Goal]
+    numbers: tuple[int, ...]
+    chosen: npt.NDArray[np.intp]
 
 
 class Atoms:
@@ -35,14 +44,14 @@ class Atoms:
     """
 
     world: World
-    _namings: Sequence[Mapping[str, str]]
+    _namings: Namings
 
     def __init__(self) -> None:
         self._now: BlockState | None = None
-        self._naming = 0
+        self._naming: int | None = 0
         self._calls: dict[Hashable, _Call] = {}
         self._script: list[_Call] = []
-        self._distinct: dict[Hashable, Node] = {}
+        self._distinct: dict[g.Goal, g.Goal] = {}
         self._verdicts: dict[int, Verdict] = {}
         self._noted: list[tuple[Node, Verdict]] = []
 
@@ -51,21 +60,26 @@ class Atoms:
         self._now, self._verdicts = state, {}
         self._begin_naming(0)
 
-    def _begin_naming(self, naming: int) -> None:
-        """Names now stand for what this naming says."""
+    def _begin_naming(self, naming: int | None) -> None:
+        """Names now stand for what this naming says; None: for what each of them says, all at once."""
         self._naming, self._noted = naming, []
 
     def _atom(self, kind: type[Node], **fields: Any) -> Verdict:
         if self._now is None:
             raise RuntimeError("the task has no state yet: call reset() before judging it")
         call = self._call(kind, fields)
-        node = call.renamed.get(self._naming)
-        if node is None:
-            node = call.renamed[self._naming] = self._renamed(call.node)
+        if self._naming is not None:
+            verdict = self._judged_atom(call.different[call.numbers[self._naming]], self._now)
+        else:
+            each = [self._judged_atom(node, self._now) for node in call.different]
+            verdict = cast(Verdict, Verdicts.spread(each, call.chosen))
+        self._noted.append((call.node, verdict))
+        return verdict
+
+    def _judged_atom(self, node: g.Goal, now: BlockState) -> Verdict:
         verdict = self._verdicts.get(id(node))
         if verdict is None:
-            verdict = self._verdicts[id(node)] = evaluate(node, self._now)  # type: ignore[arg-type]
-        self._noted.append((call.node, verdict))
+            verdict = self._verdicts[id(node)] = evaluate(node, now)
         return verdict
 
     def _call(self, kind: type[Node], fields: dict[str, Any]) -> _Call:
@@ -80,14 +94,11 @@ class Atoms:
         if call is None:
             node = kind(**fields)
             self._check_names(node)
-            call = self._calls[key] = _Call(kind, deepcopy(fields), node, {})
+            different, numbers = self._namings.spread(node)  # type: ignore[arg-type]
+            different = [self._distinct.setdefault(one, one) for one in different]
+            call = self._calls[key] = _Call(kind, deepcopy(fields), node, different, numbers, np.array(numbers))
         self._script[place : place + 1] = [call]
         return call
-
-    def _renamed(self, node: Node) -> Node:
-        """The atom under the naming at hand: one object for all that are equal."""
-        renamed: Node = rename(node, self._namings[self._naming])  # type: ignore[arg-type]
-        return self._distinct.setdefault(renamed, renamed)
 
     def _check_names(self, node: Node) -> None:
         unknown = [name for name in names(node) if name not in self.world.assets]  # type: ignore[arg-type]

@@ -16,13 +16,15 @@ from rpg.ir.walk import children, transform
 
 
 def reconcile(goal: g.Goal) -> g.Goal:
-    """`goal` with its structures told what its other atoms override."""
+    """`goal` with its structures told what its other atoms override; of alternatives, those of the same one."""
     asked = list(_demanded(goal))
     turned = {atom.block for atom in asked if isinstance(atom, Facing) and atom.turn}
     turned |= {name for atom in asked if isinstance(atom, Stayed) for name in members(atom.a)}
     resting = [atom for atom in asked if isinstance(atom, On)]
 
     def change(node: g.Goal) -> g.Goal:
+        if isinstance(node, g.Any):
+            return node.model_copy(update={"goals": tuple(reconcile(part) for part in node.goals)})
         if turned and isinstance(node, Stack | Row | Cells | Spells | Equation):
             excused = tuple(name for name in node.blocks if name in turned or name in node.excused)
             if excused != node.excused:

@@ -34,8 +34,8 @@ _ANYWHERE = (
     "as seen in the camera image", "in the camera image", "from the camera 's point of view",
 )  # fmt: skip
 """Phrases that carry nothing in any place."""
-SOFT = 1.0
-"""The value of a comma that may have set off nothing but an aside."""
+SOFT = "(soft)"
+"""The value of a comma that may have set off nothing but an aside; no number or quotation has it."""
 _HESITATIONS = frozenset({"um", "umm", "uh", "uhm", "er", "erm", "ehm", "eh", "hmm", "hmmm", "hm", "ah", "oh"})
 _EMPHASIS = ("really", "very", "super", "quite", "pretty", "nice", "neat", "tidy", "lovely", "beautiful", "cool",
              "nice and neat", "nice and tidy", "good", "proper", "dead", "smack")  # fmt: skip

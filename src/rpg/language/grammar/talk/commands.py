@@ -27,6 +27,7 @@ _PREFACES = (
     "solve the|this puzzle|task|problem|exercise|riddle :|,|by?",
     "now|next|and|then? the|a|an|another? easy|simple|quick|hard|tricky|difficult|fun "
     "one|task|job|question|request|thing|exercise|puzzle|challenge :",
+    "do|perform|complete|there_are these|the|this|both|just? two|three|2|3|following things|jobs|tasks for_me|to_do? :",
     "do|would_you_do me|us a|one|this small|little|big? favor ,|:|and please?",
     "goal|aim|objective|target|task is to?",
     "per|as_per|following|according_to the|our|my|your? client|customer|boss|teacher|user|manager 's? "

@@ -90,6 +90,10 @@ def rephrased(tokens: list[Token]) -> list[Token]:
             out += shape[0]
             at = shape[1]
             continue
+        if tokens[at].word == "plus" and _goes_on(tokens, at):
+            out.append(replace(tokens[at], word="and"))
+            at += 1
+            continue
         begun = phrases.get(tokens[at].word, ()) if tokens[at].kind == "word" else ()
         words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 6]] if begun else []
         said = max((x for x in begun if tuple(words[: len(x)]) == x), key=len, default=())
@@ -102,6 +106,18 @@ def rephrased(tokens: list[Token]) -> list[Token]:
         out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
         at += len(said)
     return out
+
+
+_DETERMINERS = frozenset({"a", "the", "one", "big", "small", "large", "little"})
+
+
+def _goes_on(tokens: list[Token], at: int) -> bool:
+    """ "Spell CAT, plus put red on blue": no figure, but one more thing to do."""
+    after = tokens[at + 1 : at + 3]
+    if after and after[0].word in ("please", "also", "then"):
+        after = after[1:]
+    command = bool(after) and any(form == "base" for _, _, form in lexicon.VERB.get(after[0].word, ()))
+    return command and at > 0 and tokens[at - 1].word not in _DETERMINERS
 
 
 _HOLLOW = frozenset({"square", "rectangle", "circle", "triangle", "ring"})

@@ -278,3 +278,25 @@ def _unstable() -> Diagnostic:
         hint="start with fewer blocks in the heap, or with a structure that stands by itself",
         origin="initial",
     )
+
+
+def solved_at_start(attempts: int) -> Diagnostic:
+    """Among so many starts there is none with the goal ahead."""
+    return Diagnostic(
+        code="start-solves-goal",
+        message=f"the goal holds, is lost, or is past its first stage in each of {attempts} starts",
+        hint="say how the blocks start, or ask for something that is not so from the beginning",
+        origin="initial",
+        facts={"attempts": attempts},
+    )
+
+
+def crowded(attempts: int) -> Diagnostic:
+    """Among so many starts there is none from which the goal can be reached."""
+    return Diagnostic(
+        code="start-no-room",
+        message=f"in none of {attempts} starts does what has to stay where it is leave room for the goal",
+        hint="let fewer blocks stay where they are, or say how they start",
+        origin="initial",
+        facts={"attempts": attempts},
+    )

@@ -15,11 +15,26 @@ Margins = npt.NDArray[np.float64]
 
 
 class Looked(Exception):
-    """Code wants to know whether something holds, which differs from naming to naming."""
+    """Code wants to know whether something holds where that cannot be told: it differs from naming to naming, say."""
 
 
-class Verdicts:
-    """One verdict per naming; they combine as `Verdict` does. Truth and margin cannot be looked at."""
+class Closed:
+    """What stands for a verdict but has no one value that could be looked at."""
+
+    __slots__ = ()
+
+    def __getattr__(self, name: str) -> Any:
+        raise Looked(name)
+
+    def _look(self, *_: object) -> Any:
+        raise Looked
+
+    __bool__ = __iter__ = __eq__ = _look
+    __hash__ = None  # type: ignore[assignment]
+
+
+class Verdicts(Closed):
+    """One verdict per naming; they combine as `Verdict` does."""
 
     __slots__ = ("_margins", "_truths")
 
@@ -64,15 +79,6 @@ class Verdicts:
         agree = self._truths == truths
         margin = np.where(agree, closest(self._margins, margins), np.where(mine, self._margins, margins))
         return Verdicts(self._truths & truths if all_of else self._truths | truths, margin)
-
-    def __getattr__(self, name: str) -> Any:
-        raise Looked(name)
-
-    def _look(self, *_: object) -> Any:
-        raise Looked
-
-    __bool__ = __iter__ = __eq__ = _look
-    __hash__ = None  # type: ignore[assignment]
 
 
 def counted(at_least: int, at_most: int | None, verdicts: Iterable[Verdict | Verdicts], count: int) -> Verdicts:

@@ -8,6 +8,7 @@ from itertools import islice
 from random import Random
 
 from rpg.blocks.arrange import CHANGES, Impossible, arrange
+from rpg.blocks.arrange.solve import EFFORTS, Solver
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.initial import sample_start
 from rpg.blocks.state import BlockState, World
@@ -16,6 +17,10 @@ from rpg.ir.schema import InitialState
 from rpg.ir.walk import atoms, children
 
 STARTS = 50
+FIXING = frozenset({"stayed", "swapped"})
+"""Atoms that say where blocks are at the end by where they were at the start."""
+ROOM_TRIES = 800
+"""Candidate places that are judged before a start counts as one that leaves no room: room has to be easy to find."""
 LIKELY = 4
 """Starts that are tried: from some, what has to stay where it is leaves no room for the goal."""
 
@@ -44,6 +49,12 @@ def waypoints(
         except Impossible as reason:
             reasons.append(reason)
     raise reasons[0]
+
+
+def leaves_room(goal: g.Goal, world: World, start: BlockState, rng: Random) -> bool:
+    """Can every scene of an episode that begins with `start` be arranged?"""
+    solvers = (Solver(moment, world, start, ROOM_TRIES, EFFORTS[:1]) for moment in _moments(goal))
+    return all(solver.solve(rng) is not None for solver in solvers)
 
 
 def _moments(goal: g.Goal) -> Iterator[g.Goal]:

@@ -14,6 +14,7 @@ from rpg.blocks.namings import Namings
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict
 from rpg.blocks.verdicts import Verdicts
+from rpg.env.told import Asked, Told
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, Node
 from rpg.ir.walk import names
@@ -48,7 +49,8 @@ class Atoms:
 
     def __init__(self) -> None:
         self._now: BlockState | None = None
-        self._naming: int | None = 0
+        self._asked = Asked.ONE_NAMING
+        self._naming = 0
         self._calls: dict[Hashable, _Call] = {}
         self._script: list[_Call] = []
         self._distinct: dict[g.Goal, g.Goal] = {}
@@ -60,19 +62,21 @@ class Atoms:
         self._now, self._verdicts = state, {}
         self._begin_naming(0)
 
-    def _begin_naming(self, naming: int | None) -> None:
-        """Names now stand for what this naming says; None: for what each of them says, all at once."""
-        self._naming, self._noted = naming, []
+    def _begin_naming(self, naming: int, asked: Asked = Asked.ONE_NAMING) -> None:
+        """Names now stand for what this naming says, unless the code is `asked` in another way."""
+        self._asked, self._naming, self._noted = asked, naming, []
 
     def _atom(self, kind: type[Node], **fields: Any) -> Verdict:
         if self._now is None:
             raise RuntimeError("the task has no state yet: call reset() before judging it")
         call = self._call(kind, fields)
-        if self._naming is not None:
+        if self._asked is Asked.ONE_NAMING:
             verdict = self._judged_atom(call.different[call.numbers[self._naming]], self._now)
-        else:
+        elif self._asked is Asked.ALL_NAMINGS:
             each = [self._judged_atom(node, self._now) for node in call.different]
             verdict = cast(Verdict, Verdicts.spread(each, call.chosen))
+        else:
+            verdict = cast(Verdict, Told(call.different[0]))
         self._noted.append((call.node, verdict))
         return verdict
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
+from random import Random
 from typing import cast
 
 import mujoco
@@ -11,7 +12,7 @@ import numpy as np
 
 from rpg.blocks.english import clause
 from rpg.blocks.evaluate import settled
-from rpg.blocks.initial import sample_start
+from rpg.blocks.initial import crowded, sample_start, solved_at_start
 from rpg.blocks.judgement import Judgement
 from rpg.blocks.namings import all_namings
 from rpg.blocks.physics import Physics
@@ -20,14 +21,19 @@ from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import Cells
 from rpg.blocks.verdict import FALSE, Verdict, between
 from rpg.blocks.verdicts import Looked, Verdicts, counted
-from rpg.core.diagnostics import Diagnostic, Refusal
+from rpg.blocks.waypoints import FIXING, leaves_room
+from rpg.core.diagnostics import Refusal
+from rpg.env import told
 from rpg.env.embodiment import ACTION_SIZE, Action, Embodiment, Robot
 from rpg.env.progress import Memory
 from rpg.env.relations import Relations
 from rpg.env.setup import Setup
 from rpg.env.structures import Structures
+from rpg.env.told import Asked
+from rpg.ir import goal as g
 from rpg.ir.assets import Asset
 from rpg.ir.node import Node
+from rpg.ir.walk import atoms
 
 ATTEMPTS = 100
 """Starts drawn in search of one where the goal is still ahead."""
@@ -86,6 +92,7 @@ class BlockTask(Relations, Structures, Setup):
         self._rest = FALSE
         self._unread = False
         self._looks_back: bool | None = None
+        self._fixing: tuple[g.Goal, ...] | None = None
         self._hooked = type(self)._on_step is not BlockTask._on_step
         self._names_of_conditions: dict[int, str] = {}
         self.seed = 0
@@ -114,20 +121,30 @@ class BlockTask(Relations, Structures, Setup):
 
     def at_rest(self) -> Verdict:
         """Every block is slower than 5 cm/s, released, and supported."""
-        return self._rest if self._naming is not None else cast(Verdict, Verdicts.same(self._rest, len(self._namings)))
+        if self._asked is Asked.ONE_NAMING:
+            return self._rest
+        if self._asked is Asked.ALL_NAMINGS:
+            return cast(Verdict, Verdicts.same(self._rest, len(self._namings)))
+        return cast(Verdict, told.Told(g.All(goals=())))
 
     def count(self, verdicts: Iterable[Verdict], *, at_least: int = 0, at_most: int | None = None) -> Verdict:
         """At least / at most so many of the verdicts hold."""
-        if self._naming is None:
+        if self._asked is Asked.ONE_NAMING:
+            return between(at_least, at_most, verdicts)
+        if self._asked is Asked.ALL_NAMINGS:
             return cast(Verdict, counted(at_least, at_most, verdicts, len(self._namings)))
-        return between(at_least, at_most, verdicts)
+        return cast(Verdict, told.counted(at_least, at_most, verdicts))
 
     def in_order(self, *stages: Verdict, undone: Sequence[int] = ()) -> Verdict:
         """The stages were met one after the other; at the end all hold but those that a later one had to undo."""
+        if self._asked is Asked.TOLD:
+            return cast(Verdict, told.in_order(stages, undone))
         return self._remembered().in_order(stages, undone)
 
     def always(self, condition: Verdict) -> Verdict:
         """The condition holds now and held at every step before."""
+        if self._asked is Asked.TOLD:
+            return cast(Verdict, told.always(condition))
         return self._remembered().always(condition)
 
     def out_of_order(self) -> Verdict:
@@ -237,14 +254,19 @@ class BlockTask(Relations, Structures, Setup):
     # Inside
 
     def _draw(self, seed: int) -> None:
-        """Draw starts until the goal is ahead: not satisfied, not lost, and no stage met, if possible no later one."""
+        """Draw starts until the goal is ahead: not satisfied, not lost, and no stage met, if possible no later one; and
+        until what must stay where it is leaves room for it."""
         init = self._initial_state()
         fallback: BlockState | None = None
+        narrow = False
         for attempt in range(ATTEMPTS):
             start = sample_start(init, self.world, seed, attempt)
             self._begin(start)
             judgement = self.judge()
             if judgement.success or judgement.failed or judgement.stage:
+                continue
+            if not self._leaves_room(start, f"{seed}/{attempt}/room"):
+                narrow = True
                 continue
             if not any(memory.ahead for memory in self._memories):
                 return
@@ -252,7 +274,7 @@ class BlockTask(Relations, Structures, Setup):
             if attempt >= MOST_AHEAD:
                 break
         if fallback is None:
-            raise Refusal([_solved_at_start()])
+            raise Refusal([crowded(ATTEMPTS) if narrow else solved_at_start(ATTEMPTS)])
         self._begin(fallback)
 
     def _begin(self, start: BlockState) -> None:
@@ -307,24 +329,38 @@ class BlockTask(Relations, Structures, Setup):
 
     def _judged_at_once(self, at_rest: Verdict) -> Judgement | None:
         """The same, all namings at once; None where the goal remembers the episode, or its code looks at verdicts."""
-        self._begin_naming(None)
-        try:
-            success: object = self._success()
-        except Exception:  # what is wrong with the code shows when it judges one naming after the other
-            success = None
-        noted = self._noted
-        self._begin_naming(0)
+        success, noted = self._answer(Asked.ALL_NAMINGS)
         if not isinstance(success, Verdicts):
             self._at_once = False
             self._memories = [Memory() for _ in range(len(self._namings))]
             return None
         best = success.best()
-        told = [(node, cast(Verdicts, verdict).of(best)) for node, verdict in noted]
-        return Judgement(success.of(best), False, 0, self._conditions(told, at_rest))
+        found = [(node, cast(Verdicts, verdict).of(best)) for node, verdict in noted]
+        return Judgement(success.of(best), False, 0, self._conditions(found, at_rest))
+
+    def _answer(self, asked: Asked) -> tuple[object, list[tuple[Node, Verdict]]]:
+        """What the code makes of being asked in another way than under one naming, and the atoms that it asked for."""
+        self._begin_naming(0, asked)
+        try:
+            answer: object = self._success()
+        except Exception:  # it looks at verdicts; or what is wrong with it shows when it judges one naming by itself
+            answer = None
+        noted = self._noted
+        self._begin_naming(0)
+        return answer, noted
+
+    def _leaves_room(self, start: BlockState, draw: str) -> bool:
+        """Can the goal be reached from `start`, though it fixes where some blocks are at the end?"""
+        if self._fixing is None:
+            answer, _ = self._answer(Asked.TOLD)
+            goal = answer.goal if isinstance(answer, told.Told) else None
+            fixing = goal is not None and any(atom.kind in FIXING for atom in atoms(goal))
+            self._fixing = (goal,) if goal is not None and fixing else ()
+        return all(leaves_room(goal, self.world, start, Random(draw)) for goal in self._fixing)
 
     def _remembered(self) -> Memory:
         """What is remembered of the episode under the naming at hand: to each its own."""
-        if self._naming is None:
+        if self._asked is not Asked.ONE_NAMING:
             raise Looked
         return self._memory
 
@@ -353,13 +389,3 @@ def _as_verdict(value: Verdict | bool) -> Verdict:
     if isinstance(value, bool):
         return Verdict(value, 1.0 if value else -1.0)
     raise TypeError(f"_success and _fail return a verdict, not {value!r}")
-
-
-def _solved_at_start() -> Diagnostic:
-    return Diagnostic(
-        code="start-solves-goal",
-        message=f"the goal holds, is lost, or is past its first stage in each of {ATTEMPTS} starts",
-        hint="say how the blocks start, or ask for something that is not so from the beginning",
-        origin="initial",
-        facts={"attempts": ATTEMPTS},
-    )

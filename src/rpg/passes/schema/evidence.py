@@ -20,7 +20,7 @@ from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Figure, Pyramid, Row, Spells, Staircase
+from rpg.ir.structures import Figure, Pyramid, Row, Spells, Stack, Staircase
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -80,7 +80,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     terms = {term for part in parts for term in _terms(part)} | _shown_orders(task)
     for index, token in enumerate(words):
         color = lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word)
-        if color is not None and color not in colors:
+        if color is not None and color not in colors and not _spelt(token, task):
             return token
         symbol = token.kind == "word" and len(token.raw) == 1 and token.raw.isupper() and token.raw not in PRONOUNS
         open_ = token.raw in OPEN and _counts(words[index + 1 : index + 3])
@@ -96,6 +96,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         if token.word == "ones" and chosen and _of_counted(words, index, task):
             return token
         if token.word in _BESIDES and _joined_by_others(task):
+            return token
+        if token.word == "order" and words[index - 1 : index] and words[index - 1].word == "any" and _as_listed(task):
             return token
         if token.word == "each" and _on_one(words, index, task):
             return token
@@ -113,6 +115,14 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             if not any(abs(said - number) < 0.02 for number in known):
                 return token
     return None
+
+
+def _as_listed(task: TaskSchema) -> bool:
+    """Whether blocks stand in the order in which they are named, one by one."""
+    told = any(note.startswith(("the order is read from", "in the order in which")) for note in task.assumptions)
+    asked = (task.goal, *getattr(task.goal, "goals", ()))
+    orders = [x.order.ranks for x in asked if isinstance(x, Row | Stack) and x.order.by == "given"]
+    return told or (len(orders) == 1 < FEW < len(orders[0]) and all(len(rank) == 1 for rank in orders[0]))
 
 
 def _more_than(words: Sequence[Token], only: int, task: TaskSchema) -> Token | None:

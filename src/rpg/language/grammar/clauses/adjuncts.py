@@ -353,7 +353,7 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
         for clauses, k in chain(p, p.opt(j, ",")):
             yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
     yield from _beginning_there(p, i)
-    if j := p.one(i, "until"):
+    if j := p.any_of(i, ("until", "till", "til")):
         for clauses, k in chain(p, j):
             yield That(kind="until", clauses=clauses, span=p.span(i, k)), k
     comma = p.opt(i, ",")

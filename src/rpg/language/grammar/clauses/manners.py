@@ -113,13 +113,18 @@ _FACING = (
     "facing", "faces", "face", "to face", "pointing", "points", "pointed", "showing", "turned", "so that it faces",
     "visible from",
 )  # fmt: skip
-_POINTERS = (
-    "corner", "foot", "opening", "open side", "open end", "tip", "apex", "point", "top", "stem", "base", "tail",
-    "ends",
-)  # fmt: skip
+_POINTERS = {
+    **{word: word.rpartition(" ")[2] for word in (
+        "corner", "foot", "opening", "open side", "open end", "tip", "apex", "point", "top", "stem", "base", "tail",
+        "ends", "leg")},
+    **dict.fromkeys(("bar", "crossbar", "cross bar", "top bar", "crosspiece", "horizontal bar"), "bar"),
+}  # fmt: skip
+_LONG = tuple(f"{long} {arm}" for long in ("long", "longer") for arm in ("side", "arm", "leg", "bar"))
 _POINTING = (
     "pointing", "facing", "points", "faces", "to", "towards", "toward", "on", "at", "directed", "going", "is",
-    "extending",
+    "extending", "coming", "being", "is at", "is on", "points to", "goes to", "comes towards", "sticking out",
+    *(f"{must} {point}" for must in ("should", "must", "shall", "has to", "is to")
+      for point in ("point", "face", "be", "go", "be at", "be on", "point to", "lie at", "open")),
 )  # fmt: skip
 _RISING = (
     *(
@@ -135,7 +140,7 @@ _CLOCKWISE = ("clockwise", "to the right")
 _COUNTER = ("counterclockwise", "counter clockwise", "anticlockwise", "anti clockwise", "to the left")
 
 
-def _pointed(p: Parser, i: int, comma: int) -> Results[Meaning]:
+def _pointed(p: Parser, i: int, comma: int) -> Results[Manner]:
     """ "with its foot to the right", "tip pointing left"."""
     j = p.any_of(comma, ("with its", "with the", "its", "with", "the", "whose", "with a"))
     j = j or (comma if comma > i else 0)
@@ -143,19 +148,39 @@ def _pointed(p: Parser, i: int, comma: int) -> Results[Meaning]:
                                   "with the opening at", "with its opening at", "with the open side at",
                                   "opening to", "opening towards", "open at",
                                   "that opens to", "which opens to", "opens to", "opened to")):  # fmt: skip
-        for side, e in direction(p, p.opt(opened, "the")):
+        for side, e in _whither(p, opened):
             yield Manner(kind="pointing:opening", value=side, span=p.span(i, e)), e
-        for where, e in p.standing(p.opt(opened, "the"), _OPEN_AT):
-            yield Manner(kind="pointing:opening", value=_OPEN_AT[where], span=p.span(i, e)), e
-    end = p.any_of(j, _POINTERS) if j else 0
-    if end:
-        for side, e in direction(p, p.any_of(end, _POINTING) or end):
-            yield Manner(kind="pointing:" + p.words[end - 1], value=side, span=p.span(i, e)), e
+    for phrase, end in p.standing(j, _POINTERS) if j else ():
+        for side, e in _whither(p, p.any_of(end, _POINTING) or end):
+            yield Manner(kind="pointing:" + _POINTERS[phrase], value=side, span=p.span(i, e)), e
+    away = p.any_of(j, _LONG) if j else 0
+    if e := p.any_of(p.any_of(away, _POINTING) or away, _AWAY) if away else 0:
+        yield Manner(kind="pointing:long", value="back", span=p.span(i, e)), e
 
 
-_OPEN_AT = {
+ENDS = frozenset({"foot", "opening", "tip", "apex", "stem", "tail", "leg", "bar", "long"})
+"""What figures have, and blocks do not."""
+
+
+@choice
+def pointed(p: Parser, i: int) -> Results[Manner]:
+    """In a sentence of its own: "Its foot should point to the right." """
+    if p.stands(i, ("the", "its")):
+        yield from ((how, j) for how, j in _pointed(p, i, i) if how.kind.partition(":")[2] in ENDS)
+
+
+def _whither(p: Parser, i: int) -> Results[str]:
+    """Where a part of a figure points, or where it lies: "to the left", "(at) the far side"."""
+    yield from direction(p, p.opt(i, "the"))
+    for phrase, j in p.standing(p.opt(i, "the"), _LIES_AT):
+        yield _LIES_AT[phrase], j
+
+
+_LIES_AT = {
     "far side": "back", "far end": "back", "top": "back", "top side": "back", "near side": "front", "near end": "front",
     "bottom": "front", "bottom side": "front", "back side": "back", "front side": "front", "side facing me": "front",
+    "far": "back", "near": "front", "far away": "back", "farthest from me": "back", "nearest to me": "front",
+    "closest to me": "front", "near me": "front", "rear": "back",
 }  # fmt: skip
 
 
@@ -237,6 +262,9 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "partially stacked": ("partial", None),
     "partly stacked": ("partial", None), "of equal height": ("equal", None), "of the same height": ("equal", None),
     "equally tall": ("equal", None), "equally high": ("equal", None), "of equal heights": ("equal", None),
+    **{f"{of} {other} {height}": ("unequal", None) for of in ("of", "with", "in")
+       for other in ("different", "unequal") for height in ("height", "heights")},
+    "differently tall": ("unequal", None), "differently high": ("unequal", None),
     "the same height": ("equal", None), "with the same height": ("equal", None), "reversed": ("backwards", None),
     "while doing so": ("always", None), "while doing this": ("always", None), "while you do so": ("always", None),
     "while you do that": ("always", None), "while you do this": ("always", None), "in the process": ("always", None),

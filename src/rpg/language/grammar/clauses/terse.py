@@ -202,7 +202,10 @@ def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
         bare = isinstance(theme, Noun) and theme.head == "any" and not (theme.traits.colors or theme.traits.labels)
         if bare or not isinstance(theme, Noun | Structure | Coord) or getattr(theme, "op", "and") == "except":
             continue
-        for region, k in named(p, p.opt(j, ":", ",")):
+        start = p.opt(j, ":", ",")
+        if isinstance(theme, Structure) and theme.kind == "L" and p.stands(start, ("corner",)):
+            continue  # it has a corner of its own
+        for region, k in named(p, start):
             if p.words[k - 1] in _BARE_SIDES and _end_of_line(p, i, j, theme):
                 continue
             if k >= p.end or p.words[k] in (",", ";", "and"):

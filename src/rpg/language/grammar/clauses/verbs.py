@@ -16,7 +16,7 @@ from rpg.language.grammar.structures.sizes import AS_HIGH
 from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import digits_of, literal
 from rpg.language.grammar.things.likes import like_with_like
-from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.retold import begins_anew
 from rpg.language.meaning import (
     Amount,
@@ -355,8 +355,13 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         for found, k in adjuncts(p, i + 1) if len(text) > 1 else ():
             yield replace(before, theme=word, adjuncts=(*own, *found), span=p.span(i, k)), k
     said = bool(before.adjuncts) and not (before.verb == "exist" and before.theme is None)
+    forms = before.lemma == "form" and len(before.adjuncts) == 1 and isinstance(before.adjuncts[0], Using)
     for theme, j in noun_phrase(p, i) if said else ():
         yield from _too(p, i, j, theme, before)
+        for shape, k in simple(p, j) if forms and p.stands(j, ("a", "an", "one")) else ():
+            if isinstance(shape, Structure):  # "three reds form a row, three blues a column"
+                own = (Using(members=theme, span=theme.span),)
+                yield replace(before, theme=shape, adjuncts=own, span=p.span(i, k)), k
         for found, k in adjuncts(p, j):
             if found and not isinstance(found[0], That) and not _pairs(found) and not _told_elsewhere(found, before):
                 gathers = before.verb == "sort" and all(isinstance(a, Loc | In) for a in found)

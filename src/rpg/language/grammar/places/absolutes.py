@@ -212,7 +212,7 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
     j = p.any_of(j, ("with", "where", "whose", "having")) or j
     unit = unit_of(had[-1]) if isinstance(had[-1], Absolute) else ""
     more = list(_one_absolute(p, j, unit))
-    more += _besides_these(p, j, had) if not then else ()
+    more += [*_besides_these(p, j, had), *_there_too(p, j, had[-1])] if not then else ()
     if then:
         more = [(one, end) for one, end in more if not _relative_to_it(one)]
         more += [
@@ -230,6 +230,14 @@ def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Res
             whole = (*had, *parts)
             yield Coord(op="absolutes", items=whole, span=p.span(i, end)), end
             yield from _absolute_more(p, i, end, whole)
+
+
+def _there_too(p: Parser, i: int, last: Meaning) -> Results[Absolute]:
+    """ "(red in the corners) and in the middle": the same look in a further place."""
+    look = last.theme if isinstance(last, Absolute) else None
+    if isinstance(look, Noun) and look.amount is None and look.det == "bare" and p.stands(i, ("in", "at", "on")):
+        places = dict.fromkeys((x, k) for x, k in (*part(p, i + 1), *at(p, i)) if isinstance(x, At | Places))
+        yield from ((Absolute(theme=look, adjuncts=(x,), span=p.span(i, k)), k) for x, k in places)
 
 
 def _besides_these(p: Parser, i: int, had: tuple[Meaning, ...]) -> Results[Absolute]:

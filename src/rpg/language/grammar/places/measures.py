@@ -269,7 +269,7 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
         if not end and (j >= p.end or p.words[j] in (",", "and")) and (p.words[i] == "at" or p.any_of(i, _NEARER)):
             end, measure = (j if start > i or p.words[i] != "at" else 0), "centres"
         if end:
-            yield _each_other(p, i, end, low, high, measure), end
+            yield from _measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
     noted = p.any_of(i, _NOTED)
     for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
         end = p.opt(j, "gap", "gaps")
@@ -311,14 +311,14 @@ def _spaced(p: Parser, i: int) -> Results[Meaning]:
             if gap := p.any_of(k, _ROOM):
                 end = p.any_of(gap, _AMONG) or gap
                 measure = "centres" if p.words[gap - 1] in ("spacing", "distance") else "faces"
-                yield _each_other(p, i, end, low, high, measure), end
+                yield from _measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
             if end := p.any_of(k, _OF_CENTERS):
                 yield _each_other(p, i, end, low, high, "centres"), end
     if j := p.any_of(i, _GAPS_OF):
         measure = "centres" if _BY_FACES.isdisjoint(p.words[i:j]) else "faces"
         for (low, high), k in [*bounds(p, j), *(room(p, j) if measure == "faces" else ())]:
             end = p.any_of(k, _BETWEEN_FACES) or k
-            yield _each_other(p, i, end, low, high, measure), end
+            yield from _measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
     if j := p.any_of(i, _ROOM_FOR):
         for (low, high), k in room(p, j):
             end = p.any_of(k, _BETWEEN_FACES) or k

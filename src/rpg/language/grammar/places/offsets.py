@@ -14,7 +14,11 @@ _CENTERED = ("centered", "well centered", "aligned", "lined up", "concentric", "
 _WITHIN = (
     "to within", "within", "to", "up to", "with a tolerance of", "with tolerance", "tolerance", ", tolerance", "by",
     "with an accuracy of", "with a precision of", "to an accuracy of", "to a precision of", "with an error of", "+ / -",
+    "within a tolerance of",
 )  # fmt: skip
+_TOLERANCE = tuple(
+    f"{within} a {what} of" for within in ("within", "with", "to") for what in ("tolerance", "precision")
+)
 _OFFSET = ("offset", "misalignment", "displacement", "deviation")
 _SIDEWAYS = ("horizontal", "lateral", "sideways", "center")
 _MOST = frozenset({"maximal", "maximum", "largest"})
@@ -82,6 +86,8 @@ def offset(p: Parser, i: int) -> Results[Loc]:
     start = p.any_of(start, _EACH) or start
     if j := p.any_of(start, _CENTERED):
         yield from _limit(p, i, p.any_of(j, _WITHIN) or j)
+    if j := p.any_of(start, _TOLERANCE):
+        yield from _limit(p, i, j)
     lead = p.any_of(start, ("with", "at", "having"))
     lead = 0 if lead and p.words[start + 1] in ("most", "least") else lead
     j = p.opt(lead or start, "a", "an", "any")

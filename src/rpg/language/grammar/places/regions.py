@@ -172,7 +172,7 @@ def _corner(p: Parser, k: int, side: str) -> list[tuple[str, int, bool]]:
 
 def named(p: Parser, i: int) -> list[tuple[str, int]]:
     """A region by its name alone, as a note ends: "far left corner", "middle", "left", "corner near right"."""
-    found = [(name.rstrip("?"), k) for name, k, _ in _names(p, i)]
+    found = [(name.rstrip("?"), of_table(p, k) or k) for name, k, _ in _names(p, i)]
     if k := p.one(i, "corner"):
         sides = (p.words[k], p.words[k + 1] if k + 1 < p.end else "")
         halves = [h for h in (_half(side) for side in sides) if h is not None]

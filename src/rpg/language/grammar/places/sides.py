@@ -197,6 +197,7 @@ def far_end(p: Parser, j: int) -> bool:
 
 
 def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
+    j = p.opt(j, "exact") if p.stands(j + 1, ("middle", "center")) else j
     word = p.words[j] if j < p.end else ""
     ended = word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end"
     if ended or far_end(p, j):

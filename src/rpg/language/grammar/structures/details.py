@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language.grammar.clauses.manners import pointed
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import more_parts, one_more
 from rpg.language.grammar.places.around import surrounded
@@ -14,6 +15,7 @@ from rpg.language.grammar.structures.each_line import each_line
 from rpg.language.grammar.structures.levels import levels
 from rpg.language.grammar.structures.parts import IS, part, part_statement
 from rpg.language.grammar.structures.patterns import DIAGONALS, pattern
+from rpg.language.grammar.structures.steps import steps_alone
 from rpg.language.grammar.structures.succession import succession
 from rpg.language.grammar.structures.wholes import wholes_told
 from rpg.language.grammar.things.bodies import body_clause
@@ -39,6 +41,8 @@ def part_clause(p: Parser, i: int) -> Results[Meaning]:
             yield Clause(verb="part", adjuncts=(lines,), mode="goal", span=p.span(i, j)), j
     for agreed, j in pattern(p, i) if p.stands(i, ("each", "every")) or p.rarely(DIAGONALS) else ():
         yield Clause(verb="part", adjuncts=(agreed,), mode="goal", span=p.span(i, j)), j
+    for said, j in [*pointed(p, i), *steps_alone(p, i)]:
+        yield Clause(verb="part", adjuncts=(said,), mode="goal", span=p.span(i, j)), j
     for several, j in wholes_told(p, i):
         yield _said(p, i, j, several), j
     yield from _of_a_whole(p, i)

@@ -33,6 +33,7 @@ NOWHERE = (0, 0)
 DETAILS: dict[str, OrderBy | Spacing | Manner] = {
     "equally tall": Manner(kind="equal", span=NOWHERE), "equal": Manner(kind="equal", span=NOWHERE),
     "equally high": Manner(kind="equal", span=NOWHERE),
+    **{word: Manner(kind="unequal", span=NOWHERE) for word in ("unequal", "differently tall", "differently high")},
     "alternating": OrderBy(by="alternating", span=NOWHERE), "symmetric": OrderBy(by="mirrored", span=NOWHERE),
     "mirror symmetric": OrderBy(by="mirrored", span=NOWHERE),
     "mirror symmetrical": OrderBy(by="mirrored", span=NOWHERE),

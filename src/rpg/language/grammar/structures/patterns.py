@@ -103,6 +103,7 @@ _CHECKERED = (
     ),
     "like a checkerboard", "like a chessboard", "like a chess board", "checkerboard style", "checkered",
     "as a checkerboard", "as a chessboard",
+    *(f", {board}{tail}" for board in ("checkerboard", "chessboard") for tail in ("", " pattern", " style")),
 )  # fmt: skip
 
 
@@ -145,7 +146,8 @@ _GAPLESS = Patterns(
     "without a|any? <gap> <between>* at_all|whatsoever?",
     "so|such|so_that|such_that|in_such_a_way_that|and? there is|are|must_be|should_be|shall_be|will_be|may_be|can_be|"
     "has_to_be|have_to_be|remains|remain no <gap> <between>* at_all|whatsoever?",
-    "tightly",
+    ",? tight|tightly|snug|snugly",
+    ",? so tight|close that they touch each_other?",
     "flush|packed|pressed|pushed tightly|closely|densely? together",
     "tightly|closely|densely packed|pressed together?",
     "touching each_other",

@@ -50,7 +50,7 @@ _SIDES = {"left": "right", "right": "left", "front": "back", "back": "front"}
 
 def _heights(p: Parser, i: int, at: int, first: str | None) -> Results[Told]:
     listed: list[int] = []
-    while at and (n := p.number(at)) is not None:
+    while (n := p.number(at)) is not None:
         listed.append(n)
         for named, end in _tail(p, at + 1):
             up = listed == list(range(1, len(listed) + 1))
@@ -84,3 +84,10 @@ def rising_steps(p: Parser, i: int) -> Results[Size]:
     for (found, more, named), j in steps_told(p, i) if p.anywhere(_NAMES) else ():
         if not more and not named and not _NAMES.isdisjoint(p.words[:i]):
             yield replace(found, cost=1), j
+
+
+def steps_alone(p: Parser, i: int) -> Results[Size]:
+    """In a sentence of its own: "(Build stairs.) One, two, three high." """
+    for (found, more, named), j in _heights(p, i, i, None) if i == 0 else ():
+        if not more and not named and j >= p.end and p.words[j - 1] in ("high", "tall"):
+            yield found, j

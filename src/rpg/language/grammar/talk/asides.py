@@ -96,9 +96,9 @@ _FREE = (
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
-_WHICHEVER = frozenset({"whatever", "whichever"})
 _LINES = frozenset({"row", "line", "tower", "stack", "column"})
-_BREAKS = frozenset({",", "…", ";", ".", "!", "?", ":"})
+_STOPS = frozenset({"…", ";", ".", "!", "?", ":"})
+_BREAKS = _STOPS | {","}
 _DEGREES = frozenset(
     {
         "if",
@@ -148,24 +148,32 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     )
     p = Parser(tokens)
     out: list[Token] = []
+    waiting: list[Token] = []
     at = 0
     while at < len(tokens):
         end = max(_standing(words, at, phrases, fits) for phrases, fits in tables)
         if words[at] in VIEW.firsts:
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if end == at:
+            if waiting and words[at] in _STOPS:
+                out, waiting = out + waiting, []
             if not (out and words[at] in _BEGUN and out[-1].raw.lower() == tokens[at].raw == words[at]):
                 out.append(tokens[at])
             at += 1
-        elif "order" in words[at:end] and words[at] in ("in", "any", *_WHICHEVER) and not _LINES.isdisjoint(words[:at]):
-            # A list tells an order unless this is said; where it cannot be read, it says nothing.
-            if out and out[-1].word == ",":
-                out[-1] = replace(out[-1], value=SOFT)
-            kept = tokens[at : at + words[at:end].index("order") + 1]
-            out += [replace(t, value=SOFT, word="any" if t.word in _WHICHEVER else t.word) for t in kept]
-            at = end
+        elif "order" in words[at:end] and not _LINES.isdisjoint(words):
+            # A list tells an order unless this is said, behind it or in a sentence of its own.
+            said = tokens[at + words[at:end].index("order")]
+            free = [replace(said, value=SOFT, word=word) for word in ("in", "any", "order")]
+            opened = not out or (out[-1].word in _STOPS and (end == len(tokens) or words[end] in _STOPS))
+            if opened and _LINES.isdisjoint(words[:at]):
+                waiting, at = free, end + 1
+                continue
+            if out and out[-1].word in _BREAKS:
+                out[-1] = replace(out[-1], kind="punct", word=",", value=SOFT)
+            out, at = out + free, end
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
+    out += waiting
     plain = rephrased(in_words([token for n in range(len(out)) for token in _meant(out, n)]))
     return reckoned(exceptions_first(plain))
 

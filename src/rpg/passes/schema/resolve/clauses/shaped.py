@@ -4,7 +4,23 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, That, Traits
+from rpg.language.meaning import (
+    Amount,
+    Clause,
+    Coord,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Size,
+    Structure,
+    That,
+    Traits,
+    parts_of,
+)
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
 from rpg.passes.schema.resolve.clauses.fitting import uses_orders
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -202,7 +218,7 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
             raise refuse("misplaced", "piles lie on the table", shape.span)
         if shape.det == "the" and clause.verb not in ("build", "arrange"):
             check_built(shape)
-        shape = by_layers(by_corners(lined_up(_laid_in(shape, spec), spec), spec), spec)
+        shape = by_layers(by_corners(lined_up(_laid_in(_as_long(shape, clause), spec), spec), spec), spec)
         built, atoms = make(shape, spec, None, scene, scope)
         atoms = [*atoms, line_of(built, scene, shape.span)] if spec.lined else atoms
         spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
@@ -213,6 +229,17 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
     if not ref.built and not spec.places:
         raise refuse("no-goal", "it is not said where these blocks should be", shape.span, "say where they should be")
     return ref, []
+
+
+def _as_long(shape: Structure, clause: Clause) -> Structure:
+    """ "a tower that reads HOUSE": of as many blocks as the word has letters."""
+    told = [x for that in clause.adjuncts if isinstance(that, That) for x in parts_of(that)]
+    words = [x.theme for x in told if isinstance(x, Clause) and x.verb == "spell" and isinstance(x.theme, Structure)]
+    bare = shape.kind in _LINES and not (shape.members or shape.sizes or shape.plural or clause.adjuncts[1:])
+    if not bare or len(words) != 1 or not words[0].letter:
+        return shape
+    many = Amount(len(words[0].letter), len(words[0].letter))
+    return replace(shape, sizes=(Size(what="size", amount=many, span=words[0].span),))
 
 
 def _laid_in(shape: Structure, spec: Spec) -> Structure:

@@ -88,8 +88,9 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         if place.side != "next":
             way = -1 if place.side in FAR_ENDS else 1
         last = last + 1 - len(found) if way < 0 else last
-        alike_ = len({looks(scene.things[n]) for n in found}) == 1
-        bunches += [found] if alike_ or (isinstance(item.theme, Noun) and not item.theme.traits.labels) else []
+        free = isinstance(place, At) and place.side in SIDES[kind] and not isinstance(item.theme, Noun)
+        free = free or (isinstance(item.theme, Noun) and not item.theme.traits.labels)
+        bunches += [found] if free or len({looks(scene.things[n]) for n in found}) == 1 else []
         parts.append(place)
         spec.absolutes.remove(item)
     for item in rest:

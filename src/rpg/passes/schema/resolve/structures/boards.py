@@ -12,24 +12,49 @@ from rpg.passes.schema.resolve.things.world import refuse
 
 def by_corners(shape: Structure, spec: Spec) -> Structure:
     """The board with so many blocks of each colour; with two odd sides its corners are all of one."""
-    told = [*parts_of(shape.details), *spec.absolutes]
+    told = [x for detail in shape.details for x in getattr(detail, "items", (detail,))] + [*spec.absolutes]
     parts = [x for x in told if isinstance(x, Absolute)]
-    first = _colour(parts, "corners") if shape.kind == "checkerboard" and len(parts) == len(told) <= 2 else None
     dims = next((z.dims for z in (*shape.sizes, *spec.sizes) if z.dims), shape.dims)
+    if shape.kind != "checkerboard" or not parts or len(parts) < len(told) or len(dims) != 2:
+        return shape
     source = shape.members or (spec.usings[0].members if len(spec.usings) == 1 else None)
     among = _colours(source)
-    if first is None or (source is not None and len(among) != 2) or len(dims) != 2:
+    if source is not None and len(among) != 2:
         return shape
-    named = [c for c in (*shape.traits.colors, *among) if c != first]
-    second = _colour(parts, "rest") or (named[0] if len(named) == 1 else None)
-    if second is None or second == first or len(parts) > (1 if named else 2):
+    found = [_cell(part, dims) for part in parts]
+    first = {color for color, even in (x for x in found if x) if even}
+    second = {color for color, even in (x for x in found if x) if not even}
+    if not first:
+        first = {*shape.traits.colors, *among} - second
+    second = second or {*shape.traits.colors, *among} - first
+    others = {*shape.traits.colors, *among} - first - second
+    if None in found or len(first) != 1 or len(second) != 1 or first == second or others:
         return shape
     if not dims[0] % 2 or not dims[1] % 2:
         raise refuse("contradiction", "the corners of such a board are of both colours", parts[0].span,
                      "leave the corners out, or name odd numbers of rows and columns")  # fmt: skip
+    members = one_more(first.pop(), second.pop(), dims[0] * dims[1], parts[0].span)
+    counts = {x.traits.colors: x.amount for x in members.items if isinstance(x, Noun)}
+    if any(x.amount and counts.get(x.traits.colors) != x.amount for x in parts_of(source) if isinstance(x, Noun)):
+        return shape
     spec.absolutes, spec.usings = [], []
-    members = one_more(first, second, dims[0] * dims[1], parts[0].span)
     return replace(shape, members=members, details=(), traits=replace(shape.traits, colors=()))
+
+
+def _cell(part: Absolute, dims: tuple[int, ...]) -> tuple[str, bool] | None:
+    """The colour told of a part of the board, and whether it is that of the corners."""
+    theme, place = part.theme, part.adjuncts[0]
+    if not isinstance(theme, Noun) or theme.traits != Traits(colors=theme.traits.colors[:1]):
+        return None
+    if isinstance(place, Places) and place.side in _MANY and theme.amount in (None, _MANY[place.side]):
+        return theme.traits.colors[0], place.side == "corners"
+    middle = isinstance(place, At) and place.side == "middle" and place.index is None and all(n % 2 for n in dims)
+    alone = middle and theme.amount in (None, Amount(1, 1))
+    return (theme.traits.colors[0], sum(n // 2 for n in dims) % 2 == 0) if alone else None
+
+
+_MANY = {"corners": Amount(4, 4), "rest": None}
+"""How many blocks are at these parts of a board."""
 
 
 def one_more(first: str, second: str, cells: int, span: Span) -> Coord:
@@ -43,12 +68,12 @@ def one_more(first: str, second: str, cells: int, span: Span) -> Coord:
 
 
 def _colours(source: Meaning | None) -> tuple[str, ...]:
-    """ "black and white cubes": the colours of blocks of which no more is said."""
+    """ "black and white cubes", "five red and four white ones": the colours of blocks of which no more is said."""
     if isinstance(source, Coord):
         return tuple(color for item in source.items for color in _colours(item))
     plain = isinstance(source, Noun) and source.traits == Traits(colors=source.traits.colors)
-    counted = not isinstance(source, Noun) or source.amount is not None or source.det not in ("bare", "a")
-    return source.traits.colors if isinstance(source, Noun) and plain and not counted else ()
+    new = isinstance(source, Noun) and source.det in ("bare", "a")
+    return source.traits.colors if isinstance(source, Noun) and plain and new else ()
 
 
 _ALL_LAYERS = ({"bottom", "top"}, {"bottom", "middle", "top"})
@@ -77,15 +102,3 @@ def by_layers(shape: Structure, spec: Spec) -> Structure:
     sizes = (Size(what="layers", amount=many, span=shape.span), long)
     spec.sizes = []
     return replace(shape, sizes=sizes)
-
-
-def _colour(parts: list[Absolute], side: str) -> str | None:
-    """The colour of what stands at that part of the board."""
-    found: list[str] = []
-    for part in parts:
-        place: Meaning = part.adjuncts[0]
-        plain = isinstance(part.theme, Noun) and part.theme.traits == Traits(colors=part.theme.traits.colors)
-        if isinstance(place, At) or not isinstance(place, Places) or place.side != side or not plain:
-            continue
-        found += part.theme.traits.colors if isinstance(part.theme, Noun) else ()
-    return found[0] if len(found) == 1 else None

@@ -7,8 +7,9 @@ from typing import Any
 
 from rpg.blocks.figures import FEWEST, NATURAL, takes
 from rpg.ir import structures as s
-from rpg.language.meaning import Structure
+from rpg.language.meaning import Manner, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE
 from rpg.passes.schema.resolve.orders.parts import place_of, widened
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count
 from rpg.passes.schema.resolve.structures.grids import grid
@@ -55,7 +56,7 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if count is None and spec.usings and shape.kind in ("T", "L"):
         count = amount_of(spec.usings[0].members)
     sides, need = _outline(shape, count)
-    pointing = _pointing(shape.kind, spec)
+    pointing = _pointing(shape, spec)
     filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
     said: dict[str, Any] = {"shape": shape.kind, "pointing": pointing}
     form = s.Figure(blocks=("",), filled=filled, sides=sides, **said)
@@ -136,34 +137,40 @@ def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | Non
     return None, count if count is not None else None
 
 
-_POINTERS = {"V": ("tip", "point", "apex", "corner", "base"), "triangle": ("tip", "point", "apex", "top"),
-    "L": ("foot", "base"), "U": ("opening", "side", "end", "top"),
-             "T": ("stem", "tail", "base", "foot", "leg")}  # fmt: skip
+_POINTERS = {
+    "V": {"tip", "point", "apex", "corner", "base"}, "triangle": {"tip", "point", "apex", "top"}, "L": {"foot", "base"},
+    "U": {"opening", "side", "end", "top"}, "T": {"stem", "tail", "base", "foot", "leg"},
+}  # fmt: skip
+_AWAY_FROM_THEM = {"T": {"bar", "top"}, "V": {"opening", "ends", "side", "end"}, "U": {"base"}}
+"""What lies at the other end of the figure."""
 
 
-def _pointing(kind: str, spec: Spec) -> str | None:
-    found = next((m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"), None)
-    upright = next((m for m in spec.manners if (m.kind, m.value) == ("turn", 0.0)), None)
-    if upright is not None and kind in _POINTERS:
-        spec.manners.remove(upright)
-        if found is None:
-            return NATURAL.get(kind, "front")
-    if found is None:
-        return None
-    spec.manners.remove(found)
-    word = found.kind.partition(":")[2]
-    if (
-        kind not in _POINTERS
-        or (word and word not in _POINTERS[kind])
-        or (not word and kind not in ("V", "triangle", "U"))
-    ):
-        raise refuse(
-            "misplaced",
-            f"this direction does not fit the shape {kind}",
-            found.span,
-            "say for example 'with its foot to the right'",
-        )
-    side = {"up": "back", "down": "front", "viewer": "front"}.get(str(found.value), str(found.value))
-    if side not in ("left", "right", "front", "back"):
-        raise refuse("misplaced", "a figure on the table points left, right, front or back", found.span)
-    return side
+def _pointing(shape: Structure, spec: Spec) -> str | None:
+    """Where the figure points, as each of its parts that are told of has it."""
+    kind = shape.kind
+    told = [m for m in spec.manners if m.kind.startswith("pointing:") or m.kind == "facing"]
+    upright = kind in _POINTERS and any((m.kind, m.value) == ("turn", 0.0) for m in spec.manners)
+    used = [*told, *(m for m in spec.manners if upright and (m.kind, m.value) == ("turn", 0.0))]
+    spec.manners = [m for m in spec.manners if m not in used]
+    sides = {_side(kind, m) for m in told if m.kind != "pointing:long"}
+    sides |= {NATURAL.get(kind, "front")} if upright and not told else set()
+    for long in (m for m in told if m.kind == "pointing:long"):
+        if kind != "L" or not sides or sides - {"left", "right"}:
+            raise refuse("misplaced", "this does not tell how the figure lies", long.span,
+                         "say for example 'with its foot to the right'")  # fmt: skip
+    if len(sides) > 1:
+        raise refuse("contradiction", "its parts cannot point so at once", told[-1].span, "say where one of them is")
+    return next(iter(sides), None)
+
+
+def _side(kind: str, told: Manner) -> str:
+    """Where a figure points one of whose parts points or lies so."""
+    word = told.kind.partition(":")[2]
+    turned = word in _AWAY_FROM_THEM.get(kind, ())
+    if not turned and word not in _POINTERS.get(kind, ()) and (word or kind not in ("V", "triangle", "U")):
+        raise refuse("misplaced", f"this direction does not fit the shape {kind}", told.span,
+                     "say for example 'with its foot to the right'")  # fmt: skip
+    side = {"up": "back", "down": "front", "viewer": "front"}.get(str(told.value), str(told.value))
+    if side not in OPPOSITE:
+        raise refuse("misplaced", "a figure on the table points left, right, front or back", told.span)
+    return OPPOSITE[side] if turned else side

@@ -11,7 +11,8 @@ from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Clause, Coord, Manner, Meaning, Noun, OrderBy, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.lots import one_of
-from rpg.passes.schema.resolve.structures.several import Look, told_looks
+from rpg.passes.schema.resolve.structures.several import told_looks
+from rpg.passes.schema.resolve.structures.sharing import Look
 from rpg.passes.schema.resolve.things.things import alike, amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 

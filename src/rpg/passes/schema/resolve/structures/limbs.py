@@ -26,7 +26,9 @@ def limbs_of(shape: Structure, count: int | None) -> tuple[Sides | None, int | N
 
 def _of_t(shape: Structure, count: int | None) -> list[Sides]:
     """A stem begins below the bar, unless the number of blocks says that it is counted with the bar's middle."""
-    bar, stem = shape.extent("bar"), shape.extent("stem")
+    bar, stem, high = shape.extent("bar", "wide"), shape.extent("stem"), shape.extent("high")
+    if high is not None and stem is None:  # all of it, of which the bar is one
+        stem = high - 1
     if bar is not None and stem is not None:
         options = [(bar, stem + 1)] if count is None else [(bar, stem + 1), (bar, stem)]
     elif count is None:
@@ -47,12 +49,12 @@ def _of_l(shape: Structure, count: int | None) -> list[Sides]:
         return [] if count is None or not count % 2 else [((count + 1) // 2, (count + 1) // 2)]
     if (each := shape.extent("each arm")) is not None:
         return [(each, each)] if count == 2 * each - 1 or (count is None and "shared" in told) else []
-    long, short = shape.extent("long arm"), shape.extent("short arm")
+    long, short = shape.extent("long arm", "high"), shape.extent("short arm", "wide")
     if count is not None and (long is None) != (short is None):
         long, short = (long, count - long + 1) if long is not None else (count - (short or 0) + 1, short)
     if long is None or short is None or long < short or short < 2:
         return []
     whole = long + short - 1
     if count is None:
-        return [(long, short)] if "shared" in told else [(long, short), (long, short + 1)]
+        return [(long, short)] if told & {"shared", "wide", "high"} else [(long, short), (long, short + 1)]
     return [(long, short)] if count == whole else [(long, short + 1)] if count == whole + 1 else []

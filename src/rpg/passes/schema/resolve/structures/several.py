@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from copy import copy
 from dataclasses import replace
 from itertools import pairwise
@@ -26,6 +26,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line
+from rpg.passes.schema.resolve.structures.sharing import Look, lots_of, named_lots, shared_out
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import declared
 from rpg.passes.schema.resolve.things.operands import foot
@@ -73,10 +74,6 @@ def _sided(spec: Spec) -> OrderBy | None:
 _AXES = {"left": "y", "right": "y", "front": "x", "back": "x"}
 
 
-Look = Noun | Coord | Structure | None
-"""What is said of one of several structures."""
-
-
 def _whole(item: Absolute) -> Places | None:
     """Which of the structures an absolute speaks of, if it speaks of one as a whole."""
     place = item.adjuncts[0] if len(item.adjuncts) == 1 else None
@@ -108,10 +105,11 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     _one_gap(shape, spec)
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
     looks, axis = told_looks(spec, count)
+    shape = shared_out(shape, looks, spec)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     if not any(isinstance(look, Noun) and look.amount is not None for look in looks):
         shape = _fresh(shape, scene)
-    lots = _named_lots(theme, looks, scene) or _lots(theme, count, shape, scene)
+    lots = named_lots(theme, looks, scene) or lots_of(theme, count, shape, scene)
     built: list[Built] = []
     goals: list[g.Goal] = []
     for index in range(count):
@@ -135,23 +133,28 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
         if color and not sized:
             scene.vague.update(n for b in more for n in b.members)
     members = [n for b in built for n in b.members]
+    if (unequal := own.manner("unequal")) is not None and len({len(b.members) for b in built}) < count:
+        raise refuse("contradiction", f"these {shape.kind}s are not told to differ so", unequal.span, "leave it out")
     if len(set(members)) < len(members):
         raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
                      f"say how many blocks each {shape.kind} has")  # fmt: skip
     spec.orders, spec.patterns, spec.spacings, spec.toward, spec.usings = (
         own.orders, own.patterns, own.spacings, own.toward, [],
     )  # fmt: skip
-    spec.absolutes = own.absolutes
-    goals += not_one_line(goals, shape.span) if axis is None else []
-    if axis is not None:
-        ends = ("left", "right") if axis == "y" else ("front", "back")
-        scene.sides.update({built[0].key: ends[0], built[-1].key: ends[1]})
-        if count == 3:
-            scene.sides[built[1].key] = "middle"
-        node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if axis == "y" else r.InFrontOf
-        feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
-        goals += [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
+    spec.absolutes, spec.manners = own.absolutes, own.manners
+    goals += not_one_line(goals, shape.span) if axis is None else _side_by_side(built, axis, shape, scene)
     return built, goals
+
+
+def _side_by_side(built: list[Built], axis: str, shape: Structure, scene: Scene) -> list[g.Goal]:
+    """Each in front of the next one, or on its left, as their places were told."""
+    ends = ("left", "right") if axis == "y" else ("front", "back")
+    scene.sides.update({built[0].key: ends[0], built[-1].key: ends[1]})
+    if len(built) == 3:
+        scene.sides[built[1].key] = "middle"
+    node: type[r.LeftOf | r.InFrontOf] = r.LeftOf if axis == "y" else r.InFrontOf
+    feet = [foot(Ref(names=b.members, built=(b,))) for b in built]
+    return [node(a=a, b=b, span=shape.span) for a, b in pairwise(feet)]
 
 
 def _spelling(shape: Structure, look: Structure) -> Noun:
@@ -185,19 +188,6 @@ def _told_in_order(shape: Structure, look: Noun, lot: Ref | None, own: Spec, sce
     if any(isinstance(item, Noun) and item.det == "another" for item in others):
         members = Coord(op="and", items=others, span=look.span)
     return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=None if lot is not None else members)
-
-
-def _named_lots(theme: Ref | None, looks: Sequence[Look], scene: Scene) -> list[Ref | None]:
-    """Which of the blocks that were named each line has, where it is told by their labels."""
-    if theme is None or not all(isinstance(look, Noun) and look.traits.labels for look in looks):
-        return []
-    lots: list[Ref | None] = [
-        Ref(names=tuple(n for n in theme.names if scene.things[n].label in look.traits.labels), span=theme.span)
-        for look in looks
-        if isinstance(look, Noun)
-    ]
-    shared = [n for lot in lots if lot is not None for n in lot.names]
-    return lots if sorted(shared) == sorted(theme.names) else []
 
 
 def _piled(shape: Structure, look: Coord, own: Spec, scene: Scene) -> Structure:
@@ -262,28 +252,6 @@ def _plain(source: Noun) -> bool:
     if source.amount is not None or source.det not in ("bare", "some") or source.traits.labels:
         return False
     return not source.conditions and source.part_of is None
-
-
-def _lots(theme: Ref | None, count: int, shape: Structure, scene: Scene) -> list[Ref | None]:
-    """The blocks of each, where they were named one lot after the other, or all look alike."""
-    if theme is None:
-        return [None] * count
-    if len(theme.parts) == count and all(len(p.names) > 1 for p in theme.parts) and theme.op == "and":
-        if shape.members is None:
-            raise refuse("ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
-                         f"say 'a {shape.kind} of ... and a {shape.kind} of ...'")  # fmt: skip
-        return list(theme.parts)
-    things = [scene.things[n] for n in theme.names]
-    share, left = divmod(len(things), count)
-    same = len({(t.color, t.label, t.kind, t.size) for t in things}) == 1 and theme.quant is None and not left
-    if same and share > 1 and not any(t.elastic for t in things):
-        for thing in things:
-            thing.scheme = thing.scheme or "same"
-        return [Ref(names=theme.names[k * share : (k + 1) * share], span=theme.span) for k in range(count)]
-    raise refuse(
-        "ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
-        f"say how many blocks each {shape.kind} has",
-    )  # fmt: skip
 
 
 def _single(shape: Structure, look: Noun | None, color: tuple[str, ...]) -> Structure:

@@ -162,8 +162,8 @@ _SIZES = {
     "square": {"size", "side", "dims", "rows", "columns", "wide", "long", "deep", "layers", "high"},
     "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
     "triangle": {"size", "side"}, "circle": {"size"}, "checkerboard": {"dims", "rows", "columns", "size", "side"},
-    "gradient": {"size", "long"}, "word": {"size"}, "T": {"size", "bar", "stem"},
-    "L": {"size", "long arm", "short arm", "equal arms", "each arm", "shared"},
+    "gradient": {"size", "long"}, "word": {"size"}, "T": {"size", "bar", "stem", "high", "wide"},
+    "L": {"size", "long arm", "short arm", "equal arms", "each arm", "shared", "high", "wide"},
 }  # fmt: skip
 
 

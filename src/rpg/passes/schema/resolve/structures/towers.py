@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import combinations
 
 from rpg.ir import goal as g
 from rpg.ir import structures as s
@@ -64,11 +65,22 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     else:
         names, count = _new(shape.traits, shape, count, per, by_color, scene)
     heights = (per,) * count if per is not None and count is not None else None
+    if spec.manner("unequal") is not None:
+        heights = _unequal(len(names), count, per, shape)
     node = s.Towers(
         blocks=names, count=count, heights=heights, equal=equal, each="color" if by_color else None,
         separate=by_color, span=shape.span
     )  # fmt: skip
     return _remember(node, by_color, scene), [node]
+
+
+def _unequal(blocks: int, count: int | None, per: int | None, shape: Structure) -> tuple[int, ...]:
+    """The heights of towers that all differ, where there is one way to build them of so many blocks."""
+    ways = [x for x in combinations(range(2, blocks), count or blocks) if sum(x) == blocks] if per is None else []
+    if len(ways) != 1:
+        raise refuse("ambiguous" if ways else "count-mismatch", f"{blocks} blocks can be shared so in {len(ways)} ways",
+                     shape.span, "say how high each tower is")  # fmt: skip
+    return ways[0]
 
 
 def _of_heights(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Made:

@@ -245,11 +245,13 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     if before == "either" and index > 1:  # "spell either DOG or GOD"
         before, two = two, tokens[index - 3].word if index > 2 else ""
     if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
-        return word not in _NOT_LITERAL and not (
-            word in known and word in ("is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from")
-        )
+        goes_on = index + 1 < len(tokens) and tokens[index + 1].kind == "word" and not tokens[index].raw.isupper()
+        told = index > 2 and tokens[index - 3].word in _SPELLERS | _WRITERS | _MAKERS
+        said_of = word in _SAID_OF_A_WORD or word in lexicon.VERB
+        return word not in _NOT_LITERAL and not (word in _OF_A_WORD or (goes_on and said_of and not told))
     if before in _SPELLERS or (before == "out" and two in _SPELLERS):
-        return word not in _NOT_LITERAL
+        way = index + 1 < len(tokens) and tokens[index + 1].word == "to"  # "spelled left to right"
+        return word not in _NOT_LITERAL and not way
     if (
         (before in _ORDERS or (before == "out" and two in _ORDERS))
         and (index == len(tokens) - 1 or tokens[index + 1].word in _WITH)
@@ -261,6 +263,17 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     after = tokens[index + 1].word if index + 1 < len(tokens) else ""
     behind = tokens[index + 2].word if index + 2 < len(tokens) else ""
     return before in _WRITERS or after in _SPELT or (after == "," and behind in _SPELT)
+
+
+_OF_A_WORD = frozenset({"is", "of", "to", "and", "should", "in", "on", "left", "right", "that", "from"})
+_SAID_OF_A_WORD = frozenset({
+    "must", "shall", "may", "can", "will", "would", "has", "have", "had", "starts", "begins", "needs", "need", "with",
+    "for", "at", "by", "behind", "beside", "next", "near", "between", "into", "faces", "was", "which", "stays",
+    "remains", "ends", "belongs", "there",
+})  # fmt: skip
+"""What is not the word to be spelt behind "the word", but says something of it; the latter only where more follows."""
+_MAKERS = frozenset({"make", "form", "build", "create", "out"})
+"""Before "the word" these ask for the word behind it, as those do that spell and write."""
 
 
 _OTHER_THINGS = frozenset({

@@ -71,10 +71,15 @@ _BESIDES = re.compile(
 _TOO = re.compile(r"\b(?:as well|too|also|in addition|additionally)\b", re.IGNORECASE)
 
 
+def only_adds(before: g.Goal, after: g.Goal) -> bool:
+    """Whether all that was asked is asked still, and something else besides."""
+    return before != after and all(part in conjuncts(after) for part in conjuncts(before))
+
+
 def besides(request: str, asked: Sequence[r.Request], before: g.Goal, after: g.Goal) -> bool:
     """Whether a request that only adds took something away: "put B on C as well", where B is on A so far. What goes
     where something else is already, "B on the red patch too", leaves the place where it was."""
-    if all(part in conjuncts(after) for part in conjuncts(before)):
+    if before == after or only_adds(before, after):
         return False
     if _BESIDES.match(request):
         return True

@@ -16,7 +16,15 @@ from rpg.ir import goal as g
 from rpg.ir.edits import Edit, Overwrite, SetGoal, SetText, apply
 from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.steer.carry import WEAK, carry_out
-from rpg.steer.doubts import Reader, about_all_there, about_new_things, besides, not_half, not_of_what_is_built
+from rpg.steer.doubts import (
+    Reader,
+    about_all_there,
+    about_new_things,
+    besides,
+    not_half,
+    not_of_what_is_built,
+    only_adds,
+)
 from rpg.steer.draft import Draft
 from rpg.steer.history import History, Past
 from rpg.steer.naming import tidied
@@ -85,7 +93,8 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
         return _whole(request, fresh.text, fresh.offset, history, read, "FRESH")
     refusals: list[Refusal] = []
     weak: list[Refusal] = []
-    for parsed in [reading for reading in readings if reading.whole and _changes(reading)][:TRIES]:
+    wholes = [reading for reading in readings if reading.whole and _changes(reading)]
+    for parsed in [reading for reading in wholes if not (_ONLY.match(request) and _adds(reading))][:TRIES]:
         try:
             return _carried_out(request, parsed, history, read)
         except Refusal as refusal:
@@ -107,6 +116,17 @@ def interpret(request: str, history: History, read: Reader) -> Interpretation:
 
 def _moves(reading: Parsed) -> bool:
     return any(isinstance(each, r.Move) for each in reading.requests)
+
+
+_ONLY = re.compile(
+    r"^\W*(?:and\s+)?(?:only|just|exactly|at least|at most)\s+(?:\d|an?\b|one\b|two\b|three\b|four\b|five\b|six\b)",
+    re.IGNORECASE,
+)
+"""So many and no more: nothing that is to be added to what is there."""
+
+
+def _adds(reading: Parsed) -> bool:
+    return any(isinstance(each, r.Add) for each in reading.requests)
 
 
 def _changes(reading: Parsed) -> bool:
@@ -134,10 +154,13 @@ def _carried_out(request: str, parsed: Parsed, history: History, read: Reader) -
     draft = Draft(past.schema, past.focus)
     if past.number != history.head:
         draft.parameters["revert"] = past.number
-    if parsed.reference is None and _INSTEAD.search(request) and any(isinstance(q, r.Add) for q in parsed.requests):
-        told, hint = "it is not said what this comes instead of", "say 'replace the red block with ...', or add it"
+    instead = parsed.reference is None and _INSTEAD.search(request) is not None
+    added = _adds(parsed)
+    if not (instead and added):
+        carry_out(draft, parsed.requests)
+    if instead and (added or only_adds(past.schema.goal, draft.schema.goal)):
+        told, hint = "it is not said what this comes instead of", "say 'replace ... with ...', or add it"
         raise draft.refusal("edit-unclear", told, (0, len(request)), hint)
-    carry_out(draft, parsed.requests)
     if _AFTER.match(request):
         _staged(draft, past.schema.goal)
     if besides(request, parsed.requests, past.schema.goal, draft.schema.goal):

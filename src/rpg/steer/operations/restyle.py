@@ -154,8 +154,9 @@ def replace(draft: Draft, request: r.Replace) -> None:
     old = tuple(n for n in _old(draft, request) if n not in draft.kept)
     if by_place(request.old):
         pin(draft, old, request.span)
-    if isinstance(request.new, m.Noun) and _only_a_size(request.new):
-        restyle(draft, r.Restyle(theme=request.old, traits=request.new.traits, span=request.span))
+    if isinstance(request.new, m.Noun) and (_only_a_size(request.new) or _symbols_as_there(draft, old, request.new)):
+        traits = dataclasses.replace(request.new.traits, kind=None)
+        restyle(draft, r.Restyle(theme=request.old, traits=traits, span=request.span))
         return
     kinds = _kinds(request.new)
     if len(kinds) > 1:
@@ -179,6 +180,18 @@ def _only_a_size(new: m.Noun) -> bool:
     traits = new.traits
     told = bool(traits.edge or traits.size) and traits == m.Traits(edge=traits.edge, size=traits.size)
     return told and new.plural and new.amount is None and new.head != "patch"
+
+
+def _symbols_as_there(draft: Draft, old: Sequence[str], new: m.Noun) -> bool:
+    """Phrases such as "with blue letters" where all are letters: these in another colour, not others."""
+    traits, shown = new.traits, Traits(draft.view.world)
+    if not set(old) <= set(draft.view.world.blocks):
+        return False
+    told = bool(traits.colors) and traits == m.Traits(colors=traits.colors, kind=traits.kind)
+    symbols = [shown.symbol(name) for name in old]
+    alike = all(symbol and (symbol.isalpha() or traits.kind != "letter") for symbol in symbols)
+    alike = alike and all(symbol.isdigit() or traits.kind != "digit" for symbol in symbols)
+    return told and traits.kind in ("letter", "digit", "symbol") and new.plural and new.amount is None and alike
 
 
 def _one_each(request: r.Replace) -> bool:

@@ -28,7 +28,7 @@ def loosen(draft: Draft, request: r.Loosen) -> None:
     if request.what == "distance":
         _stated(draft, request)
         return
-    change = {"tolerance": _tolerance, "even": _even, "touching": _touching}.get(request.what, _gaps)
+    change = {"tolerance": _tolerance, "even": _even, "touching": _touching}.get(request.what, _spaced)
     if not change(draft, request):
         what = {"tolerance": "tolerance", "gap": "gap", "spacing": "spacing"}.get(request.what, "spacing")
         raise draft.refusal(
@@ -37,6 +37,10 @@ def loosen(draft: Draft, request: r.Loosen) -> None:
             request.span,
             "a row has a spacing; a stack of named blocks has a tolerance",
         )
+
+
+def _spaced(draft: Draft, request: r.Loosen) -> bool:
+    return _gaps(draft, request) or _measured_pair(draft, request)
 
 
 def _stated(draft: Draft, request: r.Loosen) -> None:
@@ -108,18 +112,35 @@ def _touching(draft: Draft, request: r.Loosen) -> bool:
     return done or _touching_pair(draft, request)
 
 
+def _side_by_side(draft: Draft) -> tuple[Path, rel.Directional | rel.Near | rel.Beside | rel.Adjacent] | None:
+    """The relation between two blocks, if the goal has just one."""
+    found = [(path, atom) for path, atom in draft.view.atoms if isinstance(atom, _SIDE_BY_SIDE)]
+    pairs = [(members(atom.a), members(atom.b)) for _, atom in found]
+    blocks = set(draft.view.world.blocks)
+    if len(found) != 1 or any(len(a) != 1 or len(b) != 1 or not {*a, *b} <= blocks for a, b in pairs):
+        return None
+    return found[0]
+
+
+def _measured_pair(draft: Draft, request: r.Loosen) -> bool:
+    """Two blocks of which one is to be on a side of the other are so far apart, besides being on that side."""
+    told = _side_by_side(draft)
+    if told is None or not isinstance(told[1], rel.Directional) or not _measured(request):
+        return False
+    draft.aim("EXTEND")
+    faces = "faces" if request.what == "gap" else "centres"
+    pair = {"a": told[1].a, "b": told[1].b}
+    goal = rel.Distance.model_validate({**pair, "minimum": request.low, "maximum": request.value, "measure": faces})
+    draft.do(AddCondition(goal=goal), request.span)
+    return True
+
+
 def _touching_pair(draft: Draft, request: r.Loosen) -> bool:
     """Two blocks of which the goal has one relation side by side touch, besides being on that side."""
-    found = [(path, atom) for path, atom in draft.view.atoms if isinstance(atom, _SIDE_BY_SIDE)]
-    if len(found) != 1 or any(isinstance(atom, rel.Touching) for _, atom in draft.view.atoms):
+    told = _side_by_side(draft)
+    if told is None or any(isinstance(atom, rel.Touching) for _, atom in draft.view.atoms):
         return False
-    path, atom = found[0]
-    if (
-        len(members(atom.a)) != 1
-        or len(members(atom.b)) != 1
-        or not {*members(atom.a), *members(atom.b)} <= set(draft.view.world.blocks)
-    ):
-        return False
+    path, atom = told
     touching = rel.Touching(a=atom.a, b=atom.b)
     if isinstance(atom, rel.Directional):
         draft.aim("EXTEND")

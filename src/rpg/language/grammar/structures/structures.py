@@ -275,7 +275,7 @@ def _tail(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
         if text is not None:
             end = p.opt(p.any_of(j, (", namely", "namely", ", for example", "such as")) or j, ":") + 1
             yield replace(base, letter=text, span=p.span(i, end)), end
-        elif base.det != "the":
+        else:
             yield base, j
         return
     if base.kind == "equation" and (k := p.any_of(j, _TRUE)):

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import partial
-from typing import TypeGuard
 
 from rpg.language.meaning import (
     At,
@@ -22,7 +21,8 @@ from rpg.language.meaning import (
     TableTop,
     parts_of,
 )
-from rpg.passes.schema.resolve.clauses.begun_facts import all_begun
+from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, wanted
+from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it
 
 UNMEANT = frozenset({"contradiction", "support-cycle"})
 """Refusals of facts and commands that cannot both be about the end."""
@@ -38,7 +38,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
-    chains = _lying_there(chains, text)
+    chains = there_on_it(_lying_there(chains, text))
     now = _as_it_is_now(chains[0], text, chains[1:])
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))
     if (picture := _pictured(chains, text)) is not None:
@@ -63,7 +63,8 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     heaped += _going_on(chains, final)
     plain = [_facts(chain) and not final[n] and _unframed(chains, n, text) for n, chain in enumerate(chains)]
     for n in reversed(range(len(chains) - 1)):
-        if plain[n] and (_moved_next(chains[n], chains[n + 1], text) or (plain[n + 1] and n + 1 in heaped)):
+        later = _moved_next(chains[n], chains[n + 1], text) or _wanted_later(chains[n], chains[n + 1], text)
+        if plain[n] and (later or (plain[n + 1] and n + 1 in heaped)):
             heaped.append(n)
     found = []
     for n, chain in enumerate(chains):
@@ -140,7 +141,7 @@ def _there_too(chain: Chain) -> Chain:
     for link, clause in zip(chain.links, chain.clauses, strict=True):
         bare = isinstance(clause, Clause) and (clause.verb, clause.lemma, clause.mode) == ("be", "", "goal")
         bare = bare and isinstance(clause, Clause) and bool(clause.cost) and not clause.negated
-        if link == "and" and told and _there_is(told[-1]) and bare and isinstance(clause, Clause):
+        if link == "and" and told and there_is(told[-1]) and bare and isinstance(clause, Clause):
             spots = clause.adjuncts and all(isinstance(a, Loc | In) and not a.negated for a in clause.adjuncts)
             if spots and _indefinite(clause.theme):
                 clause = replace(clause, verb="exist", mode="given")
@@ -164,9 +165,10 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
     if not all(isinstance(c, Clause) and _describes(c, text, seen) for c in clauses):
         return None
     ends = [c for c in map(partial(_of_the_end, seen=seen), clauses) if isinstance(c, Clause) and c.mode == "goal"]
-    if not any(seen or c.lemma == "fact" or _there_is(replace(c, mode="given")) for c in ends):
+    if not any(seen or c.lemma == "fact" or there_is(replace(c, mode="given")) for c in ends):
         return None
-    return tuple(replace(chain, clauses=tuple(_of_the_end(c, seen) for c in chain.clauses)) for chain in chains)
+    pictured = partial(_of_the_end, seen=seen, whole=True)
+    return tuple(replace(chain, clauses=tuple(map(pictured, chain.clauses))) for chain in chains)
 
 
 _SEEN = re.compile(
@@ -182,25 +184,20 @@ _ASKED = re.compile(
 
 def _describes(clause: Clause, text: str, seen: bool) -> bool:
     """Whether a clause says how it is, and not what is wanted."""
-    if clause.lemma == "fact" or _there_is(clause):
+    if clause.lemma == "fact" or there_is(clause):
         return True
     return seen and clause.mode in ("goal", "given") and _ASKED.search(text[slice(*clause.span)]) is None
 
 
-def _of_the_end(clause: Meaning, seen: bool) -> Meaning:
-    """The clause, about the end if it says where something is: to be on the table is to be there."""
+def _of_the_end(clause: Meaning, seen: bool, whole: bool = False) -> Meaning:
+    """The clause, about the end if it says where something is: to be on the table is to be there. `whole`: all that is
+    told is of the end, structures without a place too."""
     if not isinstance(clause, Clause) or (clause.verb, clause.mode, clause.lemma) != ("exist", "given", ""):
         return clause
-    places = clause.adjuncts if seen or _there_is(clause) else ()
+    places = clause.adjuncts if seen or there_is(clause) else ()
     told = any(not (isinstance(a, Loc) and isinstance(a.landmark, TableTop)) for a in places)
-    told = told or (seen and isinstance(clause.theme, Structure))
+    told = told or ((seen or whole) and isinstance(clause.theme, Structure))
     return replace(clause, mode="goal") if told else clause
-
-
-def _there_is(clause: Meaning) -> TypeGuard[Clause]:
-    """ "there is ...", with nothing but places."""
-    said = isinstance(clause, Clause) and clause.verb == "exist" and clause.mode == "given" and not clause.lemma
-    return said and isinstance(clause, Clause) and all(isinstance(a, Loc | In) for a in clause.adjuncts)
 
 
 def _looked_at(chains: tuple[Chain, ...], n: int, text: str) -> bool:
@@ -240,6 +237,16 @@ def _moved_next(before: Chain, after: Chain, text: str) -> bool:
         return True
     wanted = order.mode == "goal" and (order.verb == "place" or (order.verb, order.lemma) == ("be", ""))
     return wanted and len(before.clauses) == 1 and _same_one(fact, order)
+
+
+_LATER = re.compile(r"\W*(?:and )?(?:afterwards?|after that|later|then)\W*", re.IGNORECASE)
+
+
+def _wanted_later(before: Chain, after: Chain, text: str) -> bool:
+    """ "Two red blocks lie on the mat. Afterwards they should be on the blue one": what is so, and what should be."""
+    joint = text[before.span[1] : after.clauses[0].span[0]]
+    asked = _ASKED.search(text[slice(*before.span)]), _ASKED.search(text[slice(*after.span)])
+    return _LATER.fullmatch(joint) is not None and asked[0] is None and asked[1] is not None
 
 
 _BESIDES = re.compile(r"\b(?:also|too|as well|still|both|in addition|additionally)\b", re.IGNORECASE)
@@ -289,7 +296,7 @@ def _heap_for(chain: Chain, after: Chain) -> bool:
         return False
     told = heap.adjuncts[0] if len(heap.adjuncts) == 1 else None
     shape = told.structure if isinstance(told, Into) else None
-    alone = len(chain.clauses) == 1 and (heap.verb, heap.mode) == ("be", "goal")
+    alone = len(chain.clauses) == 1 and (heap.verb, heap.mode) == ("be", "goal") and not wanted(heap)
     return alone and isinstance(shape, Structure) and shape.kind == "pile" and _made_of_them(order)
 
 

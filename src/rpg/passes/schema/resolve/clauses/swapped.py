@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Loc, Meaning
+from rpg.language.meaning import Clause, Loc, Meaning, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import Premise
@@ -21,7 +21,7 @@ def swap(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal]
     if spec.usings:
         other = refer(spec.usings.pop(0).members, scene, replace(scope, role="landmark"))
         parts = (theme, other)
-    elif len(theme.names) == 2:
+    elif len(theme.names) == 2 and not isinstance(clause.theme, Structure):
         parts = tuple(Ref(names=(n,)) for n in theme.names)
     scene.premises[told:] = [_as_it_begins(premise) for premise in scene.premises[told:]]
     spec.manners = [m for m in spec.manners if m.kind != "idle"]

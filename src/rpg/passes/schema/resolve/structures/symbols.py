@@ -28,6 +28,8 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     """ "the word CAT", in a row or down a tower."""
     text = shape.letter
     if text is None:
+        if shape.det == "the" or (scope.role == "landmark" and shape.det == "bare"):
+            raise refuse("ambiguous", "it is not said which word this is", shape.span, "name it: the word CAT")
         text = DEFAULT_WORD
         scene.assume(f"the word is not said: {DEFAULT_WORD}")
     text = text.replace(" ", "").replace("-", "")
@@ -73,6 +75,7 @@ def _along(spec: Spec) -> bool:
     """Whether the word stands upright, taken from "into a tower", "vertically", "from top to bottom"."""
     spec.manners = [m for m in spec.manners if not (m.kind == "turn" and m.value == 0.0)]
     upright = any(t.axis == "z" for t in spec.toward)
+    level = next((t for t in spec.toward if t.axis == "y" or t.first in ("left", "right")), None)
     for into in list(spec.intos):
         kind = getattr(into.structure, "kind", "")
         if upright and kind in ("row", "line"):
@@ -96,6 +99,9 @@ def _along(spec: Spec) -> bool:
         elif getattr(place, "rel", "") == "heaped":
             spec.places.remove(place)
             upright = True
+    if upright and level is not None:
+        raise refuse("contradiction", "what stands in a tower is not read from left to right", level.span,
+                     "say 'from top to bottom', or 'in a row'")  # fmt: skip
     return upright
 
 
@@ -115,7 +121,8 @@ def _cubes(text: str, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope,
                 f"say {len(text)} blocks",
                 letters=len(text),
             )
-        if open_ended or source.amount is not None or not _has_symbols(scene):
+        unnamed = open_ended or source.amount is not None or not _has_symbols(scene)
+        if unnamed and not source.traits.labels:
             traits = source.traits
             if traits.quality or len(traits.colors) > 1:
                 raise refuse(

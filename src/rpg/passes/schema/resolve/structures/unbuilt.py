@@ -12,7 +12,9 @@ def check_known(chains: tuple[Chain, ...], scene: Scene) -> None:
     shapes = [part for part in parts if isinstance(part, Structure)]
     made_up = any(t.invented and t.color is not None for t in scene.things.values())
     named = any(not (t.invented or t.extra or t.patch) for t in scene.things.values())
-    if made_up and named and any(x.det == "the" and x.members is None and x.letter is None for x in shapes):
+    told = {x.kind for x in shapes if x.det != "the"}
+    known = [x for x in shapes if x.det == "the" and x.members is None and x.letter is None]
+    if made_up and named and any(x.kind not in told for x in known):
         raise refuse(
             "no-referent",
             "a structure is spoken of as known, but it is not said which blocks it is made of",

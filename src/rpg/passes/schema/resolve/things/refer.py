@@ -15,8 +15,8 @@ from rpg.passes.schema.resolve.things.pronouns import others, pronoun
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.theirs import THEIRS, in_their_colors, its_own
-from rpg.passes.schema.resolve.things.them import of_whom
-from rpg.passes.schema.resolve.things.things import Premise, alike, compared, create, looks_said, matching
+from rpg.passes.schema.resolve.things.them import of_whom, sorted_out
+from rpg.passes.schema.resolve.things.things import alike, compared, create, looks_said, matching, note_premises
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 OTHERS = 3
@@ -186,15 +186,12 @@ def _noun(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     found = _described(noun, scene, scope)
     if not found.patch:
         looks_said(noun, found.names, there, scene)
-    if noun.conditions and (noun.det == "no" or (found.quant is not None and found.quant.high == 0)):
-        raise refuse("ambiguous", "it is not clear which blocks are there at the start", noun.span, "use two sentences")
-    for condition in noun.conditions:
-        scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition))
+    note_premises(noun, found, scene, scope)
     return found
 
 
 def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
-    noun = one_more(noun)
+    noun = one_more(noun, scene)
     if noun.part_of is None and elliptical(noun, scene, scope):
         if noun.amount is not None and noun.amount.strict:
             return _of_them(noun, scene, scope)
@@ -236,6 +233,9 @@ def _structure_like(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
     marks = noun.traits
     if scope.role == "theme" and (lot := _group_of(noun, scene)) is not None:
         return lot
+    if noun.det == "the" and marks == Traits(labels=marks.labels) and not matching(marks, scene, False):
+        drawn = [b for b in scene.built if (b.kind,) == marks.labels]  # "an L of five blocks ... the L"
+        return Ref(names=drawn[0].members, built=(drawn[0],)) if len(drawn) == 1 else None
     if scope.role != "landmark" or noun.head != "any" or noun.det != "the" or noun.plural or noun.amount is not None:
         return None
     if len(marks.colors) != 1 or marks != Traits(colors=marks.colors) or len(matching(marks, scene, False)) < 2:
@@ -320,7 +320,7 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
                      "say 'one of the ...', or name the structure again")  # fmt: skip
     if scene.sized and isinstance(noun.part_of, Pronoun) and noun.det == "some" and not any(scene.blocks()):
         return refer(replace(noun, head="block", det="bare", part_of=None), scene, scope)  # "the cubes are 3 cm wide"
-    whole = refer(of_whom(noun), scene, scope)
+    whole = sorted_out(noun, refer(of_whom(noun), scene, scope), scene)
     scene.mentions.pop()
     check_both(noun, whole)
     amount = noun.amount

@@ -11,7 +11,7 @@ from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Thing, refuse
 
-_FAMILY = {"line": "row", "column": "row"}
+_FAMILY = {"line": "row", "column": "row", "checkerboard": "grid"}
 
 
 def as_it_stands(ref: Ref, scene: Scene) -> list[g.Goal]:

@@ -22,6 +22,11 @@ def cleared_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
     return tuple(found)
 
 
+def wanted(clause: Clause) -> bool:
+    """ "must lie in a heap", "ends on the mat": what is said of the end, where a fact or a bare phrase may be a start."""
+    return clause.verb == "be" and clause.lemma != "fact" and clause.word is not None
+
+
 def _on_it(place: Meaning) -> bool:
     return isinstance(place, Loc) and place.rel == "on" and not place.negated
 

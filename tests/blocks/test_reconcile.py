@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from random import Random
 
+import pytest
+
 from rpg.blocks.arrange import arrange
 from rpg.blocks.evaluate import evaluate
+from rpg.blocks.predicates.common import shift, stand_on, swap
 from rpg.ir.goal import All, Not
 from rpg.ir.node import Highest, Lowest
+from rpg.ir.order import Order, Pattern
 from rpg.ir.reconcile import reconcile
 from rpg.ir.relations import Facing, On
-from rpg.ir.structures import Spells, Stack
+from rpg.ir.structures import Grid, Row, Spells, Stack
 from tests.blocks.structure_states import cubes, letters, plain, state, world
 
 WORD = Spells(blocks=("s0", "s1", "s2"), word="CAT")
@@ -46,3 +50,37 @@ def test_what_overrides_nothing_changes_nothing() -> None:
     assert reconcile(WORD) is WORD
     denied = All(goals=(WORD, Not(goal=Facing(block="s1", turn=180.0)), Not(goal=On(a=("s0",), b=("x",)))))
     assert reconcile(denied) == denied
+
+
+def test_a_letter_that_something_is_put_on_may_be_covered_and_the_others_may_not() -> None:
+    on = On(a=("x",), b=("s1",))
+    plain_goal = All(goals=(WORD, on))
+    goal = reconcile(plain_goal)
+    assert isinstance(goal, All) and isinstance(goal.goals[0], Spells)
+    assert goal.goals[0].covered == ("s1",)
+    objects = world(letters("CAT"), plain(x="blue", y="red"))
+    for capped in arrange(goal, objects, rng=Random(0), count=2):
+        assert evaluate(goal, capped) and not evaluate(WORD, capped)
+        assert not evaluate(goal, stand_on(capped, "y", "s2")), "nothing else may lie on the word"
+        assert not evaluate(goal, shift(capped, ["s1", "x"], 0.0, 0.0, 0.04)), "the word is still in a row"
+
+
+@pytest.mark.parametrize(
+    "read",
+    [
+        Row(blocks=("s0", "s1", "s2"), axis="y", readable=True, order=Order(by="label")),
+        Grid(
+            blocks=("s0", "s1", "s2"),
+            rows=1,
+            columns=3,
+            readable=True,
+            pattern=Pattern(kind="reading", order=Order(by="label")),
+        ),
+    ],
+)
+def test_orders_and_grids_of_letters_may_be_covered_as_words_may(read: Row | Grid) -> None:
+    goal = reconcile(All(goals=(read, On(a=("x",), b=("s2",)))))
+    objects = world(letters("ABC"), plain(x="blue"))
+    capped = arrange(goal, objects, rng=Random(0))[0]
+    assert evaluate(goal, capped) and not evaluate(read, capped)
+    assert not evaluate(goal, swap(capped, "s0", "s1"))

@@ -44,5 +44,6 @@ def test_a_start_that_is_told_and_a_goal_that_asks_for_something_are_left_alone(
 
 
 def test_what_must_never_be_has_no_such_start() -> None:
-    schema, _ = BuiltinFrontEnd().read("The red block must never be on the patch.", name=None, seed=0, author=None)
+    text = "Put red on blue. The red block must never be on the patch."
+    schema, _ = BuiltinFrontEnd().read(text, name=None, seed=0, author=None)
     assert schema is not None and schema.init == InitialState()

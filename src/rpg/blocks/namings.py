@@ -59,5 +59,5 @@ def _in_any_order(part: g.Goal) -> bool:
     if isinstance(part, g.Not):
         return _in_any_order(part.goal)
     if isinstance(part, Row):
-        return part.order.by != "given" and not part.excused
+        return part.order.by != "given" and not (part.excused or part.covered)
     return part.kind in ANY_ORDER

@@ -83,6 +83,7 @@ class Structures(Atoms):
         order: Order = ANY_ORDER,
         readable: bool = False,
         excused: Names = (),
+        covered: Names = (),
         touching: bool = False,
         evenly: bool = False,
         spacing: float | None = None,
@@ -98,7 +99,8 @@ class Structures(Atoms):
         `axis` "y" lies from left to right, "x" from front to back (a column on the table); within `angle` degrees
         of it. Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between centres, or `gap`
         metres between faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each other. `readable`:
-        symbols on top read upright for the viewer (but for those `excused`), and in the order's direction.
+        symbols on top read upright for the viewer (but for those `excused`), and in the order's direction. `covered`:
+        cubes that another condition puts a block on; the others that are read have nothing on them.
         """
         return self._atom(
             Row,
@@ -107,6 +109,7 @@ class Structures(Atoms):
             order=order,
             readable=readable,
             excused=excused,
+            covered=covered,
             touching=touching,
             evenly=evenly,
             spacing=spacing,
@@ -127,6 +130,7 @@ class Structures(Atoms):
         pattern: Pattern | None = None,
         readable: bool = False,
         excused: Names = (),
+        covered: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
         gap: float | None = None,
@@ -143,6 +147,7 @@ class Structures(Atoms):
             pattern=pattern,
             readable=readable,
             excused=excused,
+            covered=covered,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
             gap=gap,
@@ -159,6 +164,7 @@ class Structures(Atoms):
         pattern: Pattern | None = None,
         readable: bool = False,
         excused: Names = (),
+        covered: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
         gap: float | None = None,
@@ -175,6 +181,7 @@ class Structures(Atoms):
             pattern=pattern,
             readable=readable,
             excused=excused,
+            covered=covered,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
             gap=gap,
@@ -189,6 +196,7 @@ class Structures(Atoms):
         pattern: Pattern | None = None,
         readable: bool = False,
         excused: Names = (),
+        covered: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
         gap: float | None = None,
@@ -203,6 +211,7 @@ class Structures(Atoms):
             pattern=pattern,
             readable=readable,
             excused=excused,
+            covered=covered,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
             gap=gap,
@@ -218,6 +227,7 @@ class Structures(Atoms):
         pattern: Pattern | None = None,
         readable: bool = False,
         excused: Names = (),
+        covered: Names = (),
         fit_edges: float = 0.5,
         pitch_edges: tuple[float, float] = (1.0, 2.0),
         gap: float | None = None,
@@ -239,6 +249,7 @@ class Structures(Atoms):
             pattern=pattern,
             readable=readable,
             excused=excused,
+            covered=covered,
             fit_edges=fit_edges,
             pitch_edges=pitch_edges,
             gap=gap,
@@ -277,6 +288,7 @@ class Structures(Atoms):
         reverse: bool = False,
         readable: bool = True,
         excused: Names = (),
+        covered: Names = (),
         gap_edges: float = 1.5,
     ) -> Verdict:
         """Cubes among `blocks` spell `word` from readable faces, and nothing else adjoins it.
@@ -292,6 +304,7 @@ class Structures(Atoms):
             reverse=reverse,
             readable=readable,
             excused=excused,
+            covered=covered,
             gap_edges=gap_edges,
         )
 
@@ -303,6 +316,7 @@ class Structures(Atoms):
         longer: bool = False,
         text: str | None = None,
         excused: Names = (),
+        covered: Names = (),
         gap_edges: float = 1.5,
     ) -> Verdict:
         """All of `blocks`, read in a row from left to right (or down a stack), form a true equation.
@@ -310,5 +324,12 @@ class Structures(Atoms):
         `longer`: numbers of several digits are allowed. `text` fixes the equation; None accepts every true one.
         """
         return self._atom(
-            Equation, blocks=blocks, along=along, longer=longer, text=text, excused=excused, gap_edges=gap_edges
+            Equation,
+            blocks=blocks,
+            along=along,
+            longer=longer,
+            text=text,
+            excused=excused,
+            covered=covered,
+            gap_edges=gap_edges,
         )

@@ -1,7 +1,8 @@
 """Conditions of one goal that override what a structure of it would ask by itself.
 
 A cube that the goal turns in the plane of its face, or that must stay where it is, need not be upright where it is
-read; a stack that the goal puts on another block need not stand on the table.
+read; one that the goal puts a block on may have it there; a stack that the goal puts on another block need not stand
+on the table.
 """
 
 from __future__ import annotations
@@ -21,14 +22,21 @@ def reconcile(goal: g.Goal) -> g.Goal:
     turned = {atom.block for atom in asked if isinstance(atom, Facing) and atom.turn}
     turned |= {name for atom in asked if isinstance(atom, Stayed) for name in members(atom.a)}
     resting = [atom for atom in asked if isinstance(atom, On)]
+    read = {id(atom) for atom in asked if getattr(atom, "readable", isinstance(atom, Equation))}
 
     def change(node: g.Goal) -> g.Goal:
+        readable = id(node) in read
         if isinstance(node, g.Any):
             return node.model_copy(update={"goals": tuple(reconcile(part) for part in node.goals)})
         if turned and isinstance(node, Stack | Row | Cells | Spells | Equation):
             excused = tuple(name for name in node.blocks if name in turned or name in node.excused)
             if excused != node.excused:
                 node = node.model_copy(update={"excused": excused})
+        if readable and isinstance(node, Row | Cells | Spells | Equation):
+            under = {name for on in resting for name in _covered(on, node.blocks)}
+            covered = tuple(name for name in node.blocks if name in under or name in node.covered)
+            if covered != node.covered:
+                node = node.model_copy(update={"covered": covered})
         if isinstance(node, Stack) and not node.raised and any(_lifts(on, node) for on in resting):
             node = node.model_copy(update={"raised": True})
         return node
@@ -46,6 +54,12 @@ def _demanded(goal: g.Goal) -> Iterator[g.Goal]:
         yield from facing[:1] if len({x.block for x in facing}) == 1 else ()
     else:
         yield goal
+
+
+def _covered(on: On, read: tuple[str, ...]) -> Iterator[str]:
+    """The block among those that are read on which `on` puts another one."""
+    if isinstance(on.b, tuple) and set(read).isdisjoint(members(on.a)):
+        yield from (name for name in on.b if name in read)
 
 
 def _lifts(on: On, stack: Stack) -> bool:

@@ -59,7 +59,8 @@ class Row(Node):
     `axis` "y" lies from left to right, "x" from front to back (a column on the table); within `angle` degrees of it.
     Gaps between neighbours' faces at most `gap_edges`, or `spacing` metres between centres, or `gap` metres between
     faces, each within `tolerance`. `evenly`: gaps within `even_edges` of each other. `readable`: symbols on top read
-    upright for the viewer (but for those `excused`), and in the order's direction.
+    upright for the viewer (but for those `excused`), and in the order's direction. `covered`: cubes that another
+    condition puts a block on; the others that are read have nothing on them.
     """
 
     kind: Literal["row"] = "row"
@@ -68,6 +69,7 @@ class Row(Node):
     order: Order = Order()
     readable: bool = False
     excused: Names = ()
+    covered: Names = ()
     touching: bool = False
     evenly: bool = False
     spacing: Length | None = None
@@ -91,6 +93,7 @@ class Cells(Node):
     pattern: Pattern | None = None
     readable: bool = False
     excused: Names = ()
+    covered: Names = ()
     fit_edges: Edges = 0.5
     pitch_edges: tuple[Edges, Edges] = (1.0, 2.0)
     gap: Length | None = None
@@ -167,6 +170,7 @@ class Spells(Node):
     reverse: bool = False
     readable: bool = True
     excused: Names = ()
+    covered: Names = ()
     gap_edges: Edges = 1.5
 
 
@@ -182,4 +186,5 @@ class Equation(Node):
     longer: bool = False
     text: str | None = None
     excused: Names = ()
+    covered: Names = ()
     gap_edges: Edges = 1.5

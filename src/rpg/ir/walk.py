@@ -14,7 +14,21 @@ from rpg.ir.node import Highest, Lowest, Node, members
 from rpg.ir.order import Pattern
 
 ATOMS: tuple[type[Node], ...] = get_args(g.Atom)
-NAME_FIELDS = ("a", "b", "c", "block", "blocks", "patch", "over", "groups", "matching", "order", "pattern", "excused")
+NAME_FIELDS = (
+    "a",
+    "b",
+    "c",
+    "block",
+    "blocks",
+    "patch",
+    "over",
+    "groups",
+    "matching",
+    "order",
+    "pattern",
+    "excused",
+    "covered",
+)
 
 
 def children(goal: g.Goal) -> tuple[g.Goal, ...]:

@@ -6,16 +6,19 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, islice
 from typing import NamedTuple
 
+from rpg.blocks.predicates.facing import directions
 from rpg.blocks.predicates.region import CORNERS
 from rpg.blocks.state import Look, World
 from rpg.ir import goal as g
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.relations import (
+    Above,
     Apart,
     Behind,
     Between,
     Clear,
     Empty,
+    Facing,
     InFrontOf,
     InRegion,
     LeftOf,
@@ -76,6 +79,11 @@ def alternatives(goal: g.Goal, world: World, wanted: bool = True) -> Iterator[Co
         case Between() if wanted:
             yield (Literal(goal),)
             yield from _sandwiched(goal, world)
+        case Above() if wanted:
+            yield (Literal(goal),)
+            yield from _carried(goal, world)
+        case Facing(toward="viewer") if wanted:
+            yield from ((Literal(goal.model_copy(update={"toward": toward})),) for toward in directions(goal))
         case Clear() | Empty() | OnTable() if not wanted:
             yield from _spoilt(goal, world)
         case _:
@@ -211,6 +219,15 @@ def _sandwiched(between: Between, world: World) -> Iterator[Conjunction]:
         return
     for low, high in ((between.b, between.c), (between.c, between.b)):
         yield Literal(On(a=between.a, b=low)), Literal(On(a=high, b=between.a))
+
+
+def _carried(above: Above, world: World) -> Iterator[Conjunction]:
+    """Above with a block between, where it must not be directly on it."""
+    a, b = above.a, above.b
+    if not any(isinstance(end, Lowest | Highest) or len(end) > 1 for end in (a, b)):
+        others = [name for name in world.blocks if name not in (*members(a), *members(b))]
+        for (k,) in _unlike_first(others, 1, world):
+            yield Literal(On(a=a, b=(others[k],))), Literal(On(a=(others[k],), b=b))
 
 
 def _pairings(on: On) -> Iterator[Conjunction]:

@@ -174,7 +174,7 @@ class CellsPredicate(Predicate[Cells]):
         if upright(node):
             return legible(state, blocks, TO_VIEWER, UP, node.excused)
         if max(cell.level for cell in ideal.cells) == 0:
-            return legible(state, blocks, UP, AWAY, node.excused) & alone(state, blocks)
+            return legible(state, blocks, UP, AWAY, node.excused) & alone(state, blocks, node.covered)
         exterior = [name for name, hidden in zip(blocks, hidden_cells(ideal), strict=True) if not hidden]
         margins = [1.0]
         for name in exterior:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -29,6 +30,19 @@ SPANS = {"x": WORKSPACE_X[1] - WORKSPACE_X[0] - 2 * BORDER, "y": WORKSPACE_Y[1] 
 """The longest a structure may be between its outer centres, in metres."""
 
 Poses = dict[str, tuple[Vec3, Quat]]
+
+
+class Line(NamedTuple):
+    """Blocks along their best line, from left to right or from front to back.
+
+    `sequence` by position along it, `along` those positions and `off` the distances from it (m, signed), `direction`
+    the unit vector of the line.
+    """
+
+    sequence: list[str]
+    along: list[float]
+    off: list[float]
+    direction: tuple[float, float]
 
 
 def slack(value: float, limit: float) -> float:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from rpg.blocks.geometry import footprint_gap, rests_on
 from rpg.blocks.predicate import NearMiss
-from rpg.blocks.predicates.common import pair_edge, put, strangers
+from rpg.blocks.predicates.common import Line, pair_edge, put, strangers
 from rpg.blocks.state import IDENTITY, BlockState, Vec3, product
 from rpg.blocks.traits import Traits
 from rpg.blocks.verdict import FALSE, Verdict, holds
@@ -30,42 +30,42 @@ def legible(state: BlockState, names: Iterable[str], normal: Vec3, up: Vec3, exc
 
 
 def apart(
-    state: BlockState, sequence: Sequence[str], direction: tuple[float, float], gap_edges: float, symbols: bool = False
+    state: BlockState, line: Line, gap_edges: float, covered: Sequence[str] = (), *, symbols: bool = False
 ) -> Verdict:
-    """Nothing else adjoins a row along `direction`: no block on it or next in its line, no symbol close to it.
+    """Nothing else adjoins a row: no block on it or next in its line, no symbol close to it.
 
-    `symbols`: only blocks that show one are looked at.
+    Cubes that are `covered` may have one on them. `symbols`: only blocks that show one are looked at.
     """
+    sequence = line.sequence
     margin = 1.0
     traits = Traits(state.world)
     for other in strangers(state, sequence):
         lettered = bool(traits.symbol(other))
         if symbols and not lettered:
             continue
-        margin = min(margin, _reading_on(state, sequence, direction, gap_edges if lettered else ADJOINS_EDGES, other))
+        margin = min(margin, _reading_on(state, line, gap_edges if lettered else ADJOINS_EDGES, other))
         for name in sequence:
-            margin = min(margin, _closeness(state, name, other, lettered))
+            margin = min(margin, _closeness(state, name, other, lettered, name in covered))
     return holds(margin) if margin != 0.0 else FALSE
 
 
-def _closeness(state: BlockState, name: str, other: str, lettered: bool) -> float:
-    """How far `other` is from adjoining `name`, over the distance at which it does; -1 where it lies on it."""
+def _closeness(state: BlockState, name: str, other: str, lettered: bool, covered: bool) -> float:
+    """How far `other` is from adjoining `name`, over the distance at which it does; -1 where it lies on it, but for
+    one that is `covered` anyway."""
     edge = pair_edge(state, name, other)
     (ax, ay, az), (bx, by, bz) = state.position[name], state.position[other]
     if max(abs(ax - bx), abs(ay - by)) > 4.0 * edge:
         return 1.0
     if abs(az - bz) < edge * 0.75:
         return footprint_gap(state, name, other) / (ADJOINS_EDGES * edge) - 1.0 if lettered else 1.0
-    return -1.0 if rests_on(state, other, name) else 1.0
+    return -1.0 if not covered and rests_on(state, other, name) else 1.0
 
 
-def _reading_on(
-    state: BlockState, sequence: Sequence[str], direction: tuple[float, float], gap_edges: float, other: str
-) -> float:
+def _reading_on(state: BlockState, line: Line, gap_edges: float, other: str) -> float:
     """How far `other` is from being taken for the row's next cube, before its first or after its last."""
-    ux, uy = direction
+    ux, uy = line.direction
     margin = 1.0
-    for end, sign in ((sequence[0], -1.0), (sequence[-1], 1.0)):
+    for end, sign in ((line.sequence[0], -1.0), (line.sequence[-1], 1.0)):
         edge = pair_edge(state, end, other)
         (ax, ay, az), (bx, by, bz) = state.position[end], state.position[other]
         dx, dy = bx - ax, by - ay

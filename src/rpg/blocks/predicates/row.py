@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from random import Random
-from typing import Any, NamedTuple
+from typing import Any
 
 from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.geometry import footprint_gap
@@ -16,6 +16,7 @@ from rpg.blocks.predicates.common import (
     PAST_SHARE,
     SPANS,
     TOUCH,
+    Line,
     centroid,
     flatness,
     gaps_along,
@@ -44,19 +45,6 @@ READ_ORDERS = ("label", "number")
 """Orders of symbols: another symbol that adjoins the row would be read with it."""
 SLANT = 0.45
 """Turn (radians) of the rows that lie along no axis."""
-
-
-class Line(NamedTuple):
-    """Blocks along their best line, from left to right or from front to back.
-
-    `sequence` by position along it, `along` those positions and `off` the distances from it (m, signed), `direction`
-    the unit vector of the line.
-    """
-
-    sequence: list[str]
-    along: list[float]
-    off: list[float]
-    direction: tuple[float, float]
 
 
 def best_line(state: BlockState, names: Sequence[str]) -> Line:
@@ -155,9 +143,11 @@ class RowPredicate(Predicate[Row]):
             either = node.order.first is None
             parts.append(ordered(node.order, from_first(node.order, line.sequence), traits, either))
         if node.readable:
-            parts.append(legible(state, line.sequence, UP, AWAY, node.excused) & alone(state, line.sequence))
+            parts.append(
+                legible(state, line.sequence, UP, AWAY, node.excused) & alone(state, line.sequence, node.covered)
+            )
             if node.order.by in READ_ORDERS:
-                parts.append(apart(state, line.sequence, line.direction, node.gap_edges, symbols=True))
+                parts.append(apart(state, line, node.gap_edges, node.covered, symbols=True))
         return every(parts)
 
     def holds(self, node: Row, state: BlockState) -> bool:

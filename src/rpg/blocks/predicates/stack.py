@@ -36,10 +36,10 @@ def chain(state: BlockState, upward: Sequence[str], raised: bool = False) -> Ver
     return every(parts)
 
 
-def alone(state: BlockState, upward: Sequence[str]) -> Verdict:
-    """Nothing but the stack itself rests on its blocks."""
+def alone(state: BlockState, upward: Sequence[str], covered: Sequence[str] = ()) -> Verdict:
+    """Nothing but the stack itself rests on its blocks, but for those `covered` by another condition."""
     for other in strangers(state, upward):
-        if any(rests_on(state, other, name) for name in upward):
+        if any(rests_on(state, other, name) for name in upward if name not in covered):
             return FALSE
     return TRUE
 

@@ -37,7 +37,7 @@ def well_read(state: BlockState, sequence: Sequence[str], node: Spells | Equatio
     """`sequence`, in reading order, is a row from left to right (or a stack from its top), legible and by itself."""
     if node.along == "stack":
         upward = list(sequence)[::-1]
-        parts = [chain(state, upward), alone(state, upward)]
+        parts = [chain(state, upward), alone(state, upward, node.covered)]
         if readable:
             parts.append(legible(state, upward, TO_VIEWER, UP, node.excused))
         return every(parts)
@@ -47,7 +47,7 @@ def well_read(state: BlockState, sequence: Sequence[str], node: Spells | Equatio
     row = READING if node.gap_edges == READING.gap_edges else row_for(node.gap_edges)
     parts = [
         holds(min(lined_up(line, state, row), spacing(row, sequence, state))),
-        apart(state, line.sequence, line.direction, node.gap_edges),
+        apart(state, line, node.gap_edges, node.covered),
     ]
     if readable:
         parts.append(legible(state, sequence, UP, AWAY, node.excused))
@@ -83,7 +83,7 @@ def text_misses(
             yield NearMiss(f"{middle} out of the line", shift(state, [middle], -2.0 * edge, 0.0))
             yield gap_too_large(row_for(node.gap_edges), best_line(state, sequence), state)
     others = strangers(state, sequence)
-    if others:
+    if others and not (stack and sequence[0] in node.covered):
         yield NearMiss(f"{others[0]} adjoins the text", _adjoin(state, others[0], sequence, stack))
     if readable:
         normal, up = (TO_VIEWER, UP) if stack else (UP, AWAY)

@@ -298,6 +298,9 @@ def turn(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return _target_letter(theme, spec, scene, clause.span)
     if not goals:
         if clause.lemma == "flip" and not spec.places:
+            if len(theme.names) == 2 and theme.det not in ("both", "each", "all"):
+                raise refuse("ambiguous", "are these turned upside down, or do they change places?", clause.span,
+                             "say 'upside down', or 'swap'")  # fmt: skip
             goals = [
                 _facing(n, None, Manner(kind="turn", value=180.0, span=clause.span), scene, clause.span)
                 for n in theme.names
@@ -365,7 +368,9 @@ def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene,
     toward = str(facing.value) if facing is not None else "up"
     label = label_of(thing, scene)
     turned = float(flat.value or 0.0) if flat is not None else None
-    if flat is None and thing.faces is None:
+    if flat is None and toward == "viewer" and (name in scene.on_top or name in scene.on_top.values()):
+        turned = 0.0  # in a tower, symbols are read from the viewer's side
+    elif flat is None and thing.faces is None:
         thing.faces = {"front": label}
         scene.assume(f"{label} shows on one face of its block; the other faces are blank")
     if facing is None:

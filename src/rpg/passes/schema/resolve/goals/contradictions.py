@@ -32,11 +32,26 @@ def check(goal: g.Goal, scene: Scene) -> None:
     _of_those_that_stay(parts)
     _done_and_kept(goal)
     _inside_lines(parts)
+    _next_to_the_top(parts)
+
+
+def _next_to_the_top(parts: list[g.Goal]) -> None:
+    """Refuse "put blue on top of the tower and red next to it" as red up in the air beside the blue block."""
+    upper = {n for x in parts if isinstance(x, r.On) and isinstance(x.b, Highest) for n in members(x.a)}
+    for x in parts:
+        sides = [members(x.a), members(x.b)] if isinstance(x, r.Beside | r.Adjacent) else []
+        if sum(len(side) == 1 and upper.issuperset(side) for side in sides) == 1:
+            raise refuse("ambiguous", "next to this block, or to the tower that it lies on?", x.span, "say which")
 
 
 def _inside_lines(parts: list[g.Goal]) -> None:
     """Refuse what is said of some blocks of a line as if they stood alone: "a tower of two red and two blue blocks with
-    the blue ones together", "... with the reds on top of the blues"."""
+    the blue ones together", "... with the reds on top of the blues"; and "apart" of the blocks of one group."""
+    lots = [{*lot} for x in parts if isinstance(x, s.GroupBy) and not x.outliers for lot in x.groups]
+    for apart in (x for x in parts if isinstance(x, r.Apart)):
+        if any({*members(apart.a), *members(apart.b)} <= lot for lot in lots):
+            raise refuse("ambiguous", "blocks of one group are to be apart, or is this said of the groups?", apart.span,
+                         "say 'the groups', which are apart from each other anyway, or name single blocks")  # fmt: skip
     for line in (x for x in parts if isinstance(x, s.Stack | s.Row)):
         for lot in (x for x in parts if isinstance(x, s.GroupBy) and len(x.groups) == 1):
             if {*lot.groups[0]} < {*line.blocks}:
@@ -103,8 +118,9 @@ def _to_themselves(goal: g.Goal) -> None:
     """A relation of a tower to one of its own blocks says nothing that could be meant."""
     for atom in atoms(goal):
         a, b = getattr(atom, "a", ()), getattr(atom, "b", ())
-        if isinstance(atom, r.Beside | r.Adjacent | r.Touching) and set(members(a)) & set(members(b)):
-            raise refuse("self-reference", "a block cannot be next to itself", atom.span, "name other blocks")
+        if isinstance(atom, r.Beside | r.Adjacent | r.Touching | r.Apart) and set(members(a)) & set(members(b)):
+            told = "apart from" if isinstance(atom, r.Apart) else "next to"
+            raise refuse("self-reference", f"a block cannot be {told} itself", atom.span, "name other blocks")
         towers = isinstance(a, Lowest | Highest) or isinstance(b, Lowest | Highest)
         if towers and set(members(a)) & set(members(b)):
             raise refuse(

@@ -8,7 +8,7 @@ from itertools import islice
 from random import Random
 
 from rpg.blocks.arrange import CHANGES, Impossible, arrange
-from rpg.blocks.arrange.solve import EFFORTS, Solver
+from rpg.blocks.arrange.solve import AT_A_GLANCE, Solver
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.initial import sample_start
 from rpg.blocks.state import BlockState, World
@@ -53,7 +53,7 @@ def waypoints(
 
 def leaves_room(goal: g.Goal, world: World, start: BlockState, rng: Random) -> bool:
     """Can every scene of an episode that begins with `start` be arranged?"""
-    solvers = (Solver(moment, world, start, ROOM_TRIES, EFFORTS[:1]) for moment in _moments(goal))
+    solvers = (Solver(moment, world, start, ROOM_TRIES, AT_A_GLANCE) for moment in _moments(goal))
     return all(solver.solve(rng) is not None for solver in solvers)
 
 

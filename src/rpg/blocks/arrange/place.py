@@ -49,16 +49,19 @@ Origin = tuple[float, float]
 
 
 class Style(NamedTuple):
-    """What a search likes: chance, places that conditions propose, standing shoulder to shoulder from one corner."""
+    """What a search likes: chance, places that conditions propose, standing shoulder to shoulder from one corner; and
+    whether the first places that will do are good enough."""
 
     noise: float
     worth: float
     dense: bool = False
+    hasty: bool = False
 
 
 NATURAL = Style(0.1, PROPOSED)
 VARIED = Style(0.7, 0.2)
 DENSE = Style(0.02, PROPOSED, dense=True)
+HASTY = Style(0.1, PROPOSED, hasty=True)
 LATTICE_STEP = 0.03
 LATTICE_GAP = 0.006
 
@@ -216,6 +219,8 @@ class Search:
             score = self._score(piece, origin, due)
             if score is not None:
                 scored.append((score + worth, origin))
+                if self.style.hasty and len(scored) == WIDTH:
+                    break
         scored.sort(key=lambda pair: -pair[0])
         return [origin for _, origin in scored]
 

@@ -12,7 +12,7 @@ from rpg.blocks.arrange.bounds import Bounds, Contradiction
 from rpg.blocks.arrange.builds import layouts_of
 from rpg.blocks.arrange.fixed import Poses, fixed_poses
 from rpg.blocks.arrange.pieces import Assembly, Clash
-from rpg.blocks.arrange.place import DENSE, NATURAL, VARIED, Budget, Exhausted, Search, Style, rules_of
+from rpg.blocks.arrange.place import DENSE, HASTY, NATURAL, VARIED, Budget, Exhausted, Search, Style, rules_of
 from rpg.blocks.arrange.turning import orientation_for
 from rpg.blocks.evaluate import satisfied, settled
 from rpg.blocks.geometry import is_level
@@ -47,10 +47,19 @@ class Effort(NamedTuple):
     tries: int
     thorough: bool = False
     dense: bool = False
+    hasty: bool = False
+
+    def style(self, vary: bool) -> Style:
+        """How places are chosen."""
+        if self.hasty:
+            return HASTY
+        return DENSE if self.dense else VARIED if vary else NATURAL
 
 
 EFFORTS = (Effort(12, 400), Effort(3, 5000, dense=True), Effort(80, 3000, thorough=True))
 """A quick look at every alternative comes before a long one at any; then closely packed, then unusual layouts."""
+AT_A_GLANCE = (Effort(12, 400, hasty=True),)
+"""Just whether there is a goal state."""
 
 
 class Solver:
@@ -91,7 +100,7 @@ class Solver:
         for assembly in islice(assemblies, effort.layouts):
             share = Budget(min(effort.tries, budget.left))
             before = share.left
-            state = self._placed(assembly, literals, rng, share, DENSE if effort.dense else VARIED if vary else NATURAL)
+            state = self._placed(assembly, literals, rng, share, effort.style(vary))
             if state is not None:
                 return state
             budget.spend(before - max(share.left, 0))

@@ -7,6 +7,9 @@ passed over.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from rpg.language import lexicon
 from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.spelling import LONG_WORD, nearest, slip, vocabulary
 from rpg.language.tokens import Token
@@ -29,6 +32,7 @@ _TEXTS = _words(
     "caption summary"
 ) | (_NUMBERED - {"scene", "number", "instruction", "no", "id", "run"})
 """What a title calls its text."""
+_NOTES = _words("note notes memo message caption description summary story")
 _ORDERS = frozenset({"order", "instruction", "instructions"})
 """These are titles behind a word that means nothing here, or tells whose they are."""
 _SORTS = _words(
@@ -55,6 +59,7 @@ _LONGEST = 5
 
 def untitled(tokens: list[Token]) -> list[Token]:
     """The words of a text without the titles in front of its sentences."""
+    tokens = _headed(tokens)
     out: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -66,6 +71,51 @@ def untitled(tokens: list[Token]) -> list[Token]:
         out.append(tokens[at])
         at += 1
     return out
+
+
+_BEGUN = _words(
+    "setup setting scene scenario situation state layout configuration arrangement context world environment premise "
+    "background"
+)
+"""Headings of how it begins, where another one is of what should be done."""
+_AIMED = _words(
+    "goal goals task objective aim target wanted want job mission result end finish success todo instruction command"
+)
+_SAYS = frozenset({":", "="})
+_ARTICLES = frozenset({"the", "my", "our", "your"})
+
+
+def _headed(tokens: list[Token]) -> list[Token]:
+    """Headings in the words that a grammar knows: "Setup: red on blue. Goal = blue on red"."""
+    heads = [n for n in range(len(tokens) - 1) if tokens[n + 1].word in _SAYS and _heads(tokens, n)]
+    aimed = any(tokens[n].word in _AIMED for n in heads)
+    renamed = dict.fromkeys(_BEGUN, "start") | {"want": "goal", "wanted": "goal", "have": "given"} if aimed else {}
+    out = list(tokens)
+    for n in reversed(heads):
+        word = renamed.get(tokens[n].word, tokens[n].word)
+        said = replace(tokens[n + 1], kind="punct", word=":", raw=":")
+        if word in lexicon.PATCH and word not in _AIMED and _of_patches(tokens, n + 2):
+            word, said = "there", replace(said, kind="word", word="is")
+        out[n : n + 2] = [replace(tokens[n], word=word), said]
+        if n and tokens[n - 1].word == ",":
+            out[n - 1] = replace(tokens[n - 1], word=".", raw=".")
+        elif n and tokens[n - 1].word in _ARTICLES:
+            del out[n - 1]
+    return out
+
+
+def _heads(tokens: list[Token], n: int) -> bool:
+    """Whether a word is one that stands over a part of the text."""
+    at = n - 1 if n and tokens[n - 1].word in _ARTICLES else n
+    known = tokens[n].word in _BEGUN | _AIMED | {"start", "have", "given"} or tokens[n].word in lexicon.PATCH
+    begins = at == 0 or tokens[at - 1].word in _ENDS or (tokens[n + 1].word == "=" and tokens[at - 1].word == ",")
+    return begins and known
+
+
+def _of_patches(tokens: list[Token], at: int) -> bool:
+    """Whether a part of the text ends with a patch, "Zones: a red mat and a blue mat."."""
+    end = next((n for n in range(at, len(tokens)) if tokens[n].word in _ENDS), len(tokens))
+    return tokens[end - 1].word in lexicon.PATCH
 
 
 def title(tokens: list[Token]) -> int:
@@ -117,7 +167,7 @@ def _title(tokens: list[Token], at: int) -> int:
     head = words[-1]
     if len(words) == 1 and head.word in _TEXTS and mark.word == ":" and (behind := _about(tokens, end)):
         return behind
-    if at == 0 and len(words) == 1 and head.word in _NUMBERED and mark.word == ":":
+    if at == 0 and len(words) == 1 and head.word in _NUMBERED | _NOTES and mark.word == ":":
         return end + 1
     if mark.raw == ",":
         return at

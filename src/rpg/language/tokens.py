@@ -64,6 +64,7 @@ _EQUATION = re.compile(rf"\d+(?:\s*{_SIGN}\s*\d+)+\s*=\s*\d+|\d+\s*=\s*\d+(?:\s*
 _PIECES = re.compile(
     rf"""
     (?P<bullet>(?:(?<=\n)|^)\s*(?:[-*•]|\d{{1,2}}[.)])(?=\s)|(?<!\w)\d{{1,2}}\)(?=\s))
+  | (?P<line>\n\s*(?=[A-Z][a-z]+\b|[a-z]+(?:\ [a-z]+)?\s*[:=]))
   | (?P<equation>(?:{_EQUATION.pattern})(?!\w))
   | (?P<aside>\b(?:i\.e\.|e\.g\.|viz\.)[,:]?)
   | (?P<short>\b(?:max|min)\b\.?(?=\s*(?:\d|one\b|two\b|three\b|four\b|five\b))|\b(?:max|min|approx)\.(?=\s))
@@ -80,6 +81,10 @@ _PIECES = re.compile(
     """,
     re.VERBOSE,
 )
+_GOES_ON = frozenset(
+    {"the", "a", "an", "of", "on", "to", "and", "or", "in", "with", "at", "by", "from", "is", "are", "for", "onto"}
+)
+"""With these no line of a list ends: the sentence goes on in the next one."""
 _SHORT = {"max": "maximum", "min": "minimum", "approx": "approximately"}
 _ORDINAL_TAIL = {"st", "nd", "rd", "th"}
 
@@ -108,13 +113,39 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
             at += 1
             continue
         raw, end = found.group(), found.end()
+        if found.lastgroup == "line":
+            ended = tokens and tokens[-1].kind != "punct" and tokens[-1].word not in _GOES_ON
+            tokens += [Token("punct", ";", raw, (at, end))] if ended else []
+            at = end
+            continue
         if found.lastgroup == "bullet" and raw.endswith(")") and text.count("(", 0, at) > text.count(")", 0, at):
             raw, end = raw[:-1], end - 1
             tokens.append(Token("number", raw.strip(), raw, (at, end), float(raw)))
         else:
             tokens += _tokens_of(str(found.lastgroup), raw, (at, end))
         at = end
-    return _ordinals(tokens), strays
+    return _ordinals(_inline(tokens)), strays
+
+
+_LISTS = frozenset({"blocks", "cubes", "objects", "things", "inventory", "materials", "material", "items", "bricks",
+                    "letters", "digits"})  # fmt: skip
+
+
+def _inline(tokens: list[Token]) -> list[Token]:
+    """ "Blocks:" over lines with bullets: a list, where other bullets begin sentences."""
+    out: list[Token] = []
+    listing = False
+    for token in tokens:
+        if token.word != ";":
+            out.append(token)
+        elif token.raw == ";" or token.raw.isspace():
+            listing = False
+            out.append(token)
+        elif [t.word for t in out[-1:]] == [":"] and out[-2:][0].word in _LISTS:
+            listing = True
+        else:
+            out.append(replace(token, word=",") if listing else token)
+    return out
 
 
 _MARK = re.compile(r"(?:,?\s+and\s+|,\s+)?(?<![\w(])(?:\((?=\w+\)))?(\d{1,2}|[a-h]|i{1,3}|iv|v)\)(?=\s)")

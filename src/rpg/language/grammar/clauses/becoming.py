@@ -193,3 +193,16 @@ def staying(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Results[Cla
             for begun, last in adjuncts(p, end):
                 if all(isinstance(a, Manner) and a.kind == "begun" for a in begun):
                     yield Clause(verb="be", theme=theme, adjuncts=(on, always), mode=mode, span=p.span(i, last)), last
+
+
+def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Clause]:
+    """ "the red block touches the blue one (at the start)", "the blocks touch"."""
+    if j := p.one(k, frozenset({"touch", "touches"})):
+        for other, end in noun_phrase(p, j):
+            touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
+            said = Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end))
+            for when, last in adjuncts(p, end):
+                if all(isinstance(a, Manner) for a in when):
+                    yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
+        touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
+        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j

@@ -77,7 +77,8 @@ def chain(p: Parser, i: int) -> Results[Chain]:
         if joined := list(_alternatives(p, j, ())):
             yield from joined
             return
-        yield from ((found, k) for found, k in chain(p, j) if "or" in found.links)
+        placed = ((x, k, getattr(x.clauses[-1], "adjuncts", ())) for x, k in chain(p, j))
+        yield from ((x, k) for x, k, at in placed if "or" in (*x.links, *(getattr(one, "op", "") for one in at)))
     for first, j in clause(p, i):
         yield Chain(clauses=(first,), links=("and",), span=p.span(i, j)), j
         for alike, k in color_at_last(p, j, first) if isinstance(first, Clause) else ():

@@ -276,7 +276,8 @@ def _command(p: Parser, i: int) -> Results[Meaning]:
                 yield replace(found, cost=found.cost + 1), end
     if k := p.any_of(i, AGENTS):
         for found, end in verb_phrase(p, k, ("base", "s")):
-            if found.lemma not in ("get", "take", "use") and (found.adjuncts or found.verb != "place"):
+            had = found.lemma in ("get", "take", "use") and not p.stands(end, ("and",))
+            if not had and (found.adjuncts or found.verb != "place"):
                 yield replace(found, cost=found.cost + 1), end
     if (k := p.any_of(i, DOERS)) and (k := p.one(k, frozenset({"has", "have"}))):
         for found, end in verb_phrase(p, k, ("past",)):

@@ -6,6 +6,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.framing import IN_PICTURE, WHEN_DONE
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.grammar.things.excepted import NO_MORE
 from rpg.language.grammar.things.standby import AS_EXTRAS, said_idle
 from rpg.language.grammar.things.strangers import strangers
 from rpg.language.meaning import Manner, Meaning
@@ -68,6 +69,8 @@ def manner(p: Parser, i: int) -> Results[Meaning]:
             yield Manner(kind=kind, span=p.span(i, j)), j
     if p.anywhere(_NO_MORE_OF) and (j := p.any_of(comma, _NO_MORE)):
         yield Manner(kind="idle", span=p.span(i, j)), j
+    if i > 0 and (j := p.any_of(comma, NO_MORE)) and (j >= p.end or p.stands(j, _POLITE)):
+        yield Manner(kind="no more", span=p.span(i, j)), j
     if j := p.any_of(i, _ONE_EACH) if i > 0 else 0:
         yield Manner(kind="respectively", value="alike", span=p.span(i, j)), j
     if j := max((k for at in {i, comma} for k in _STREWN.matches(p, at)), default=0):
@@ -90,6 +93,7 @@ _NO_MORE = ("not more", "no more", "no more and no less", "not more and not less
             "no more no less", "not more , not less", "neither more nor less",
             "nothing more", "and no more")  # fmt: skip
 """What "exactly" says already."""
+_POLITE = frozenset({"please", "thanks", "thank"})
 _ONE_EACH = (", one each", ", one on each", ", one on each of them", ", one on each one", ", one apiece", "one on each",
              ", each on a different one", ", each on one of them", ", one per block", ", one per patch",
              ", one per mat", ", one for each", ", each on one")  # fmt: skip
@@ -237,6 +241,7 @@ _LITTLE: dict[str, tuple[str, float | str | None]] = {
     "right now": ("start", None), "at the outset": ("start", None),
     "at start": ("start", None), "before anything moves": ("start", None), "at the very outset": ("start", None),
     "in the beginning": ("start", None), "to begin with": ("start", None), "originally": ("start", None),
+    "to start with": ("start", None),
     "currently": ("start", None), "at the start of the episode": ("start", None), "as distractors": ("extra", None),
     "as a distractor": ("extra", None), "lying around": ("extra", "around"),
     "there as distractors": ("extra", None), "also there": ("extra", "around"), "there too": ("extra", "around"),

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.core.diagnostics import Span
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, Using
+from rpg.language.grammar.things.retold import universal
+from rpg.language.meaning import Clause, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, TableTop, Using
 
 _NEW_ORDER = ("the order to", "its order to", "their order to", "the order into", "the order of the blocks to")
 _ORDER_OF = ("the order of the blocks in", "the order of the cubes in", "the order of", "order of")
@@ -139,10 +141,21 @@ _CLOSED = frozenset({",", ";", "and", "then", "."})
 
 
 def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
-    """ "Take it off": from where it was said to be."""
+    """ "Take it off": from where it was said to be. "Remove everything from the mat": it is cleared."""
+    start = p.any_of(k, ("from", "off", "off of", "out of")) if universal(theme) else 0
+    for patch, end in simple(p, start) if start else ():
+        if isinstance(patch, Noun) and patch.head == "patch":
+            span, word = p.span(i, end), p.span(i, i + 1)
+            yield Clause(verb="remove", lemma="clear", theme=patch, span=span, word=word, cost=1), end
     end = p.any_of(k, _OFF)
     if end and (end >= p.end or p.stands(end, _CLOSED)):
         there = Pronoun(word="there", span=p.span(k, end))
         off = Loc(rel="off", landmark=there, span=there.span)
         span, word = p.span(i, end), p.span(i, i + 1)
         yield Clause(verb="place", lemma="put", theme=theme, adjuncts=(off,), span=span, word=word), end
+
+
+def put_down(theme: Meaning, lemma: str, span: Span, word: Span) -> Clause:
+    """ "Put the red block down": on the table."""
+    table = Loc(rel="on", landmark=TableTop(span=span), span=span)
+    return Clause(verb="place", lemma=lemma, theme=theme, adjuncts=(table,), span=span, word=word, cost=1)

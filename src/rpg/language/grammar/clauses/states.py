@@ -7,7 +7,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
-from rpg.language.grammar.clauses.becoming import becoming, staying
+from rpg.language.grammar.clauses.becoming import becoming, staying, touches
 from rpg.language.grammar.clauses.denials import denied_of_all, leave, stays
 from rpg.language.grammar.clauses.manners import direction, manner
 from rpg.language.grammar.clauses.starts import STARTS, starts_as
@@ -24,7 +24,6 @@ from rpg.language.meaning import (
     At,
     Clause,
     Coord,
-    Loc,
     Manner,
     Meaning,
     Noun,
@@ -73,6 +72,7 @@ _PLACES = Classes(
 _HAS_PLACE = Patterns(
     "have|has|get|gets|find|finds|take|takes|has_found|have_found|has_got|takes_up|keeps <its> <place>",
     "'s <place> is|should_be|must_be|will_be|shall_be|has_to_be",
+    "i|we|you would? want|need|like|put|place to_have|to_see|to_be|to_go|it|them?",
     classes=_PLACES,
 )
 """Where something is, by the place that it has."""
@@ -260,13 +260,15 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
     for sense, lemma, form in senses or ():
         if lemma == "leave" and p.words[j - 1 : j] != ["be"]:
             continue
+        if lemma in ("take", "pull") and p.stands(j + 1, ("apart", "down")):
+            sense = lemma = "unstack"
         if form == "past" or (form == "base" and lemma in ("put", "set", "spread", "split")):
             end_particle = p.opt(j + 1, *PARTICLES) if p.words[j] not in ("put", "placed") else j + 1
             for at_ in dict.fromkeys((j + 1, end_particle)):
                 for found, k in adjuncts(p, at_):
                     if (
                         found
-                        or sense in ("swap", "stack", "keep")
+                        or sense in ("swap", "stack", "keep", "unstack")
                         or (sense in ("build", "arrange") and isinstance(theme, Structure))
                         or (lemma == "line" and p.words[at_ - 1] == "up")
                         or (negated and lemma in ("move", "touch", "disturb", "shift"))
@@ -309,19 +311,6 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
         yield Clause(verb="be", theme=theme, adjuncts=(quality,), negated=negated, mode=mode, span=p.span(i, k)), k
 
 
-def _touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Clause]:
-    """ "the red block touches the blue one (at the start)", "the blocks touch"."""
-    if j := p.one(k, frozenset({"touch", "touches"})):
-        for other, end in noun_phrase(p, j):
-            touch = Loc(rel="touching", landmark=other, span=p.span(k, end))
-            said = Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, end))
-            for when, last in adjuncts(p, end):
-                if all(isinstance(a, Manner) for a in when):
-                    yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
-        touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
-        yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
-
-
 def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool) -> Results[Meaning]:
     """ "the blocks form a ring", "the cubes spell CAT", "the red block touches the blue one", "it faces left"."""
     using = Using(members=theme, span=theme.span)
@@ -346,7 +335,7 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
     if negated and (j := p.one(k, _MOVE)):
         unmoved = Clause(verb="place", lemma="move", theme=theme, negated=True, mode=mode, span=p.span(i, j))
         yield replace(unmoved, word=p.span(k, j)), j
-    yield from _touches(p, i, k, theme, mode, negated)
+    yield from touches(p, i, k, theme, mode, negated)
     if j := p.one(k, frozenset({"face", "faces", "point", "points", "look", "looks"})):
         for side, end in direction(p, j):
             faced = Manner(kind="facing", value=side, span=p.span(k, end))

@@ -50,6 +50,7 @@ _READ = Patterns(
     "make|let|have it|them|the_table|the_row|the_blocks|the_letters say|read|spell <what>?",
     "it|they <may>? say|says|read|reads|spell <what>?",
     "show|display me|us? <what>?",
+    "the|our|my word|name|text|inscription is|should_be|must_be|shall_be|to_spell_is|will_be :?",
     classes=Classes(
         {
             **WHO,
@@ -80,15 +81,17 @@ _SPELT = (
     ),
     *(f"{there} {read}" for there in ("is", "can be") for read in ("read", "spelled", "spelt", "written")),
 )  # fmt: skip
-_KINDRED = ("same colors", "the same colors", "same color", "the same color", "blocks of the same color",
-            "cubes of the same color", "same colored blocks", "equal colors", "each color", "like colors",
-            "same letters", "the same letters", "equal letters", "same numbers", "the same numbers",
-            "equal numbers", "equal digits", "same digits",
-            "blocks with the same letter", "blocks with the same number", "same symbols", "each letter",
-            *(f"{alike} {shown}" for alike in ("identical", "equal", "matching", "like", "the identical")
-              for shown in ("letters", "numbers", "digits", "symbols", "colors")))  # fmt: skip
-_TOGETHER = ("be together", "should be together", "must be together", "together", "are together", "go together",
-             "stay together", "be in one group", "should go together", "in one group")  # fmt: skip
+_SAME = "same|equal|identical|matching|like"
+_KINDRED = Patterns(
+    f"all? the? {_SAME} color|colors|colored|letter|letters|number|numbers|digits|symbols blocks|cubes|bricks|ones?",
+    f"all? the? blocks|cubes|bricks|ones|letters|those of|with|showing|that_have the? {_SAME} "
+    "color|letter|number|digit|symbol",
+    "each color|letter",
+)
+_TOGETHER = Patterns(
+    "should|must|shall|have_to|has_to|are_to? be|are|go|stay|belong|come? together|in_one_group|in_the_same_group"
+)
+_APART = Patterns(", and? different|other ones|colors|letters apart|separate", ", no|not mixing|mixed groups?")
 
 
 _SET_OFF = (",", ":", "so", "such", "with")
@@ -123,7 +126,9 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
     gathered = p.any_of(i, ("group", "gather", "sort", "collect", "cluster", "bunch"))
     start = gathered or start
-    if (j := p.any_of(start, _KINDRED)) and (k := p.any_of(j, _TOGETHER) or (j if gathered else 0)):
+    j = max(_KINDRED.matches(p, start), default=0)
+    if j and (k := max(_TOGETHER.matches(p, j), default=j if gathered else 0)):
+        k = max(_APART.matches(p, k), default=k)
         everything = Pronoun(word="everything", span=p.span(i, j))
         told = "color" if {*p.words[start:j]} & {"color", "colors", "colored"} else "label"
         by = OrderBy(by="attribute", attribute=told, span=p.span(i, k))
@@ -303,7 +308,8 @@ def _spelt(p: Parser, i: int) -> Results[Meaning]:
         return
     word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
     noted = Clause(verb="spell", theme=word, span=p.span(i, i + 1), cost=2)
-    if len(text) > 1 and text.isalpha() and any(True for _ in bodies(p, i + 1, noted)):
+    headed = p.follows(i, (":",)) and i + 1 >= p.end  # "Goal: CAT"
+    if len(text) > 1 and text.isalpha() and (headed or any(True for _ in bodies(p, i + 1, noted))):
         yield noted, i + 1
     yield from but_turned(p, i, text, word)
     if not j and (len(text) < 2 or not p.stands(i + 1, ("in", "as", "down", "from", "along"))):

@@ -8,7 +8,7 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.manners import direction
-from rpg.language.grammar.clauses.remade import remade, reverse, taken_off
+from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.relations import on_its_own
 from rpg.language.grammar.structures.orders import order
@@ -80,21 +80,29 @@ def verb_phrase(p: Parser, i: int, forms: tuple[str, ...] = ("base",)) -> Result
                 yield from with_theme(p, i, particle, sense, lemma)
 
 
-def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+def _its_own_way(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+    """What follows some verbs and no others."""
     word = p.span(i, i + 1)
-    if sense == "spell":
-        yield from spell(p, i, j, lemma)
-        return
     if sense == "turn":
         yield from _turn(p, i, j, lemma)
-    if sense == "swap":
-        j = p.any_of(j, ("the positions of", "the places of", "the locations of", "positions of", "places of")) or j
+    if sense == "spell" or (sense == "build" and j < p.end and p.tokens[j].kind == "literal"):
+        yield from spell(p, i, j, lemma)  # "build CAT out of letter cubes"
     if sense == "reverse":
         yield from reverse(p, i, j)
-        return
+    if sense == "unstack" and j >= p.end:
+        yield Clause(verb=sense, lemma=lemma, theme=Pronoun(word="them", span=word), span=word, word=word), j
     yield from remade(p, i, j, sense, lemma)
     if sense == "sort" or lemma == "put":
         yield from like_with_like(p, i, j, lemma, word)
+
+
+def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Clause]:
+    word = p.span(i, i + 1)
+    yield from _its_own_way(p, i, j, sense, lemma)
+    if sense in ("spell", "reverse"):
+        return
+    if sense == "swap":
+        j = p.any_of(j, ("the positions of", "the places of", "the locations of", "positions of", "places of")) or j
     only = p.one(j, "only") if lemma == "move" else 0
     alone: tuple[Manner, ...] = (Manner(kind="only", span=p.span(j, only)),) if only else ()
     if sense in ("place", "stack") and p.words[j] == "first" and p.words[j + 1] in ("the", "a", "an", "both", "all"):
@@ -108,9 +116,11 @@ def with_theme(p: Parser, i: int, j: int, sense: str, lemma: str) -> Results[Cla
             back = Manner(kind="stay", span=p.span(k, end))
             span = p.span(i, end)
             yield Clause(verb="place", lemma="return", theme=theme, adjuncts=(back,), span=span, word=word), end
-        yield from taken_off(p, i, k, theme) if sense == "pick" or lemma in _TAKING else ()
+        yield from taken_off(p, i, k, theme) if sense in ("pick", "use") or lemma in _TAKING else ()
         k = p.opt(k, *_BEHIND.get(sense, ()))
         k = max(AS_HIGH.matches(p, k), default=k) if sense == "stack" else k
+        if sense == "place" and "down" in (p.words[k - 1], p.words[j - 1]):
+            yield put_down(theme, lemma, p.span(i, k), word), k
         if sense == "use":
             yield from _use(p, i, k, theme)
         if lemma == "separate":

@@ -16,6 +16,9 @@ _OUT = (
 )  # fmt: skip
 
 
+_OFF = ("off", "outside", "inside")
+"""Behind these the patch that was spoken of may be left out: "red on the mat, blue and green off"."""
+_ENDS = frozenset({",", ";", "and", "but", "please", "at"})
 _TOUCHING_NONE = (
     "touching neither", "touching neither of them", "touching neither of the two", "touching none of them",
     "but touching neither",
@@ -28,6 +31,10 @@ def outside(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _TOUCHING_NONE):
         them = Pronoun(word="them", span=p.span(i, j))
         yield Loc(rel="touching", landmark=them, negated=True, span=p.span(i, j)), j
+    if (j := p.any_of(i, _OFF)) and i > 0 and (j >= p.end or p.stands(j, _ENDS)):
+        there = Pronoun(word="there", span=p.span(i, j))
+        rel, mods = ("in", ()) if p.words[i] == "inside" else ("off", ("outside",))
+        yield Loc(rel=rel, landmark=there, mods=mods, span=p.span(i, j), cost=2), j
     j = p.any_of(i, _OUT)
     if not j:
         return

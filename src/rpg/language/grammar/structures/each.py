@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rpg.core.diagnostics import Span
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
@@ -66,6 +67,9 @@ def each_of(p: Parser, i: int) -> Results[OrderBy]:
             yield found, k  # "two towers of blue on green"
 
 
+_STACKS = frozenset({"towers", "stacks", "piles", "columns", "tower", "stack"})
+
+
 @rule
 def each_led(p: Parser, i: int) -> Results[OrderBy]:
     """As an adjunct: ", each of a red and a blue block", ", green under yellow both times"."""
@@ -74,7 +78,8 @@ def each_led(p: Parser, i: int) -> Results[OrderBy]:
         yield from _made_of(p, i, j)
     if j := p.one(comma, frozenset({"both", "each"})):
         named = p.opt(p.any_of(p.opt(j, "one", "tower", "stack"), _COLON) or p.opt(j, "one", "tower", "stack"), ":")
-        yield from (x for x in _made_of(p, i, named) if x[0].first)
+        every = p.stands(named, lexicon.COLOR) and not p.anywhere(_STACKS)  # "each red on a blue": every red one
+        yield from (x for x in _made_of(p, i, named) if x[0].first and not every)
     if j := p.any_of(comma, _ALIKE):
         yield from (x for x in _made_of(p, i, j) if x[0].first)
     for found, j in _lot(p, i, comma) if comma > i and p.anywhere(_TIMES_WORDS) else ():

@@ -62,7 +62,8 @@ _FREE = (
     "any color", "any colors", "of any color", "whatever color", "whatever colors",
     "the color does not matter",
     "color does not matter", "colors do not matter", "the colors do not matter", "any color will do",
-    "any color is fine", "i do not care which", "i do not care", "i do not mind which", "i do not care which one",
+    "any color is fine", "i do not care which", "i do not care", "do not care which", "do not care",
+    "i do not mind which", "i do not care which one",
     "it does not matter which one", "i do not mind", "rather", "whichever you prefer", "whatever you prefer",
     "whichever you like", "whatever you like", "it does not matter which side", "does not matter which side",
     "the side does not matter", "on whichever side", "whichever side", "in either order", "either order is fine",
@@ -144,6 +145,8 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         (by_first(_EMPHASIS), lambda first, last: _emphatic(words, last)),
         (by_first(_FREE), lambda first, last: _set_off(words, first, last)),
         (by_first(_BUILT), lambda first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
+        (by_first(("only", "single", "sole")), lambda first, last: _the_only(words, first, last)),
+        (by_first(_FILLERS), lambda first, last: _filling(words, first, last)),
         (by_first(_AT_ALL), lambda first, last: _denying(words, first, last)),
     )
     p = Parser(tokens)
@@ -259,6 +262,8 @@ _DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})
 _BUILT = ("finished", "completed", "resulting", "finalized")
 """What carries nothing in front of what is built."""
 _AT_ALL = ("at all", "whatsoever")
+_FILLERS = ("like", "sort of", "kind of", "i think", "i believe")
+_COUNTING = frozenset({"with", "of", "and", "then", "have", "make", "use", "be", "is", "are"})
 _DENYING = frozenset({"no", "not", "none", "nothing", "never", "without", "neither", "nor", "nobody"})
 _GOING_ON = _BREAKS | {
     "",
@@ -278,6 +283,21 @@ _GOING_ON = _BREAKS | {
     "must",
     "should",
 }
+
+
+def _the_only(words: list[str], at: int, end: int) -> bool:
+    """ "the only yellow block": there is one, as "the" says."""
+    named = words[end : end + 2]
+    one = len(named) == 2 and named[0] in lexicon.COLOR and lexicon.BLOCK.get(named[1], named[1] != "one") is False
+    return one and at > 0 and words[at - 1] == "the"
+
+
+def _filling(words: list[str], at: int, end: int) -> bool:
+    """ "it should be, like, behind the red one", "with like three of them"."""
+    before, after = words[at - 1] if at else ",", words[end] if end < len(words) else ","
+    if words[at] == "i" and end == len(words):
+        return True
+    return before == "," == after or (before in _COUNTING and after in lexicon.NUMBER)
 
 
 def _denying(words: list[str], at: int, end: int) -> bool:

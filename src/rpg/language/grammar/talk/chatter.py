@@ -60,11 +60,14 @@ CHATTER = Patterns(
     "i hope this|that|it is|works|helps|makes_sense clear|easy|simple|okay|ok?",
     "good|nice|well job|work|done|luck|boy",
     "we|you|i start|begin with|from|in a|the|this|total|complete? total|complete|big|real? mess|chaos",
-    "everything|it|the_table|the_desk is a|in|in_a|one|such_a? total|complete|big|real? mess|chaos|disorder",
+    "everything|it|the_table|the_desk|the_blocks|the_cubes is|are a|in|in_a|one|such_a? total|complete|big|real? "
+    "mess|chaos|disorder",
     "do not worry|hurry|rush about_it|anything?",
+    "and|now|please? spell|write it|that|this out? please|now?",
     "take your time",
     "done|finished|over|ready|go|stop",
     "have fun",
+    "please|now|let_us? tidy|clean|clear up? please|now|everybody|kids?",
     "i|we am|are making|doing|shooting|preparing|planning|taking a|the|some|this? nice|little|short? "
     "picture|pictures|photo|photos|video|videos|demo|poster|presentation|game|exercise for|of? my|our|the|a? "
     "school|class|lab|team|website|paper|lesson|project? website|project|page|today?",

@@ -213,6 +213,7 @@ STATES = Patterns(
 TAGS = Patterns(
     "please|thanks|ok|okay|either|now|too",
     "thanks a lot",
+    "spell|write it|that|this out? please?",
     "and|then? done|finished|ready",
     "thank you very_much?",
     "if you can|could|please",

@@ -16,9 +16,10 @@ def _of_another_kind(whole: Meaning, out: Meaning) -> bool:
     return any(a and b and a != b for a, b in told)
 
 
-_NO_MORE = ("and nothing else", "nothing else", "and nothing more", "nothing more", "and no other blocks",
-            "and nothing besides", "and that is all", "but nothing else")  # fmt: skip
-"""Behind a structure: no block is there anyway that is not called for."""
+NO_MORE = ("and nothing else", "nothing else", "and nothing more", "nothing more", "and no other blocks",
+           "and nothing besides", "and that is all", "but nothing else", "no more blocks", "no other blocks",
+           "and no more blocks")  # fmt: skip
+"""Behind a structure, and at the end of it all: no block is there anyway that is not called for."""
 
 
 def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Results[Coord | Structure]:
@@ -26,7 +27,7 @@ def exceptions(p: Parser, i: int, items: tuple[Meaning, ...], comma: int) -> Res
     from rpg.language.grammar.things.nouns import noun_phrase, simple
 
     shape = items[0] if len(items) == 1 else None
-    alone = p.any_of(comma, _NO_MORE) if isinstance(shape, Structure) else 0
+    alone = p.any_of(comma, NO_MORE) if isinstance(shape, Structure) else 0
     if isinstance(shape, Structure) and alone and (alone >= p.end or p.words[alone] in (",", ";", ":")):
         yield shape, alone
     whole = len(items) == 1 and universal(items[0]) and (op := _but(items[0])) is not None

@@ -26,7 +26,7 @@ _LEADS = (
     "digits :", "numbers :", "the letters are",
     "the digits are", "the numbers are", "letters are", "digits are", "blocks :",
     "cubes :", "inventory :", "material :", "materials :", "have", "we work with", "from", "out of", "made of",
-    "we start with", "you start with", "start with", "starting with", "it starts with", "the blocks are",
+    "we start with", "you start with", "start with", "begin with", "starting with", "it starts with", "the blocks are",
     "the cubes are", "all blocks are",
 )  # fmt: skip
 _EACH = (
@@ -68,7 +68,7 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     """The things there are; `lemma` "tally" where nothing says so but the list itself."""
     lead = p.any_of(i, _LEADS)
     if lead:
-        taken = p.words[i] in ("take", "use", "using")
+        taken = p.words[i] in ("take", "use", "using", "start", "begin")
         joined = p.words[lead - 1] == ":" and p.follows(i, ("and", "or"))  # "group letters and digits: A, B, 1"
         for theme, told, j in contents(p, p.any_of(lead, _NO_MORE_THAN) or lead, taken):
             cost = 0 if taken and (told or _several(theme)) else 1
@@ -81,6 +81,12 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     for items, j in _run(p, of, True) if of and i == 0 else ():
         if (len(items) > 1 or len(items[0].traits.labels) > 1) and p.words[j : j + 1] == [","]:
             yield replace(given(p, i, j, _whole(p, of, j, items), (), 2), lemma="stock"), j
+    each = p.any_of(i, _EACH) if of else 0
+    there = p.any_of(each, _THERE_ARE) if each else 0  # "of each there are two"
+    for many, j in amounts.amount(p, there) if there else ():
+        yield given(p, i, j, None, (Size(what="each", amount=many, span=p.span(i, j)),), 1), j
+    if p.follows(i, _OPENERS):
+        yield from _of_them(p, i)
     added = p.one(i, "add")
     for theme, j in simple(p, added) if added else ():
         if isinstance(theme, Noun) and theme.traits.extra:
@@ -96,6 +102,17 @@ def inventory(p: Parser, i: int) -> Results[Clause]:
     yield from _besides(p, i)
     yield from _numbered(p, i)
     yield from _at_hand(p, i)
+
+
+def _of_them(p: Parser, i: int) -> Results[Clause]:
+    """ "All the green blocks go on the mat, four of them": how many they are, behind it all."""
+    for many, j in amounts.amount(p, i):
+        end = p.any_of(j, ("of them", "of these", "of those"))
+        end = (p.any_of(end, IN_TOTAL) or end) if end else 0
+        if end and (end >= p.end or p.stands(end, _OPENERS)):
+            them = Pronoun(word="them", span=p.span(j, end))
+            theme = Noun(head="any", det="some", amount=many, plural=True, part_of=them, span=p.span(i, end))
+            yield replace(given(p, i, end, theme, (), 1), lemma=""), end
 
 
 _NO_MORE_THAN = ("exactly", "just", "only", ":", "nothing but", "no more than", "nothing more than", "no blocks but")

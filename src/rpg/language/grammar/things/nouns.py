@@ -217,10 +217,9 @@ def _partitive(p: Parser, i: int, j: int, found: Quantity) -> Results[Meaning]:
 @choice
 def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     """The noun itself: (head, plural, traits it brings)."""
-    for table, head in ((lexicon.BLOCK, "block"), (lexicon.LOOSE_BLOCK, "block")):
-        plural = p.lex(i, table)
-        if plural is not None:
-            yield (head, plural, {}), i + 1
+    for table in (lexicon.BLOCK, lexicon.LOOSE_BLOCK):
+        if (plural := p.lex(i, table)) is not None:
+            yield ("block", plural, {}), i + 1
     start = p.one(i, _APART) or i
     j = start
     while p.lex(j, lexicon.PATCH) is not None:
@@ -242,7 +241,8 @@ def _head(p: Parser, i: int) -> Results[tuple[str, bool, dict[str, Any]]]:
     if p.follows(i, lexicon.COLOR) and (j := p.one(i, STRANGERS)):
         yield ("block", p.words[i].endswith("s"), {}), j
     if j := p.one(i, frozenset({"one", "ones"})):
-        yield ("any", p.words[i] == "ones", {}), (p.opt(j, "out") if p.follows(i, ("odd",)) else j)
+        odd = p.follows(i, ("odd",)) and p.follows(i - 1, ("the",))
+        yield ("any", p.words[i] == "ones", {}), (p.opt(j, "out") if odd else j)
     if several := p.peek(i, lexicon.COLOR_PLURAL):
         yield ("block", True, {"colors": (several,)}), p.reach(i + 1)
 
@@ -261,7 +261,7 @@ def _noun(p: Parser, i: int, start: int, quantity: Quantity) -> Results[Meaning]
 def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: Marks) -> Results[Meaning]:
     """ "red on blue", "the other two", "A", "a red and a blue block"."""
     ranked = quantity.det == "the" and marks.get("rank") not in (None, "top", "bottom", "middle")
-    named = j > start and p.words[j - 1] not in ("target", "goal") and "shape" not in marks
+    named = j > start and p.words[j - 1] not in ("target", "goal", "little") and "shape" not in marks
     looked = marks.get("colors") or marks.get("size") or ranked
     if named and looked and ("edge" not in marks or p.words[j - 1] in lexicon.COLOR):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1

@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
-from rpg.language.meaning import Clause, Meaning, Noun
+from rpg.language.meaning import Clause, Meaning, Noun, Traits
 
 _ON_IT = ("on it", "on them", "on its top", "on its top face", "on its faces", "on its sides", "on all sides",
           "on each side", "on their faces", "on all faces", "on every face", "on each of them", "painted on it",
@@ -20,6 +20,7 @@ _NAMED = frozenset({*lexicon.LETTER, *lexicon.DIGIT, *lexicon.SYMBOL})
 @choice
 def with_symbols(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
     """ "the cube with K on it": of no colour, besides which K could be a block that lies on it."""
+    yield from _among(p, i, j, noun)
     told = noun.traits.colors or noun.traits.labels or noun.head == "patch"
     start = p.one(j, "with") if not told else 0
     if not start:
@@ -32,6 +33,20 @@ def with_symbols(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
             plural = noun.plural or len(labels) > 1
             marks = replace(noun.traits, labels=labels)
             yield replace(noun, head="block", plural=plural, traits=marks, span=p.span(i, end)), end
+
+
+_OF = ("of", "among", "out of", "in")
+_SUCH = ("the letters", "the digits", "the numbers", "letters", "digits", "numbers", "the")
+
+
+def _among(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
+    """ "the vowels of the letters A, B and E": those among the blocks that are listed."""
+    start = p.any_of(j, _OF) if noun.traits.quality and noun.plural and noun.part_of is None else 0
+    start = p.any_of(start, _SUCH) or start if start else 0
+    for (labels, more), k in label_list(p, start) if start else ():
+        if len(labels) > 1 and not more and not noun.traits.labels:
+            whole = Noun(head="block", det="the", plural=True, traits=Traits(labels=labels), span=p.span(start, k))
+            yield replace(noun, part_of=whole, span=p.span(i, k)), k
 
 
 def printed(p: Parser, i: int, j: int, k: int, noun: Noun) -> Results[Noun]:

@@ -15,6 +15,7 @@ _PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
 _FINITE = frozenset({"should", "must", "may", "can", "is", "are", "shall", "touches", "lies", "stands", "has", "ought",
                      "will", "rests", "sits", "goes", "needs", "touch", "be"})  # fmt: skip
 """What follows "neither" where that is the subject by itself."""
+_NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next"}
 _OF_THEM = ("of them", "of these", "of those")
 
 
@@ -35,7 +36,7 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield from _all_three(p, i, j)
     if (j := p.any_of(i, ("neither", "neither one", "neither of the two"))) and p.stands(j, _FINITE):
         yield Pronoun(word="neither of them", span=p.span(i, j)), j
-    if (j := p.one(i, "none")) and p.stands(j, _FINITE):
+    if (j := p.one(i, "none")) and p.stands(j, _NONE_THERE):
         yield Pronoun(word="none of them", span=p.span(i, j)), j
     if j := p.one(i, frozenset({"him", "her", "he", "she"})):
         yield Pronoun(word="it", span=p.span(i, j)), j

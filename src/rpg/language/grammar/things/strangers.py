@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
-from rpg.language.meaning import Clause, Manner
+from rpg.language.meaning import Amount, Clause, Manner
 
 STRANGERS = frozenset({"outlier", "outliers", "stranger", "strangers", "misfit", "misfits", "intruder", "intruders"})
 _STRANGER = Patterns(
@@ -26,8 +26,8 @@ _IN_EACH = Patterns(
     "is|are in|inside each|every group|pile|heap|bunch|cluster|one|of_them",
 )
 _EACH_HAS = Patterns(
-    f"each|every {_GROUPS}? has|should_have|must_have|contains|should_contain|must_contain|gets|includes|is_to_have|"
-    "has_to_have|has_to_contain|should_get|holds",
+    f"each|every {_GROUPS}? should|must|shall|will|has_to|is_to? "
+    "has|have|contains|contain|gets|get|includes|include|holds|hold",
     f"in|inside each|every {_GROUPS}? ,? there_is|there_should_be|there_must_be|there_has_to_be|has_to_be|is|should_be|"
     "must_be|sits|lies|belongs|there_shall_be|there_are?",
 )
@@ -36,7 +36,8 @@ _LEADS = (
     "but keep", "keeping", "and leave", "where each has", "such that each has", "including", "each having",
     "each containing", "and",
 )  # fmt: skip
-_THAT = ("so that", "such that", "so", "where", "in such a way that", "but", "and", "only")
+_THAT = ("so that", "such that", "so", "where", "in such a way that", "but", "and", "only", "let", "but let",
+         "and let")  # fmt: skip
 _ASKED = ("there is", "there should be", "there must be", "leave", "keep", "put", "have", "place", "add", "allow")
 
 
@@ -49,7 +50,7 @@ def strangers(p: Parser, i: int) -> Results[Manner]:
     that = p.any_of(comma, _THAT)
     yield from _each_has(p, i, that or comma)
     if that:
-        yield from _so_many(p, i, that)
+        yield from _so_many(p, i, p.any_of(that, _ASKED) or that)
 
 
 @rule
@@ -57,7 +58,7 @@ def strangers_told(p: Parser, i: int) -> Results[Clause]:
     """In a clause of its own: "in each group there is exactly one stranger", "exactly one wrong block per group"."""
     if not p.rarely(_WORDS):
         return
-    for found, j in [*_each_has(p, i, i), *_so_many(p, i, p.any_of(i, _ASKED) or i)]:
+    for found, j in [*_each_has(p, i, p.one(i, "let") or i), *_so_many(p, i, p.any_of(i, _ASKED) or i)]:
         yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j)), j
 
 
@@ -66,7 +67,8 @@ _WORDS = STRANGERS | {"odd", "wrong", "foreign", "mismatched", "wrongly", "diffe
 
 def _so_many(p: Parser, i: int, j: int) -> Results[Manner]:
     """ "exactly one stranger in each group"."""
-    for many, k in amounts.amount(p, j):
+    one = [(Amount(1, 1), j + 1)] if p.stands(j, ("a", "an")) else []
+    for many, k in [*amounts.amount(p, j), *one]:
         for end in _STRANGER.matches(p, k) if many.low == many.high else ():
             if last := max(_IN_EACH.matches(p, end), default=end if "each" in p.words[i:j] else 0):
                 yield Manner(kind="outliers", value=float(many.low), span=p.span(i, last)), last

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Absolute, Amount, At, Clause, Meaning, Noun, OrderBy, Places, Pronoun
+from rpg.language.meaning import Absolute, Amount, At, Clause, Into, Meaning, Noun, OrderBy, Places, Pronoun, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import Scene
 
@@ -24,9 +24,12 @@ _ORDERING = {"alphabetize": "label", "alternate": "alternating"}
 
 
 def by_verb(clause: Clause, spec: Spec) -> None:
-    """ "alternate red and blue blocks": the order that the verb says."""
+    """ "alternate red and blue blocks": the order that the verb says. "Each red on a blue": the blocks are towers."""
     if clause.lemma in _ORDERING and clause.theme is not None:
         spec.orders.append(OrderBy(by=_ORDERING[clause.lemma], span=clause.word or clause.span))
+    if not spec.intos and not isinstance(clause.theme, Structure):
+        upright = [o for o in spec.orders if o.by == "each" and o.first == "bottom"]
+        spec.intos += [Into(structure=Structure(kind="stack", plural=True, span=o.span), span=o.span) for o in upright]
 
 
 def _one_by_one(parts: list[Absolute]) -> tuple[Meaning, ...]:

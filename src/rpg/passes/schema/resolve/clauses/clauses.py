@@ -39,7 +39,7 @@ from rpg.passes.schema.resolve.clauses.swapped import swap
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
 from rpg.passes.schema.resolve.orders.reordered import reverse
-from rpg.passes.schema.resolve.places.alone import told_alone
+from rpg.passes.schema.resolve.places.alone import none_further, told_alone
 from rpg.passes.schema.resolve.places.between import by_sandwiching
 from rpg.passes.schema.resolve.places.centred import by_centring, centred
 from rpg.passes.schema.resolve.places.corners import one_for_each_corner
@@ -100,6 +100,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
         moved = [m.ref.names for m in scene.mentions if m.clause == number and m.role == "theme"]
         scene.only += [n for names in moved for n in names]
     together = spec.manner("not all") is not None
+    none_further(spec, scene)
     nothing_left(spec, clause)
     if clause.negated:
         goals = denied(goals, clause, scene, together)

@@ -16,6 +16,10 @@ def denied_once(clause: Clause) -> Clause:
     if clause.negated or getattr(clause.theme, "det", "") == "no":
         _said_in_one(clause)
     _not_in_pairs(clause)
+    for near in clause.adjuncts if clause.negated and clause.lemma in ("move", "shift") else ():
+        if isinstance(near, Loc) and near.rel in ("between", "beside", "adjacent", "near"):
+            raise refuse("ambiguous", "it is not to get there, or it is there and is not to be moved?", near.span,
+                         "say 'put' for 'move', or 'the block that is ...'")  # fmt: skip
     for far in clause.adjuncts if clause.negated else ():
         if isinstance(far, Loc) and far.rel in DIRECTIONS and (far.low is not None or far.high is not None):
             raise refuse("ambiguous", "it is not clear whether the side is denied, or how far it is", far.span,

@@ -67,6 +67,7 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     need = need if each < 3 or line or ordered else DEFAULT_GROUPS * each
     theme = certain(refer(theme_meaning, scene, replace(scope, need=need, need_each=each)), scene)
     _check_repeated(theme, clause, spec, scene)
+    attribute = attribute or _by_color(theme, spec, scene)
     if line or ordered:
         in_sequence(clause, theme, spec, scene)
         return arrange_blocks(theme, "arrange", spec, scene, scope, clause.span)
@@ -98,8 +99,17 @@ def sort(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         built, goals = sort_into(theme.names, attribute, shape, spec, scene, scope, clause.span)
     _equal(built, spec)
     goals += _sides_of(built, spec, scene)
-    ref = replace(theme, built=tuple(built))
-    return goals + places(ref, spec, scene, scope, clause.span)
+    return goals + places(replace(theme, built=tuple(built)), spec, scene, scope, clause.span)
+
+
+def _by_color(theme: Ref, spec: Spec, scene: Scene) -> str | None:
+    """ "Group 3 red and 3 blue blocks with one stranger in each group": a stranger is one of another colour."""
+    looks = {(scene.things[n].color, scene.things[n].label) for n in theme.names}
+    colors = all(color and not label for color, label in looks)
+    if len(looks) < 2 or not colors or not any(m.kind == "outliers" for m in spec.manners):
+        return None
+    spec.orders.append(OrderBy(by="attribute", attribute="color", span=theme.span))
+    return "color"
 
 
 def _gathered(theme: Ref, spec: Spec, scene: Scene, scope: Scope, clause: Clause) -> Goals:

@@ -43,6 +43,8 @@ def ranked(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=there[:1])
     if (found_ := _among_alike(noun, rank, scene)) is not None:
         return found_
+    if (told := _in_the_list(noun, rank, scene)) is not None:
+        return told
     if rank.isdigit() or rank == "last":
         raise refuse(
             "no-referent",
@@ -64,6 +66,25 @@ def _left_of_so_many(noun: Noun, rank: str, scene: Scene) -> Ref | None:
     scene.parted.add(left[0])
     scene.used.add(left[0])
     return Ref(names=(left[0],))
+
+
+def _in_the_list(noun: Noun, rank: str, scene: Scene) -> Ref | None:
+    """ "There is a green block and a blue one. Put the first in front of the second": in the order of the list, where
+    the things in it look different and nothing is built that they could be counted in."""
+    lists = [m.ref for m in scene.mentions if m.role == "given"]
+    listed = [scene.things[n] for n in dict.fromkeys(n for ref in lists for n in ref.names)]
+    listed = [t for t in listed if noun.head == "any" or t.patch == (noun.head == "patch")]
+    if scene.built or noun.traits != Traits(rank=rank) or not 1 < len(listed) <= _COUNTED:
+        return None
+    if len({(t.patch, t.color, t.label) for t in listed}) < len(listed) or any(t.invented or t.extra for t in listed):
+        return None
+    index = int(rank) if rank.isdigit() else len(listed) if rank == "last" else 0
+    found = listed[index - 1] if 0 < index <= len(listed) else None
+    return Ref(names=(found.name,), patch=found.patch) if found is not None else None
+
+
+_COUNTED = 5
+"""In longer lists nobody counts."""
 
 
 def _candidates(noun: Noun, rank: str, scene: Scene) -> tuple[str, ...]:

@@ -7,10 +7,11 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, TableTop, Traits
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Pronoun, TableTop, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.mutual import Relate
+from rpg.passes.schema.resolve.things.operands import base_of
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Exclusive, Ref, Scene, Scope, refuse
@@ -75,16 +76,32 @@ def none_beyond(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, relate
     elif not isinstance(meaning, Loc) or meaning.landmark is None or meaning.negated:
         raise refuse("misplaced", "this does not fit here", theme.span, "say which blocks may be there")
     else:
-        mark = refer(meaning.landmark, scene, replace(scope, role="landmark", rel=f"not {meaning.rel}"))
+        mark = _the_same(meaning, before[-1].clause, scene)
+        mark = mark or refer(meaning.landmark, scene, replace(scope, role="landmark", rel=f"not {meaning.rel}"))
         if mark.quant is not None or not spoken.keys() >= set(mark.names) or not mark.names or mark.op == "nor":
             raise refuse("ambiguous", "it is not clear where nothing else is", meaning.span, "name the block or patch")
         patched = mark.patch and meaning.rel in ("on", "in", "above")
         for other in mark.names:
             alone = replace(mark, names=(other,), built=(), parts=(), op="and")
             there = _on(other, meaning) if patched else _related(alone, meaning, scene, relate)
-            found.append(Exclusive((*names, *mark.names), there, meaning.span, theme.beyond))
+            carried = [n for n in scene.on_top if patched and base_of(n, scene) in names]
+            found.append(Exclusive((*names, *mark.names, *carried), there, meaning.span, theme.beyond))
     scene.exclusive += found
     return conj([g.Not(goal=x.there(n), span=x.span) for x in found for n in beyond(x, scene)])
+
+
+def _the_same(loc: Loc, clause: int, scene: Scene) -> Ref | None:
+    """ "A purple block on each white one, and nothing else on them": on what that clause put something on."""
+    marks = [m.ref for m in scene.mentions if m.clause == clause and m.role == "landmark" and m.rel == loc.rel]
+    return marks[0] if isinstance(loc.landmark, Pronoun) and len(marks) == 1 and loc.rel == "on" else None
+
+
+def none_further(spec: Spec, scene: Scene) -> None:
+    """ "Red on the mat, nothing else": there is no block but those of the sentence. Where there is one, this could be
+    said of the mat as well, or mean that nothing else is to be done."""
+    if (manner := spec.manner("no more")) is not None:
+        said = {n for m in scene.mentions if m.sentence == scene.sentence for n in m.ref.names}
+        scene.closed.append((Traits(), sum(not scene.things[n].patch for n in said), manner.span))
 
 
 def none_there(region: In, scene: Scene) -> g.Goal:

@@ -16,13 +16,25 @@ from rpg.language.meaning import Amount, Loc, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL, foot
-from rpg.passes.schema.resolve.things.things import matching
+from rpg.passes.schema.resolve.things.things import create, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 Relate = Callable[[Ref, Ref, Loc, Scene, Span], g.Goal]
 
 MOST_CHAINED = 4
 """Structures that may stand side by side in any order."""
+
+
+def one_for_each(theme: Ref, mark: Noun, scene: Scene) -> list[str]:
+    """ "Each red block is on a blue one": one of the blue blocks spoken of, else as many of them as of the red ones."""
+    known = [t.name for t in matching(mark.traits, scene, False) if t.name not in theme.names and not t.extra]
+    told = any(m.clause < scene.clause and set(theme.names) <= set(m.ref.names) for m in scene.mentions)
+    if len(known) == 1 or (known and mark.head == "block" and not told):
+        raise refuse("ambiguous", "this could be one of the blocks before it, or a further one", mark.span,
+                     "say 'one of them', or 'another'")  # fmt: skip
+    if not known:
+        scene.new_batch()
+    return known or [create(mark.traits, scene, False).name for _ in theme.names]
 
 
 def reciprocal(theme: Ref, loc: Loc, span: Span, *, denied: bool = False) -> Atoms:
@@ -178,6 +190,7 @@ def _units(theme: Ref) -> list[Operand]:
         return [foot(Ref(names=b.members, built=(b,))) for b in theme.built]
     if len(theme.parts) > 1 and any(len(p.names) > 1 for p in theme.parts):
         _of_a_kind(theme)
+        _of_groups(theme)
         return [foot(p) for p in theme.parts]
     return [(n,) for n in theme.names]
 
@@ -188,6 +201,15 @@ def _of_a_kind(theme: Ref) -> None:
     if loose and any(p.built for p in theme.parts):
         raise refuse("misplaced", "this could be said of all of these, or of the last ones", theme.span,
                      "say it in a sentence of its own")  # fmt: skip
+
+
+def _of_groups(theme: Ref) -> None:
+    """Refuse "two red blocks and a blue one must be far apart": of every two of them, or of the red ones from the blue?
+    "The red blocks and the blue blocks" are two groups."""
+    loose = [p for p in theme.parts if not p.built]
+    if any(len(p.names) > 1 and p.det != "the" for p in loose) or len({len(p.names) > 1 for p in loose}) > 1:
+        raise refuse("ambiguous", "is this said of every two of these blocks, or of the ones and the others?",
+                     theme.span, "say 'no two of ...', or 'the red blocks far from the blue block'")  # fmt: skip
 
 
 def _distances(theme: Ref, units: list[Operand], loc: Loc, span: Span) -> Atoms:

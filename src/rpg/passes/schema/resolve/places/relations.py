@@ -16,7 +16,7 @@ from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, non
 from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.corners import corners, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
-from rpg.passes.schema.resolve.places.mutual import none_another, of_the_towers, reciprocal
+from rpg.passes.schema.resolve.places.mutual import none_another, of_the_towers, one_for_each, reciprocal
 from rpg.passes.schema.resolve.places.patches import (
     any_of_the_rest,
     each_its_own,
@@ -43,7 +43,7 @@ from rpg.passes.schema.resolve.things.operands import (
     spread,
 )
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.things import compared, create, matching
+from rpg.passes.schema.resolve.things.things import compared, matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse, wholes
 
 WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
@@ -172,8 +172,7 @@ def _any_of_them(theme: Ref, loc: Loc, scene: Scene) -> tuple[str, ...] | None:
     if theme.quant is not None and not plain:
         return None
     if not there and theme.each and theme.quant is None and plain and not compared(mark):
-        scene.new_batch()
-        there = [create(mark.traits, scene, False).name for _ in theme.names]
+        there = one_for_each(theme, mark, scene)
     return tuple(there) if len(there) > 1 and loc.rel in (*DIRECTIONS, *LEVEL, "on") else None
 
 

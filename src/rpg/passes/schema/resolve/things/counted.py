@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, Pronoun, Traits, parts_of
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, Pronoun, Structure, Traits, parts_of
 from rpg.passes.schema.resolve.things.world import refuse
 
 _THEM = frozenset({"them", "they", "these", "those"})
@@ -23,7 +23,8 @@ def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
                 continue
             before = [*found[:n], replace(found[n], clauses=found[n].clauses[: _at(found[n], clause)])]
             lots = {x: None for c in before for x in parts_of(c) if isinstance(x, Noun) and _open(x)}
-            if len({(x.traits, x.head) for x in lots}) != 1:
+            shapes = any(isinstance(x, Structure) and x.plural for x in parts_of(before[-1]))
+            if len({(x.traits, x.head) for x in lots}) != 1 or shapes:
                 raise refuse("ambiguous", "it is not clear of which blocks so many are there", clause.span,
                              "say for example 'the four red blocks'")  # fmt: skip
             lot = next(iter(lots))

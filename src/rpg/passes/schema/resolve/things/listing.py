@@ -153,11 +153,14 @@ def repeats(item: Noun, seen: list[Traits]) -> bool:
     )
 
 
-def one_more(noun: Noun) -> Noun:
-    """ "a second red block": another one."""
+def one_more(noun: Noun, scene: Scene) -> Noun:
+    """ "a second red block": another one, where one is there already."""
     if noun.det != "a" or not (noun.traits.rank or "").isdigit():
         return noun
     marks = replace(noun.traits, rank=None)
     if noun.head == "any" and marks == Traits():
         raise refuse("ambiguous", "it is not said what this block looks like", noun.span, "say 'a second red one'")
+    if (there := len(matching(marks, scene, noun.head == "patch"))) < int(noun.traits.rank or 0) - 1:
+        told = f"only {there} of these were named before"
+        raise refuse("count-mismatch", told, noun.span, "say 'another'", there=there)
     return replace(noun, det="another", amount=Amount(1, 1), traits=marks)

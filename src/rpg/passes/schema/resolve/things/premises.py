@@ -40,7 +40,11 @@ def _lasting(goal: g.Goal, scene: Scene) -> list[g.Goal]:
     """ "Don't touch the tower of red on blue": a structure of blocks that all stay where they are is there at first."""
     parts = list(required(goal))
     stay = {n for x in parts if isinstance(x, r.Stayed) for n in names_in(x)} - scene.returned
-    return [x for x in parts if isinstance(x, s.Stack | s.Row | r.On) and stay.issuperset(_blocks(x))]
+    lasting: list[g.Goal] = [x for x in parts if isinstance(x, s.Stack | s.Row | r.On) and stay.issuperset(_blocks(x))]
+    if lasting and all(x in lasting or isinstance(x, r.Stayed) for x in parts):
+        raise refuse("no-goal", "no block that this speaks of may be moved, so that nothing is to be done",
+                     lasting[0].span, "say which block is to be moved")  # fmt: skip
+    return lasting
 
 
 def _blocks(goal: s.Stack | s.Row | r.On) -> set[str]:

@@ -106,7 +106,10 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return several
     if scope.role == "theme":
         themes = [m for m in single if m.role in ("theme", "given")]
-        return (themes or single)[-1].ref
+        found = (themes or single)[-1].ref
+        if word.word == "the first one" and found.built:
+            raise refuse("ambiguous", "the first structure, or the first of its blocks?", word.span, "name the block")
+        return found
     last = single[-1].clause
     if any(m.role == "landmark" and m.clause == last and m.ref.quant and not m.ref.patch for m in scene.mentions):
         raise refuse("ambiguous", f"{word.word!r} could be what lies there, or what it lies on", word.span,

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import NoReturn
 
 from rpg.language.meaning import Meaning, Noun, Pronoun, Traits
+from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Built, Mention, Ref, Scene, Scope, refuse
 
 
@@ -100,6 +101,18 @@ def of_whom(noun: Noun) -> Meaning:
     if of_them and (noun.det, noun.amount, noun.traits) == ("all", None, Traits()):
         return Pronoun(word="all of them", span=noun.span)
     return noun.part_of or Pronoun(word="them", span=noun.span)
+
+
+def sorted_out(noun: Noun, whole: Ref, scene: Scene) -> Ref:
+    """ "the vowels of A, B and E": of the blocks that there are those that are such."""
+    if noun.traits.quality is None or not isinstance(noun.part_of, Noun):
+        return whole
+    for thing in (scene.things[n] for n in whole.names):
+        thing.declared = True
+    names = tuple(n for n in whole.names if fits(scene.things[n], noun.traits))
+    if not names:
+        raise refuse("no-referent", "none of these is such", noun.span, "name the blocks")
+    return replace(whole, names=names, parts=(), plural=len(names) > 1)
 
 
 def _all_of_them(word: Pronoun, last: Mention, own: list[Mention], scene: Scene) -> Ref | None:

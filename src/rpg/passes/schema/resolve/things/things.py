@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
 from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits, record
-from rpg.passes.schema.resolve.things.world import Scene, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}
 
@@ -174,10 +174,22 @@ def compared(meaning: Meaning | None) -> bool:
 
 @record
 class Premise(Meaning):
-    """What a relative clause takes for granted of some objects."""
+    """What a relative clause takes for granted of some objects. `when`: at the "start", at the "end", or "both"."""
 
     names: tuple[str, ...]
     condition: Meaning
+    when: str = "start"
+
+
+def note_premises(noun: Noun, found: Ref, scene: Scene, scope: Scope) -> None:
+    """The relative clauses of a phrase: of the start, as "the block that is on the mat" is there already. A landmark
+    that they bring up, "red is to be on a blue block that is on a green one", is so at the end."""
+    if noun.conditions and (noun.det == "no" or (found.quant is not None and found.quant.high == 0)):
+        raise refuse("ambiguous", "it is not clear which blocks are there at the start", noun.span, "use two sentences")
+    new = noun.det in ("a", "bare", "some") and scope.role == "landmark" and not (scope.start or scope.given)
+    when = "start" if not new else "end" if scene.describing else "both"
+    for condition in noun.conditions:
+        scene.premises.append(Premise(span=condition.span, names=found.names, condition=condition, when=when))
 
 
 def looks_said(noun: Noun, names: tuple[str, ...], there: dict[str, bool], scene: Scene) -> None:

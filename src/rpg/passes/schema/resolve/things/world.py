@@ -137,6 +137,7 @@ class Scene:
     `vague`: blocks of which neither look nor number was said, though they have been given a colour.
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
+    `describing`: whether the clause says how something is to be, and nothing of how it comes to be so.
     `kept`: what the verb "keep" asks for, each with what it says of the start.
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
@@ -167,6 +168,7 @@ class Scene:
     begun_on: set[str] = field(default_factory=set)
     placing: bool = False
     denying: bool = False
+    describing: bool = False
     premises: list[Meaning] = field(default_factory=list)
     picked: Span | None = None
     speaks_of_rest: bool = False

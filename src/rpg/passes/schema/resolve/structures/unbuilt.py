@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from rpg.language.meaning import Chain, Loc, Noun, Structure, Traits, parts_of
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
@@ -12,9 +14,9 @@ def check_known(chains: tuple[Chain, ...], scene: Scene) -> None:
     shapes = [part for part in parts if isinstance(part, Structure)]
     made_up = any(t.invented and t.color is not None for t in scene.things.values())
     named = any(not (t.invented or t.extra or t.patch) for t in scene.things.values())
-    told = {x.kind for x in shapes if x.det != "the"}
+    told, built = Counter(x.kind for x in shapes if x.det != "the"), Counter(b.kind for b in scene.built)
     known = [x for x in shapes if x.det == "the" and x.members is None and x.letter is None]
-    if made_up and named and any(x.kind not in told for x in known):
+    if made_up and named and any(x.kind not in told or built[x.kind] > told[x.kind] for x in known):
         raise refuse(
             "no-referent",
             "a structure is spoken of as known, but it is not said which blocks it is made of",

@@ -25,9 +25,12 @@ def as_it_stands(ref: Ref, scene: Scene) -> list[g.Goal]:
     ]
 
 
-def known_ones(shape: Structure, scene: Scene) -> list[Built]:
-    """Structures brought up before that fit the description."""
+def known_ones(shape: Structure, scene: Scene, role: str = "") -> list[Built]:
+    """Structures brought up before that fit the description; what stands beside "that tower" is another one."""
     found = _fitting(shape, scene) or _with_its_color(shape, scene)
+    if role == "landmark" and len(found) > 1:
+        now = [m.ref for m in scene.mentions if m.clause == scene.clause and m.role == "theme"]
+        found = [x for x in found if not any(x in ref.built for ref in now)] or found
     if not found and shape.kind == "pile" and shape.det == "the" and not (shape.members or shape.plural or scene.heaps):
         return known_ones(replace(shape, kind="stack"), scene)  # "green on brown, white left of that pile"
     return found

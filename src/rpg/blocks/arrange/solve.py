@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from itertools import islice, product
 from random import Random
 from typing import NamedTuple
@@ -19,6 +20,7 @@ from rpg.blocks.geometry import is_level
 from rpg.blocks.predicate import Cluster
 from rpg.blocks.state import BlockState, World, yaw_quat
 from rpg.ir import goal as g
+from rpg.ir.assets import Asset
 from rpg.ir.node import Highest, Lowest, members
 from rpg.ir.relations import Above, Facing, On, Turned
 from rpg.ir.walk import names
@@ -79,12 +81,12 @@ class Solver:
     def solve(self, rng: Random, vary: bool = False) -> BlockState | None:
         """A goal state; None where none is found. `vary`: any one rather than the most natural one."""
         budget = Budget(self.tries)
-        ways = list(islice(alternatives(self.goal, self.world), MAX_ALTERNATIVES))
+        ways = list(_ways(self.goal, tuple(self.world.assets.values())))
         if vary:
             rng.shuffle(ways)
         try:
             for effort in self.efforts:
-                for literals in map(single, ways):
+                for literals in ways:
                     state = self._sweep(literals, rng, effort, budget, vary)
                     if state is not None:
                         return state
@@ -196,6 +198,12 @@ class Solver:
             if not is_level(flat, name):
                 raise Clash
             assembly.turn(name, quat)
+
+
+@lru_cache(maxsize=32)
+def _ways(goal: g.Goal, assets: tuple[Asset, ...]) -> tuple[Conjunction, ...]:
+    """The alternatives of a goal that are tried: the same ones for every start and every further goal state."""
+    return tuple(map(single, islice(alternatives(goal, World(assets)), MAX_ALTERNATIVES)))
 
 
 def imagined_start(world: World, rng: Random) -> BlockState | None:

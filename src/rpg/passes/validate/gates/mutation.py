@@ -22,7 +22,7 @@ from rpg.passes.validate.subgoals import subgoals
 SHAKES = (0.008, 0.004, 0.002)
 """How far (m) the blocks of a goal state are moved when it is shaken; they turn by ten times that in radians."""
 SLACK = 0.05
-TRIES = 4000
+TRIES = 1200
 """Candidate places judged for another goal state before it is left out."""
 MOST_NAMED = 5
 """Survivors listed in a failure."""

@@ -154,6 +154,10 @@ class Pronoun(Meaning):
     word: str
 
 
+TOLD_HERE = "all told here"
+"""A pronoun for all blocks that the sentence brought up so far: "put red on blue, but do it in the left half"."""
+
+
 @record
 class TableTop(Meaning):
     """The table."""

@@ -103,7 +103,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
     if len(had) > 16:
         return
     yield from _told_of_it(p, i, had, links, at)
-    for place, k in done_there(p, at, had):
+    for place, k in done_there(p, at, had, links):
         yield Chain(clauses=(*had, place), links=(*links, "and"), span=p.span(i, k)), k
     for link, j in linked(p, at):
         previous = had[-1] if isinstance(had[-1], Clause) else None

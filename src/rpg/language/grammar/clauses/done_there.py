@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.language.grammar.clauses.adjuncts import adjunct
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.meaning import Clause, In, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import TOLD_HERE, Clause, In, Loc, Meaning, Noun, Pronoun
 
 _DO_IT = Patterns(
     ",? but|and|and_please|only|just|but_please|and_make_sure_to|but_only do it|this|that|so|all_this|all_of_it|"
@@ -16,9 +16,11 @@ _DO_IT = Patterns(
 )
 
 
-def done_there(p: Parser, i: int, had: tuple[Meaning, ...]) -> Results[Clause]:
-    """ "..., but do it on the green mat": said of all that was told before."""
-    if not all(isinstance(c, Clause) and c.mode in ("goal", "command") and not c.negated for c in had):
+def done_there(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...]) -> Results[Clause]:
+    """ "..., but do it on the green mat": said of all that the sentence told before; of several steps it could be said
+    of the last alone."""
+    plain = all(isinstance(c, Clause) and c.mode in ("goal", "command") and not c.negated for c in had)
+    if not plain or not {"then", "before", "after"}.isdisjoint(links):
         return
     for j in _DO_IT.matches(p, i):
         for place, k in adjunct(p, j):
@@ -49,5 +51,5 @@ def _whereabouts(place: Meaning) -> bool:
 
 
 def _of_all(place: Meaning) -> Clause:
-    everything = Pronoun(word="everything", span=place.span)
-    return Clause(verb="be", theme=everything, adjuncts=(place,), mode="goal", span=place.span)
+    told = Pronoun(word=TOLD_HERE, span=place.span)
+    return Clause(verb="be", theme=told, adjuncts=(place,), mode="goal", span=place.span)

@@ -108,6 +108,7 @@ def rephrased(tokens: list[Token]) -> list[Token]:
     return out
 
 
+_FURTHER_VERBS = frozenset({"show", "display", "make", "have", "let", "do", "leave", "see"})
 _DETERMINERS = frozenset({"a", "the", "one", "big", "small", "large", "little"})
 
 
@@ -117,6 +118,7 @@ def _goes_on(tokens: list[Token], at: int) -> bool:
     if after and after[0].word in ("please", "also", "then"):
         after = after[1:]
     command = bool(after) and any(form == "base" for _, _, form in lexicon.VERB.get(after[0].word, ()))
+    command = command or (bool(after) and after[0].word in _FURTHER_VERBS)
     return command and at > 0 and tokens[at - 1].word not in _DETERMINERS
 
 

@@ -10,7 +10,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import length, of_more
 from rpg.language.grammar.things.edges import STANDARD, USUAL, edge_told
-from rpg.language.grammar.things.labels import label_list, look_at, run
+from rpg.language.grammar.things.labels import from_to, label_list, look_at
 from rpg.language.grammar.things.patch_sides import patch_side
 from rpg.language.meaning import Traits
 
@@ -372,8 +372,7 @@ def _symbols_after(p: Parser, i: int) -> Results[Marks]:
         if several and len(labels) == 1:
             continue
         yield Marks({"labels": labels, **({"open_ended": True} if more else {})}), j
-    if j := p.one(i, "from"):
-        yield from ((Marks({"labels": labels}), k) for labels, k in run(p, j) if k < p.end and labels[0] < labels[-1])
+    yield from ((Marks({"labels": labels}), k) for labels, k in from_to(p, i))
     yield from _labelled(p, i)
     if (j := p.one(i, _CALLED)) and p.follows(i, lexicon.BLOCK) and not look_at(p, i - 2):
         yield from ((Marks({"labels": labels}), k) for (labels, more), k in label_list(p, j, True) if not more)

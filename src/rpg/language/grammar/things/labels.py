@@ -100,6 +100,25 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
     yield from reversed(readings)
 
 
+_ORDERING = frozenset({"line", "arrange", "order", "stack", "lay", "sort"})
+_NEXT_CLAUSE = frozenset({"then", "before", "after", "while", "without", "but", "once"})
+
+
+def from_to(p: Parser, i: int) -> Results[tuple[str, ...]]:
+    """ "(the letters) from A to D (are on the mat)": which ones, where that is not the order of all."""
+    if j := p.one(i, "from"):
+        rising = ((labels, k) for labels, k in run(p, j) if k < p.end and labels[0] < labels[-1])
+        yield from ((labels, k) for labels, k in rising if not _told_in_order(p, i, k))
+
+
+def _told_in_order(p: Parser, i: int, k: int) -> bool:
+    """ "line up the letters from A to D, then ...": the order of all, where the clause ends behind k."""
+    joint = p.opt(k, ",", ";")
+    j = p.opt(joint, "and")
+    ends = p.words[joint] in _NEXT_CLAUSE or (j > k and any(x == "base" for *_, x in p.lex(j, lexicon.VERB) or ()))
+    return ends and not _ORDERING.isdisjoint(p.words[max(0, i - 4) : i])
+
+
 def once_more(p: Parser, i: int, j: int) -> Results[tuple[str, ...]]:
     """ "(the A and) the other A", "(a 4 and) another 4": a symbol that was named before, not a number."""
     for at in (j, j - 1):

@@ -22,6 +22,7 @@ from rpg.language.meaning import (
     parts_of,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, wanted
+from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, added, demanded, same_one
 from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it
 
 UNMEANT = frozenset({"contradiction", "support-cycle"})
@@ -44,12 +45,12 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     if (picture := _pictured(chains, text)) is not None:
         return picture
     told = [_facts(chain, bold) for chain in chains]
-    final = [_of_its_end(chains, n, text) for n in range(len(chains))]
+    final = [_of_its_end(chains, n, text) or demanded(chains, n, text) for n in range(len(chains))]
     told = [fact and not end for fact, end in zip(told, final, strict=True)]
     commands = [n for n, chain in enumerate(chains) if _commands(chain) or (bold and not _facts(chain))]
     undone = [n for n, chain in enumerate(chains) if _undoes(chain)]
     told = [
-        x or (n < max(undone, default=0) and (_facts(chains[n]) or _looked_at(chains, n, text)))
+        x or (n < max(undone, default=0) and ((_facts(chains[n]) and not final[n]) or _looked_at(chains, n, text)))
         for n, x in enumerate(told)
     ]
     chains = tuple(_heap_first(chain, chains[n + 1 : n + 2]) for n, chain in enumerate(chains))
@@ -113,8 +114,11 @@ def _as_it_is_now(chain: Chain, text: str, more: tuple[Chain, ...]) -> Chain:
 
 
 def _of_its_end(chains: tuple[Chain, ...], n: int, text: str) -> bool:
-    """Whether a sentence has words of the end, the frames around its clauses included."""
+    """Whether a sentence has words of the end, the frames around its clauses included; what is ordered "also" comes
+    on top of what the sentence in front of it asks for."""
     begun, ended = chains[n].span
+    if n + 1 < len(chains) and _ordered(chains[n + 1]) and added(chains[n], chains[n + 1], text):
+        return True
     before = text[chains[n - 1].span[1] if n else 0 : begun]
     after = text[ended : chains[n + 1].span[0] if n + 1 < len(chains) else len(text)]
     own = re.split(r"[.;!?]", before)[-1] + text[begun:ended] + re.split(r"[.;!?]", after)[0]
@@ -161,6 +165,8 @@ def _pictured(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...] | None:
     if any(final) and not final[0]:
         return None
     if any(isinstance(c, Clause) and c.mode in ("start", "command") for c in clauses):
+        return None
+    if not final[0] and any(demanded(chains, n, text) for n in range(1, len(chains))):
         return None
     if not all(isinstance(c, Clause) and _describes(c, text, seen) for c in clauses):
         return None
@@ -231,12 +237,12 @@ def _moved_next(before: Chain, after: Chain, text: str) -> bool:
         return False
     if isinstance(fact.theme, Noun) and fact.theme.head == "patch":
         return False
-    if not any(isinstance(a, Loc | In | At) for a in order.adjuncts) or _BESIDES.search(text[slice(*order.span)]):
+    if not any(isinstance(a, Loc | In | At) for a in order.adjuncts) or BESIDES.search(text[slice(*order.span)]):
         return False
     if (order.verb, order.mode) == ("place", "command"):
         return True
     wanted = order.mode == "goal" and (order.verb == "place" or (order.verb, order.lemma) == ("be", ""))
-    return wanted and len(before.clauses) == 1 and _same_one(fact, order)
+    return wanted and len(before.clauses) == 1 and same_one(fact, order)
 
 
 _LATER = re.compile(r"\W*(?:and )?(?:afterwards?|after that|later|then)\W*", re.IGNORECASE)
@@ -249,7 +255,6 @@ def _wanted_later(before: Chain, after: Chain, text: str) -> bool:
     return _LATER.fullmatch(joint) is not None and asked[0] is None and asked[1] is not None
 
 
-_BESIDES = re.compile(r"\b(?:also|too|as well|still|both|in addition|additionally)\b", re.IGNORECASE)
 _PLAINLY = re.compile(r"\W*(?:(?:ok|okay|so|now|well|hi|hello|hey|listen|robot|look)\W+)*", re.IGNORECASE)
 """What may stand before a fact that nobody asks for."""
 
@@ -257,13 +262,6 @@ _PLAINLY = re.compile(r"\W*(?:(?:ok|okay|so|now|well|hi|hello|hey|listen|robot|l
 def _unframed(chains: tuple[Chain, ...], n: int, text: str) -> bool:
     before = text[chains[n - 1].span[1] if n else 0 : chains[n].clauses[0].span[0]]
     return _PLAINLY.fullmatch(re.split(r"[.;!?]", before)[-1]) is not None
-
-
-def _same_one(fact: Clause, order: Clause) -> bool:
-    theme = order.theme
-    same = isinstance(theme, Noun) and isinstance(fact.theme, Noun) and theme.traits == fact.theme.traits
-    named = isinstance(theme, Noun) and theme.det == "the" and same
-    return named or (isinstance(theme, Pronoun) and theme.word in ("it", "them"))
 
 
 def _ordered(chain: Chain) -> bool:
@@ -342,7 +340,8 @@ def _indefinite(theme: Meaning | None) -> bool:
 
 def _commands(chain: Chain) -> bool:
     """Whether a sentence commands something about what was spoken of."""
-    if not any(isinstance(c, Clause) and (c.mode == "command" or _to_be_moved(c)) for c in chain.clauses):
+    asked = [c for c in chain.clauses if isinstance(c, Clause) and (c.mode == "command" or _to_be_moved(c))]
+    if not any(not c.negated or isinstance(c.theme, Pronoun) for c in asked):
         return False
     return any(
         isinstance(part, Pronoun) or (isinstance(part, Noun | Structure) and part.det in ("the", "its", "all", "other"))

@@ -9,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop, That
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
 from rpg.passes.schema.resolve.goals.conflicts import required, undoes
@@ -175,10 +175,29 @@ def in_that_order(chain: Chain) -> Chain:
 
 def time_of(clause: object) -> float | None:
     """When a clause says that it is done: 1 for "first", 99 for "last"."""
-    found = (
-        [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "time"] if isinstance(clause, Clause) else []
-    )
-    return float(found[0].value or 0.0) if found else None
+    if not isinstance(clause, Clause):
+        return None
+    found = [float(m.value or 0.0) for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "time"]
+    found += [time for part in clause.adjuncts if (one := _told(part)) and (time := time_of(one)) is not None]
+    return found[0] if found else None
+
+
+def _told(part: Meaning) -> Meaning | None:
+    """ "Stack red on blue on the mat first": "blue on the mat" is told of the blue one alone, "first" of all."""
+    inner = part.clauses if isinstance(part, That) and part.kind == "so" else None
+    return inner.clauses[0] if isinstance(inner, Chain) and len(inner.clauses) == 1 else None
+
+
+def _whenever(clause: Clause) -> Clause:
+    """The clause without the words for when it is done."""
+    kept: list[Meaning] = []
+    for part in clause.adjuncts:
+        inner = _told(part)
+        if isinstance(part, That) and isinstance(part.clauses, Chain) and isinstance(inner, Clause):
+            part = replace(part, clauses=replace(part.clauses, clauses=(_whenever(inner),)))
+        if not (isinstance(part, Manner) and part.kind == "time"):
+            kept.append(part)
+    return replace(clause, adjuncts=tuple(kept))
 
 
 def unsaid(times: list[float]) -> float:
@@ -197,21 +216,19 @@ def timed(chain: Chain) -> bool:
 
 
 def untimed(chain: Chain) -> Chain:
-    """The clauses in the order of their times, joined by "then"."""
+    """The clauses in the order of their times, joined by "then": those in front of "but C first" in any order."""
     if "or" in chain.links or "after" in chain.links:
         raise refuse("ambiguous", "it is not clear what comes first here", chain.span, "say it in several sentences")
     times: list[float] = []
-    for clause in chain.clauses:
+    for n, clause in enumerate(chain.clauses):
         said = time_of(clause)
-        times.append(said if said is not None else unsaid(times))
+        open_ = n > 0 and chain.links[n] == "and" and all(time_of(c) is None for c in chain.clauses[:n])
+        times.append(said if said is not None else times[-1] if open_ else unsaid(times))
     order = sorted(range(len(times)), key=lambda n: (times[n], n))
     bare = []
     for n in order:
         clause = chain.clauses[n]
-        if isinstance(clause, Clause):
-            kept = tuple(m for m in clause.adjuncts if not (isinstance(m, Manner) and m.kind == "time"))
-            clause = replace(clause, adjuncts=kept)
-        bare.append(clause)
+        bare.append(_whenever(clause) if isinstance(clause, Clause) else clause)
     links = tuple(
         "then" if index and times[order[index]] != times[order[index - 1]] else "and" for index in range(len(order))
     )

@@ -289,7 +289,8 @@ def _onto_patches(theme: Ref, attribute: str | None, spec: Spec, scene: Scene, c
         raise refuse("ambiguous", "it is not said what to sort by", mark.span, "say 'by color'")
     attribute_of(spec)
     spec.places.remove(on)
-    there = refer(mark, scene, Scope(role="landmark", given=True)).names if mark.det == "the" else ()
+    own = mark.traits.matching and all(scene.things[n].color for n in theme.names)
+    there = refer(mark, scene, Scope(role="landmark", given=True)).names if mark.det == "the" and not own else ()
     count = mark.amount.low if mark.amount else len(there) or None
     fill([scene.things[n] for n in theme.names], "color", count, scene)
     colors = {scene.things[n].color for n in theme.names}

@@ -71,14 +71,30 @@ def _on_any(theme: Ref, patches: tuple[str, ...], span: Span) -> g.Goal:
 def like_the_last(loc: Loc, scene: Scene) -> bool:
     """Whether a landmark without a noun is a patch like the last one: "red on the green patch, blue on (the) yellow".
 
-    Behind "nothing on the green patch" and "the green patch stays empty" only "the yellow one" is.
+    Behind "nothing on the green patch" and "the green patch stays empty" only "the yellow one" is. In another sentence,
+    or with a verb of its own, "blue on yellow" may be the next of several patches, or blocks alone.
     """
     before = scene.last_landmark_patch and scene.last_landmark_at < loc.span[0]
     told = [m for m in scene.mentions if m.clause < scene.clause]
     last = [m for m in told if m.clause == told[-1].clause]
     if isinstance(loc.landmark, Noun) and loc.landmark.det == "the" and loc.landmark.head == "any":
         return before or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))
-    return before and not any(m.ref.everything and m.ref.quant is not None for m in last)
+    if not before or any(m.ref.everything and m.ref.quant is not None for m in last):
+        return False
+    if isinstance(loc.landmark, Noun) and _from_afar(loc.landmark, scene):
+        raise refuse("ambiguous", "this could be a block or a patch", loc.landmark.span, "say 'block' or 'patch'")
+    return True
+
+
+def _from_afar(noun: Noun, scene: Scene) -> bool:
+    """Whether a colour alone is new, and the last patch was spoken of in another sentence, or with its own verb."""
+    if noun.head != "any" or noun.det != "bare" or not noun.traits.colors:
+        return False
+    last = next((m for m in reversed(scene.mentions) if m.ref.patch), None)
+    known = any(t.color in noun.traits.colors for t in scene.things.values())
+    if known or last is None:
+        return False
+    return last.sentence != scene.sentence or scene.verbs.get(last.clause) != scene.verbs.get(scene.clause)
 
 
 def _unnamed(lots: list[tuple[str, ...]], scene: Scene) -> bool:

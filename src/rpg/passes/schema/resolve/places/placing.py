@@ -30,11 +30,12 @@ from rpg.passes.schema.resolve.places.mutual import of_the_other
 from rpg.passes.schema.resolve.places.patches import dealt, matching_patches
 from rpg.passes.schema.resolve.places.pointed import of_a_part
 from rpg.passes.schema.resolve.places.relations import place, related
+from rpg.passes.schema.resolve.places.stacking import stands_on
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, crown, foot
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spare import definite, further, pass_over
 from rpg.passes.schema.resolve.things.spoken import as_it_stands
-from rpg.passes.schema.resolve.things.things import alike
+from rpg.passes.schema.resolve.things.things import alike, of_no_look
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 Goals = list[g.Goal]
@@ -73,6 +74,8 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
     lying = _on_the_table(spec) and not clause.negated and is_extra(clause.theme) and not definite(clause.theme)
     if marked is None and not lying:
         return False
+    if marked is not None and marked.value == "around" and clause.verb == "be" and clause.word and not clause.lemma:
+        raise refuse("misplaced", "'there' is no place of its own here", marked.span, "name the place")
     if (
         marked is not None
         and marked.value == "around"
@@ -121,7 +124,9 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
     _merge_sides(spec)
     of_the_other(ref, spec)
     _no_chain(spec)
-    vertical = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
+    upright = [p for p in spec.places if isinstance(p, Loc) and p.rel in ("on", "above", "under")]
+    # "Near white, but not on it": of white, which has to be spoken of first.
+    vertical = [p for p in upright if not isinstance(p.landmark, Pronoun) or p == spec.places[0]]
     offsets = [p for p in spec.places if isinstance(p, Loc) and p.rel == "offset"]
     level = [p for p in spec.places if p not in vertical and p not in offsets]
     paired = spec.manner("respectively")
@@ -275,7 +280,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             refer(item.theme, scene, Scope())
             scene.mentions.pop()
             continue
-        theme = refer(item.theme, scene, replace(scope, role="theme"))
+        own = ref.names if len(ref.names) > 1 and of_no_look(item.theme) else ()
+        theme = refer(item.theme, scene, replace(scope, role="theme", pool=own))
         if any(scene.things[n].invented for n in ref.names) and not set(theme.names) & set(ref.names) and ref.built:
             raise refuse(
                 "ambiguous", "it is not clear which blocks the structure is made of", item.span, "name its blocks"
@@ -286,15 +292,7 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         for part in inner.parts:
             raise refuse("misplaced", "the structure has no such part", part.span, "name its blocks one by one")
         _merge_sides(inner)
-        for at_ in list(inner.ats):
-            if (
-                len(ref.built) == 1
-                and not set(theme.names) & set(ref.names)
-                and at_.side in ("top", "bottom")
-                and at_.index is None
-            ):
-                inner.ats.remove(at_)
-                goals += _at_end(theme, ref, at_, scene, item.span)
+        goals += _at_its_ends(theme, ref, inner, scene, item.span)
         if inner.ats and ref.built and not set(theme.names) & set(ref.names):
             raise refuse(
                 "misplaced",
@@ -321,6 +319,20 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 _among_members(ref, theme, before, scene, item.span)
         last = theme
     spec.absolutes = []
+    return goals
+
+
+def _at_its_ends(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:
+    """What is on top or at the bottom of the structure, or on the one block that was put somewhere."""
+    goals: Goals = []
+    for at_ in list(inner.ats):
+        further = not set(theme.names) & set(ref.names) and at_.index is None
+        if len(ref.built) == 1 and further and at_.side in ("top", "bottom"):
+            inner.ats.remove(at_)
+            goals += _at_end(theme, ref, at_, scene, span)
+        elif at_.side == "top" and further and stands_on(ref, theme, scene):
+            inner.ats.remove(at_)
+            goals += related(theme, ref, Loc(rel="on", span=at_.span), scene, span)
     return goals
 
 

@@ -117,13 +117,12 @@ def _of_the_ends(
 def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     """ "Red and blue side by side, red on the left": of two blocks close to each other, it is left of the other."""
     (ref, at_, span), *more = loose
-    parts = goal.goals if isinstance(goal, g.All) else ()
     node = _TOWARDS.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
     close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance | r.Swapped
-    pairs = [a for a in atoms(goal) if isinstance(a, close)]
+    pairs = [a for a in atoms(goal) if isinstance(a, close) and _about(a, ref)]
     if not pairs and not more and node is not None:
         return _of_the_ends(ref, node, goal, span)
-    if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in (goal, *parts):
+    if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in _at_the_end(goal):
         return None
     if isinstance(pairs[0], r.Distance) and pairs[0].maximum is None:
         return None
@@ -134,6 +133,16 @@ def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
     sides = (r.LeftOf, r.RightOf, r.InFrontOf, r.Behind, r.Between)
     spoken = {n for a in atoms(goal) if isinstance(a, sides) for n in _named(a)}
     return None if spoken & set(pair) else node(a=ref.names, b=(other,), span=span)
+
+
+def _at_the_end(goal: g.Goal) -> list[g.Goal]:
+    """What holds at the end, step by step."""
+    match goal:
+        case g.All():
+            return [x for part in goal.goals for x in _at_the_end(part)]
+        case g.Sequence():
+            return [x for stage in goal.stages if not stage.undone for x in _at_the_end(stage.goal)]
+    return [goal]
 
 
 def _check_word(word: s.Spells, loose: list[Loose], scene: Scene) -> None:

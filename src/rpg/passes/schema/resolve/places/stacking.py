@@ -156,3 +156,10 @@ def separately(spec: Spec, scene: Scene) -> None:
     if inner and not scene.built:
         raise refuse("contradiction", "blocks of one tower are not apart", inner[0].span, "say 'towers', and how many")
     spec.places = [place for place in spec.places if place not in inner]
+
+
+def stands_on(ref: Ref, theme: Ref, scene: Scene) -> bool:
+    """ "Put red on blue, with green on top": on the one block that was put on something."""
+    marks = [m for m in scene.mentions if m.clause == scene.clause and m.role == "landmark"]
+    single = len(ref.names) == 1 == len(theme.names) and not (ref.built or theme.built) and ref.names != theme.names
+    return single and bool(marks) and all(m.rel == "on" for m in marks)

@@ -32,11 +32,12 @@ def check_both(noun: Noun, whole: Ref) -> None:
         raise refuse("count-mismatch", f"'both' is of two, but there are {len(whole.names)}", noun.span, "say 'all'")
 
 
-def denied(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:
-    """ "no red block": every red block that there is."""
+def denied(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> tuple[str, ...]:
+    """ "no red block": every red block that there is, or that the structure spoken of has."""
     if noun.det != "no" or noun.amount is not None or noun.conditions:
         return ()
-    return tuple(thing.name for thing in matching(noun.traits, scene, patch) if not thing.extra)
+    there = tuple(thing.name for thing in matching(noun.traits, scene, patch) if not thing.extra)
+    return tuple(name for name in there if name in scope.pool) or there
 
 
 def counted_among(noun: Noun, scene: Scene, patch: bool) -> tuple[str, ...]:

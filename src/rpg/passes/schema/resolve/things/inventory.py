@@ -21,7 +21,7 @@ def tally(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> list[g.Goal
         amount = size.amount or Amount(1, 1)
         if amount.low != amount.high or (scene.each is not None and scene.each[0] != amount.low):
             raise refuse("ambiguous", "it is not said how many of each there are", size.span, "say one number")
-        scene.each = (amount.low, size.span)
+        scene.each, scene.each_in = (amount.low, size.span), scene.sentence
     if (kinds := blocks_and_patches(clause)) is not None:
         return [goal for one in kinds for goal in tally(one, spec, scene, scope)]
     whole = told_apart(clause.theme)
@@ -131,11 +131,14 @@ def _flat(item: Meaning) -> tuple[Meaning, ...]:
 
 
 def each_agrees(scene: Scene) -> None:
-    """ "two of each" holds of every kind of block there is."""
+    """ "two of each" holds of every kind of block that its sentence speaks of, or that there is."""
     if scene.each is None:
         return
     many, span = scene.each
-    kinds = Counter((t.label or t.color, (t.kind, t.size, t.edge)) for t in scene.blocks() if not t.extra)
+    told = {n for m in scene.mentions if m.sentence == scene.each_in for n in m.ref.names}
+    looks = {t.label or t.color for t in scene.blocks() if t.name in told or not told}
+    blocks = [t for t in scene.blocks() if not t.extra and (t.label or t.color) in looks]
+    kinds = Counter((t.label or t.color, (t.kind, t.size, t.edge)) for t in blocks)
     odd = next(((look, n) for (look, _), n in kinds.items() if n != many), None)
     if odd is not None:
         raise refuse(

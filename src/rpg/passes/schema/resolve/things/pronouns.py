@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Amount, Noun, Pronoun, Traits
+from rpg.language.meaning import TOLD_HERE, Amount, Noun, Pronoun, Traits
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.them import them
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse
@@ -57,8 +57,10 @@ def pronoun(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         names = tuple(t.name for t in scene.blocks() if not t.extra)
         beyond = Traits() if word.word == "nothing else" else None
         return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, beyond=beyond)
-    if word.word in ("everything", "all", "all of it"):
-        names = tuple(t.name for t in scene.blocks() if not t.extra)
+    if word.word in ("everything", "all", "all of it", TOLD_HERE):
+        here = [n for m in scene.mentions if m.sentence == scene.sentence and not m.ref.patch for n in m.ref.names]
+        blocks = here if word.word == TOLD_HERE else [t.name for t in scene.blocks()]
+        names = tuple(dict.fromkeys(n for n in blocks if not scene.things[n].extra))
         if not names:
             raise refuse(
                 "no-referent",
@@ -128,8 +130,13 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
 def _built_there(word: Pronoun, rivals: list[Mention], scene: Scene, scope: Scope) -> Ref | None:
     """ "Build a tower on the mat. Put a red block next to it": next to the tower; None where the last one is meant.
 
-    "Build a tower next to the blue block. Put a red block on it" is on the tower or on the blue block.
+    "Build a tower next to the blue block. Put a red block on it" is on the tower or on the blue block, and so is "it"
+    in "Beside the tower put white, and on it purple".
     """
+    last = max((m.ref.span for m in rivals), default=(0, 0))
+    fronted = next((m for m in rivals if m.ref.built and m.role == "landmark" and m.ref.span < last), None)
+    if fronted is not None and not {fronted.rel, scope.rel} <= set().union(*_ACROSS):
+        return _decide(word, scene, rivals)
     built = [m for m in rivals if m.ref.built and m.role == "theme"]
     marks = [m for m in rivals if m.role == "landmark"]
     if len(built) != 1 or not marks or rivals[-1] is built[0]:
@@ -188,6 +195,9 @@ def _one_of_two(word: Pronoun, scene: Scene) -> Ref:
     again = {m.clause for m in scene.mentions if m.word in ("the former", "the latter")}
     last = max((m.clause for m in scene.mentions if m.ref.names and m.clause not in {*again, scene.clause}), default=-1)
     named = sorted((m for m in scene.mentions if m.clause == last), key=lambda m: m.ref.span)
+    spoken = {m.clause for m in scene.mentions if m.ref.names and named and m.sentence == named[-1].sentence}
+    if spoken - {*again, last, scene.clause}:
+        raise refuse("ambiguous", f"it is not clear which two {word.word!r} is one of", word.span, "name the block")
     if len(named) == 1 and len(named[0].ref.names) == 2 and not named[0].ref.built:
         both = [scene.things[n] for n in named[0].ref.names]
         if len({(t.color, t.label, t.size) for t in both}) == 2:
@@ -209,8 +219,8 @@ def _decide(word: Pronoun, scene: Scene, rivals: list[Mention]) -> Ref:
         return tops[0].ref
     from rpg.passes.schema.resolve.things.world import said
 
-    readings = " or ".join(said(scene.things[n]) for n in names)
-    raise refuse("ambiguous", f"{word.word!r} could be {readings}", word.span, "name the one you mean")
+    readings = [f"the {m.ref.built[0].kind}" if m.ref.built else said(scene.things[m.ref.names[0]]) for m in rivals]
+    raise refuse("ambiguous", f"{word.word!r} could be {' or '.join(readings)}", word.span, "name the one you mean")
 
 
 def _one(word: Pronoun, scene: Scene, scope: Scope) -> Ref:

@@ -283,12 +283,12 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if len(noun.traits.labels) > 1 or (len(noun.traits.colors) > 1 and not noun.traits.either):
         return listed(noun, scene, scope, patch)
     if noun.det == "no" and noun.traits == Traits() and noun.head == "block":
-        names = tuple(t.name for t in scene.blocks() if not t.extra)
+        names = scope.pool or tuple(t.name for t in scene.blocks() if not t.extra)
         det = "no" if noun.amount is None else "no two"
         return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, det=det)
     if noun.traits.either:
         return _alternatives(noun, scene, scope, patch)
-    names = denied(noun, scene, patch) or counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
+    names = denied(noun, scene, scope, patch) or counted_among(noun, scene, patch) or select(noun, scene, scope, patch)
     found = Ref(names=names, patch=patch, det=noun.det, plural=noun.plural or len(names) > 1, each=noun.det == "each")
     return quantified(found, noun)
 

@@ -160,8 +160,14 @@ def _claim_one(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> list[Thin
 
 
 def _so_many_told(noun: Noun, amount: int, scene: Scene) -> tuple[str, ...]:
-    """ "Stack red, green and blue. The three ...": the blocks that were told together, if only once so many were."""
-    if noun.head != "any" or noun.traits != Traits() or noun.det not in ("the", "all"):
+    """ "Stack red, green and blue. The three ...": the blocks that were told together, if only once so many were. "Put
+    red on blue, both 5 cm wide": those that the sentence speaks of, if they are so many."""
+    if noun.traits != Traits() or noun.det not in ("the", "all") or noun.head == "patch":
+        return ()
+    here = [n for m in scene.mentions if m.sentence == scene.sentence and not m.ref.patch for n in m.ref.names]
+    if len(dict.fromkeys(here)) == amount:
+        return tuple(dict.fromkeys(here))
+    if noun.head != "any":
         return ()
     told = {frozenset(m.ref.names): m.ref.names for m in scene.mentions if len(set(m.ref.names)) == amount}
     found = next(iter(told.values())) if len(told) == 1 else ()

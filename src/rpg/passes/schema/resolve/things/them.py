@@ -17,6 +17,9 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         if scope.role == "landmark"
         else []
     )
+    here = [n for m in scene.mentions if m.clause == scene.clause and not m.ref.patch for n in m.ref.names]
+    if scope.role == "theme" and len(dict.fromkeys(here)) == 2:  # "put G next to H, both upside down"
+        return Ref(names=tuple(dict.fromkeys(here)), plural=True)
     if scope.rel == "between" and (ends := _two_ends(word, own, scene)) is not None:
         return ends
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
@@ -144,13 +147,15 @@ def _no_later_ones(word: Pronoun, last: Mention, own: list[Mention], scene: Scen
 
 
 def _no_pairs(word: Pronoun, last: set[str], scene: Scene) -> None:
-    """Refuse "them" behind "A on B, C on D": the last two, or all of them?"""
+    """Refuse "them" behind "A on B, C on D": the last two, or all of them? In the sentence of the last two alone, "put
+    C on D and move them ...", these are meant."""
     told = max((m.clause for m in scene.mentions if m.clause < scene.clause), default=0)
     now = [m for m in scene.mentions if m.clause == told and m.role == "landmark"]
     before = [m for m in scene.mentions if m.clause == told - 1 and m.role == "landmark"]
     alike = {m.rel for m in now} & {m.rel for m in before} - {""}
     apart = not last & {n for m in scene.mentions if m.clause == told - 1 for n in m.ref.names}
-    if alike and apart:
+    alone = {m.sentence for m in now} == {scene.sentence} and scene.sentence not in {m.sentence for m in before}
+    if alike and apart and not alone:
         raise refuse("ambiguous", f"{word.word!r} could be the last ones, or all those spoken of before", word.span,
                      "name the blocks that you mean")  # fmt: skip
 

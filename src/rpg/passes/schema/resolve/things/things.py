@@ -227,3 +227,12 @@ def bare_colors(theme: Meaning) -> tuple[str, ...]:
     named = isinstance(theme, Noun) and theme.plural and theme.amount is None and theme.det == "bare"
     plain = isinstance(theme, Noun) and theme.traits == Traits(colors=theme.traits.colors)
     return theme.traits.colors if named and plain and isinstance(theme, Noun) else plain_colors(theme)
+
+
+def of_no_look(meaning: Meaning) -> bool:
+    """ "the letters", "no two blocks", "all of the blocks": beside a structure these are its own."""
+    if not isinstance(meaning, Noun) or meaning.head != "block" or meaning.part_of is not None or meaning.conditions:
+        return False
+    told = meaning.det in ("the", "no", "all", "each", "both")
+    told = told or (meaning.det == "bare" and meaning.plural and meaning.amount is None)
+    return told and meaning.traits == Traits(kind=meaning.traits.kind)

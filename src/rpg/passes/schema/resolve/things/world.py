@@ -142,6 +142,7 @@ class Scene:
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
     `sized`: the size that is said of all blocks, with its words.
+    `verbs`: where the verb of every clause stands, and whether it is denied.
     `patch_sides`: patches by the side on which they lie, and where that was said last.
     """
 
@@ -154,6 +155,7 @@ class Scene:
     heaps: list[tuple[str, ...]] = field(default_factory=list)
     used: set[str] = field(default_factory=set)
     clause: int = 0
+    verbs: dict[int, tuple[Span | None, bool]] = field(default_factory=dict)
     sentence: int = 0
     counter: int = 0
     batch: int = 0
@@ -179,6 +181,7 @@ class Scene:
     tallied: set[str] = field(default_factory=set)
     stocked: set[str] = field(default_factory=set)
     each: tuple[int, Span] | None = None
+    each_in: int = 0
     spare: set[str] = field(default_factory=set)
     vague: set[str] = field(default_factory=set)
     sides: dict[int, str] = field(default_factory=dict)

@@ -20,7 +20,7 @@ from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Figure, Pyramid, Row, Spells, Stack, Staircase
+from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Staircase, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
@@ -99,7 +99,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word == "order" and words[index - 1 : index] and words[index - 1].word == "any" and _as_listed(task):
             return token
-        if token.word == "each" and _on_one(words, index, task):
+        if token.word == "each" and (_on_one(words, index, task) or _in_one(words, index, task)):
             return token
         if token.word == "while" and _meanwhile(words, index):
             return token
@@ -168,9 +168,18 @@ def _joined_by_others(task: TaskSchema) -> bool:
 def _on_one(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
     """Whether "A and B, each on a mat" came to one mat for all of them."""
     here = [t.word for t in words[index + 1 : index + 5]]
+    at = next((n for n, word in enumerate(here) if word in ("on", "onto")), 0)
+    here = [t.word for t in words[index + 1 + at : index + 5 + at]]
     one = here[:1] in (["on"], ["onto"]) and here[1:2] in (["a"], ["one"]) and bool({*here[2:4]} & lexicon.PATCH.keys())
     placed = [x for x in atoms(task.goal) if isinstance(x, OnPatch)]
     return one and len({x.patch for x in placed}) == 1 and any(len(members(x.a)) > 1 for x in placed)
+
+
+def _in_one(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
+    """Whether "three red on the left and two blue on the right, each in a row" came to one row."""
+    here = [t.word for t in words[index + 1 : index + 4]]
+    lines = sum(isinstance(x, Row | Stack | GroupBy | Towers) for x in atoms(task.goal))
+    return here[:2] == ["in", "a"] and here[2:] in (["row"], ["line"], ["tower"], ["stack"]) and lines < 2
 
 
 def _meanwhile(words: Sequence[Token], at: int) -> bool:

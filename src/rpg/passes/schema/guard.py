@@ -19,6 +19,8 @@ _FOREIGN = re.compile(
 
 _FLOOR = re.compile(r"\b(?:on|onto|to|off|from) the floor\b(?! of)", re.IGNORECASE)
 """The table, or what lies below it?"""
+_TWO_IN_ONE = re.compile(r"(?<![\w#(\[/.-])(?:[A-Z]\d|\d[A-CE-Z])(?![\w:)\]/-])")
+"""What would be two symbols on one cube; in a heading, "T1: ...", it counts the tasks."""
 
 
 def guard(text: str) -> None:
@@ -75,3 +77,6 @@ def guard(text: str) -> None:
             found.span(),
             "say 'on the table'",
         )
+    if found := _TWO_IN_ONE.search(text):
+        raise refuse("ambiguous", f"{found.group()} could be two cubes, or one, which shows one symbol only",
+                     found.span(), "name the cubes one by one, as in 'A and 1'")  # fmt: skip

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 from itertools import combinations, pairwise
 
 from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
+from rpg.ir.node import members
+from rpg.ir.relations import On
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
 from rpg.ir.structures import Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, names
@@ -28,6 +31,7 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     _two_pairs(words, task)
     _colors_behind(words, task)
     _letters_of_words(words, task)
+    _counts_or_cubes(words, task)
     _beside_a_chain(words, task)
     _all_of_them(words, task)
     _in_turn(words, task)
@@ -37,13 +41,18 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
 def _letters_of_words(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "write NO with blue letters on the mat" as a word and a blue letter that nobody named."""
     made_up = task.assumed(SYMBOLS_UNSAID)
-    spelt = {n for atom in atoms(task.goal) if isinstance(atom, Spells) for n in atom.blocks}
+    spelt = read = {n for atom in atoms(task.goal) if isinstance(atom, Spells) for n in atom.blocks}
     shown = {asset.name for asset in task.assets if isinstance(asset, SemanticCube)}
     spelt = spelt if ({*names(task.goal)} - spelt) & shown else set()
     said = next((t for t in words if t.word in ("letter", "letters", "digits", "numbers")), None)
     if made_up and spelt and said is not None:
         raise refuse("ambiguous", "these could be the letters of the word, or further ones", said.span,
                      "say 'in blue letters' right behind the word, or name the letters")  # fmt: skip
+    below = next((x for x in atoms(task.goal) if isinstance(x, On) and {*members(x.a)} <= read), None)
+    pairs = (pair for pair in pairwise(words) if pair[0].word == "on")
+    if below is not None and any(b.word in lexicon.COLOR for _, b in pairs):
+        raise refuse("ambiguous", "is this the colour of the letter's own cube, or of one below it?", below.span,
+                     "say 'a blue A'")  # fmt: skip
 
 
 def _beside_a_chain(words: Sequence[Token], task: TaskSchema) -> None:
@@ -115,6 +124,11 @@ def _parted_lists(words: Sequence[Token], task: TaskSchema) -> None:
 def _two_pairs(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse "stack red and blue, and green and yellow" as one tower of four."""
     said = "".join("x" if _named(t) else {"and": "&", ",": ","}.get(t.word, ".") for t in words)
+    lists = re.search(r"x(?:,x)+&x(?:,x)+", said)  # "A, B, C and 1, 2, 3"
+    long = lists.group().count("x") if lists else 0
+    if lists and any(isinstance(x, Stack | Row) and len(x.blocks) >= long for x in atoms(task.goal)):
+        span = (words[lists.start()].span[0], words[lists.end() - 1].span[1])
+        raise refuse("ambiguous", "it is not clear whether this is one structure or two", span, "use two sentences")
     at = said.find("x&x,&x&x")
     if at >= 0 and any(isinstance(x, Stack | Row) and len(x.blocks) > 3 for x in atoms(task.goal)):
         raise refuse("ambiguous", "it is not clear whether this is one structure or two",
@@ -129,9 +143,46 @@ def _colors_behind(words: Sequence[Token], task: TaskSchema) -> None:
         tail = [t.word for t in words[max(end - 4, 0) : end]]
         colors = len(tail) == 4 and tail[0] == "," and tail[2] == "and" and {tail[1], tail[3]} <= lexicon.COLOR.keys()
         colors = colors or (tail[1:3] == [",", "both"] and tail[3] in lexicon.COLOR)
-        if colors:
+        if colors or _some_where(words, end) or _some_of_them(words, end):
             raise refuse("ambiguous", "these could be the colours of the blocks before, or further blocks",
                          (words[end - 3].span[0], words[end - 1].span[1]), "say them in front of 'blocks'")  # fmt: skip
+
+
+def _some_where(words: Sequence[Token], end: int) -> bool:
+    """ "(a block in each corner), red in front and blue at the back": bare colours, each with a place."""
+    placed = [
+        n
+        for n in range(1, end - 1)
+        if words[n].word in lexicon.COLOR and words[n - 1].word in (",", "and") and words[n + 1].word in _PLACED
+    ]
+    return len(placed) > 1 and words[placed[0] - 1].word == "," and _ENDS.isdisjoint(t.word for t in words[1:end])
+
+
+def _some_of_them(words: Sequence[Token], end: int) -> bool:
+    """ "(in every corner a block), the ones on the left red, the ones on the right blue"."""
+    ones = [n for n in range(1, end - 1) if words[n].word == "ones" and words[n - 1].word == "the"]
+    return len(ones) > 1 and all(any(t.word in lexicon.COLOR for t in words[n + 1 : n + 6]) for n in ones)
+
+
+_PLACED = frozenset({"in", "on", "at", "to"})
+
+
+def _counts_or_cubes(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "a tower of 2, 3 and 4 blocks" as one of the cubes 2, 3 and 4: so many blocks, perhaps."""
+    shown = {symbol for asset in task.assets if isinstance(asset, SemanticCube) for symbol in map(asset.symbol, FACES)}
+    for at in (n for n, t in enumerate(words) if t.word in lexicon.BLOCK and t.word.endswith("s") and n):
+        first = at
+        while first and (words[first - 1].kind == "number" or words[first - 1].word in (",", "and")):
+            first -= 1
+        told = [t.raw for t in words[first:at] if t.kind == "number"]
+        counted = words[at - 1].kind == "number" and words[first - 1].word == "of"
+        upon = [t.raw for a, t in pairwise(words[at:]) if a.word in ("on", "onto") and t.kind == "number"]
+        if words[at - 1].kind == "number" and upon and shown.issuperset(upon[:1]) and words[at + 1].word == "on":
+            raise refuse("ambiguous", "so many blocks on so many others, or on the cube that shows this number?",
+                         words[at].span, "say 'the number 2'")  # fmt: skip
+        if counted and len(told) > 1 and shown.issuperset(told):
+            raise refuse("ambiguous", "so many blocks, or the cubes that show these numbers?",
+                         (words[first].span[0], words[at].span[1]), "say 'of the cubes 2, 3 and 4'")  # fmt: skip
 
 
 def _named(token: Token) -> bool:

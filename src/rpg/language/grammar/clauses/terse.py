@@ -215,7 +215,7 @@ def _placed(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 continue
             if k >= p.end or p.words[k] in (",", ";", "and"):
                 verb = "build" if isinstance(theme, Structure) else "be"
-                place = In(region=region, span=p.span(j, k))
+                place = In(region=region, vague=p.words[k - 1] in _BARE_SIDES, span=p.span(j, k))
                 yield Clause(verb=verb, theme=theme, adjuncts=(place,), mode=mode, span=p.span(i, k), cost=3), k
 
 

@@ -43,6 +43,15 @@ def gradient(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         yield replace(base, members=whole, details=(*base.details, *row), span=p.span(i, end)), end
 
 
+def from_to(p: Parser, i: int) -> Results[tuple[str, ...]]:
+    """ "(in rainbow order) from purple to red": the colours at its two ends."""
+    named, at = _colors(p, p.any_of(p.opt(i, ","), _FROM))
+    to = p.any_of(p.opt(at, ","), _TO) if len(named) == 1 else 0
+    for last, end in color(p, to) if to else ():
+        if _between(named[0], last):
+            yield (*named, last), end
+
+
 def _colors(p: Parser, i: int) -> tuple[tuple[str, ...], int]:
     """Colours in a row, with the position behind them."""
     found: list[str] = []
@@ -57,5 +66,10 @@ def _colors(p: Parser, i: int) -> tuple[tuple[str, ...], int]:
 def _between(first: str, last: str) -> tuple[str, ...]:
     if first not in RAINBOW or last not in RAINBOW:
         return ()
+    return between(first, last)
+
+
+def between(first: str, last: str) -> tuple[str, ...]:
+    """The colours of the rainbow from one to the other."""
     a, b = RAINBOW.index(first), RAINBOW.index(last)
     return tuple(RAINBOW[a : b + 1] if a < b else RAINBOW[b : a + 1][::-1])

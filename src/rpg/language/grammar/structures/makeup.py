@@ -14,7 +14,7 @@ from rpg.language.grammar.structures.ascents import measures
 from rpg.language.grammar.structures.each_line import one_line_each
 from rpg.language.grammar.structures.gradients import gradient
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
-from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, ends_in_lines, lines_of, size_phrase
+from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, each_told, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
@@ -266,7 +266,8 @@ _HOLLOW = (
                       "in the inside", "within")
     ),
     "with an empty center", "with an empty middle", "with a hole in the middle", "hollow", "empty inside",
-    "that is hollow", "just the outline", "outline only", "only the outline", "the outline only", "hollow inside",
+    "that is hollow", "just the outline", "outline", "as an outline", "just an outline", "outline only", "only the outline",
+    "the outline only", "hollow inside",
     "empty in the middle", "empty in the center", "with a hole in the center", "with the inside empty",
     "with the middle empty", "with its middle empty", "with the center empty", "with a hollow middle",
     "with an empty inside", "not filled", "which is hollow", "leaving the middle empty", "the middle empty",
@@ -347,8 +348,9 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 continue
             each = _number_of_each(p, j, k, base, members, end)
             end = end if base.plural else p.any_of(end, IN_TOTAL) or end
-            whole = replace(base, members=members, span=p.span(i, end), each_size=each)
-            yield whole, (p.any_of(end, _EACH) or end) if base.plural else end
+            last = (p.any_of(end, _EACH) if base.plural else 0) or end
+            own = each_told(base) if each and (last > end or p.words[start - 1] == "each") else base.details
+            yield replace(base, members=members, span=p.span(i, end), each_size=each, details=own), last
     if not base.sizes:
         for found, end in amounts.amount(p, k):
             size = Size(what="size", amount=found, span=p.span(k, end))

@@ -9,6 +9,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.alternation import alternation
 from rpg.language.grammar.structures.ascents import ascent, counted
+from rpg.language.grammar.structures.gradients import from_to
 from rpg.language.grammar.structures.order_phrases import NAMED
 from rpg.language.grammar.structures.parted import parted
 from rpg.language.grammar.structures.patterns import pattern, spacing
@@ -71,6 +72,8 @@ def order(p: Parser, i: int) -> Results[Meaning]:
             into = phrase.startswith("in ") and p.words[start] == "into"
             if k := p.seq(start + 1, phrase[3:]) if into else p.seq(start, phrase):
                 paged = p.any_of(k, (", row by row", "row by row", ", row after row", "row after row"))
+                for ends, end in from_to(p, k) if by == "rainbow" else ():
+                    yield OrderBy(by=by, values=ends, span=p.span(i, end)), end
                 for end in dict.fromkeys((paged or k, k)):
                     yield OrderBy(by=by, span=p.span(i, end), descending=bool(extra.get("descending"))), end
         if (

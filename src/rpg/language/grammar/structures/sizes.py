@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things import amounts
-from rpg.language.meaning import Size
+from rpg.language.meaning import Manner, Meaning, Size, Structure
 
 _BY = frozenset({"by", "x", "times"})
 _BLOCKS = ("block", "blocks", "cube", "cubes", "brick", "bricks", "level", "levels", "layer", "layers")
@@ -193,6 +193,11 @@ def ends_in_lines(p: Parser, j: int) -> bool:
     return j > 1 and p.words[j - 1] in _ROWS and p.number(j - 2) is not None
 
 
+def each_told(shapes: Structure) -> tuple[Meaning, ...]:
+    """The details of "two equal towers of four blocks each": that they are equal says no more than "each" does."""
+    return tuple(x for x in shapes.details if not (isinstance(x, Manner) and x.kind == "equal"))
+
+
 _LAYERED = frozenset({"layers", "levels", "tiers", "floors"})
 _OF_EACH = ("of", "each", ", each", "each of", "each with", ", each of", ", each with", "with", "on a base of", "on a",
             "each a", ", each a", "being", "of a", "of one", "each of a", ", each of a", "in a", "both a")  # fmt: skip
@@ -224,7 +229,7 @@ def lines_of(p: Parser, i: int, kind: str) -> Results[Size]:
     if kind in _THICK and (after := p.any_of(i, ("with", "of", "having", "in", ",", ":", "made of", ", with", "i.e.",
                                                  ", i.e.", ", that is ,", ", so", "and"))):  # fmt: skip
         yield from layers_of(p, after)
-    j = p.any_of(i, ("with", "of", "having", "in", "made of"))
+    j = p.any_of(i, ("with", "of", "having", "in", "made of", ",", ":", ", with", ", in", ": with", "has", "that has"))
     lines = p.number(j) if j else None
     what = p.words[j + 1] if lines is not None and j + 3 < p.end else ""
     each = p.number(j + 3) if what in _ROWS and p.words[j + 2] in ("of", "with") else None

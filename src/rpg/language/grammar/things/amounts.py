@@ -190,7 +190,8 @@ def _universal(p: Parser, i: int) -> Results[Quantity]:
             yield from ((Quantity("some", Amount(n, n), True, partitive=True), of) for n, _ in count(p, j) if n > 1)
         if word in ("each", "every", "any") and (of := p.seq(j, "one of")):
             yield Quantity(det, fixed if det != "any" else Amount(1, 1), True, partitive=True), of
-        if word in ("none", "one"):
+        bare = p.peek(j, lexicon.COLOR) and not p.peek(j + 1, lexicon.BLOCK) and not p.stands(j + 1, ("or", ","))
+        if word in ("none", "one") or (word == "either" and bare):  # "either red on blue or ...": of no two red ones
             continue
         plural = None if det in ("any", "no") else det != "each"
         if word == "no" and (k := p.one(j, frozenset({"other", "further", "additional"}))):

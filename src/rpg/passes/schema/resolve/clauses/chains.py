@@ -11,6 +11,7 @@ from rpg.ir.node import members
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop, That
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
+from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end
 from rpg.passes.schema.resolve.goals.conflicts import required, undoes
 from rpg.passes.schema.resolve.goals.logic import conj, disj
@@ -29,6 +30,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     stages: list[Goals] = [[]]
     towers = Towers.of(scene)
     pairs = _given_first(chain)
+    before: Clause | None = None
     for (link, clause), after in zip(pairs, [*(link for link, _ in pairs[1:]), ""], strict=True):
         if isinstance(clause, Chain):
             _append(stages, link, [conj(chain_goals(clause, scene, start))])
@@ -39,6 +41,8 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         both = [m for m in clause.adjuncts if isinstance(m, Manner) and m.kind == "xor"] if link == "or" else []
         clause = replace(clause, adjuncts=tuple(a for a in clause.adjuncts if a not in both))
         starts = start or clause.mode in ("start", "given")
+        one_or_all(clause, before)
+        before = clause
         towers = Towers.of(scene) if link != "or" else towers
         if link == "or":
             towers.after(scene, start=False, denied=True)
@@ -240,7 +244,7 @@ def _append(stages: list[Goals], link: str, goals: Goals) -> None:
         return
     match link:
         case "then" | "before":
-            if stages[-1]:
+            if stages[-1] and not _comes_of_it(stages[-1], goals):
                 stages.append([])
             stages[-1] += goals
         case "or" if stages[-1]:
@@ -249,6 +253,12 @@ def _append(stages: list[Goals], link: str, goals: Goals) -> None:
             stages[-1].append(disj([*options, conj(goals)]))
         case _:
             stages[-1] += goals
+
+
+def _comes_of_it(before: Goals, after: Goals) -> bool:
+    """ "Clear the mat; its blocks should be on the table afterwards": no later step, but where they are by then."""
+    cleared = all(isinstance(x, r.Empty | g.Not) for goal in before for x in required(goal))
+    return cleared and bool(before) and all(isinstance(x, r.OnTable | g.Not) for goal in after for x in required(goal))
 
 
 def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
@@ -316,7 +326,7 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
         if link == "before" and goals:
             stages += _stages(goals)
             continue
-        if goals and (link == "then" or _restacked(now, goals, scene)):
+        if goals and ((link == "then" and not _comes_of_it(now, goals)) or _restacked(now, goals, scene)):
             stages += _stages(now)
             now = []
         now += goals

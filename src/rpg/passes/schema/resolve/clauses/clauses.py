@@ -30,6 +30,7 @@ from rpg.passes.schema.resolve.clauses.appearance import appear
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.denials import denied, denied_once
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
+from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
 from rpg.passes.schema.resolve.clauses.shaped import shaped
 from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
@@ -67,7 +68,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     number = scene.clause
     scene.verbs[number] = (clause.word, clause.negated)
     scope = Scope(start=start, given=clause.mode == "given" or start)
-    clause = of_the_rest(denied_once(clause))
+    clause = with_its_noun(of_the_rest(denied_once(clause)))
     spec = sort_adjuncts(clause.adjuncts)
     if distractors(clause, spec, scene):
         nothing_left(spec, clause)
@@ -79,7 +80,7 @@ def clause_goals(clause: Clause, scene: Scene, start: bool) -> Goals:
     loose = len(scene.loose)
     towers = Towers.of(scene)
     scene.placing = clause.verb in ("place", "use") and getattr(clause.theme, "word", "") != "same"
-    scene.denying = clause.negated
+    scene.denying, scene.describing = clause.negated, clause.verb == "be"
     goals = _dispatch(clause, spec, scene, scope)
     scene.denying = False
     towers.after(scene, start=start, denied=clause.negated)
@@ -155,6 +156,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 
 
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
+    place_of_which(clause, clause.lemma in LEAVING)
     by_centring(clause, spec)
     clause = heaped_up(clause, spec)
     clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)

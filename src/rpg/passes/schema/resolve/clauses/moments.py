@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Chain
+from rpg.language.meaning import Chain, Clause, Meaning
 from rpg.passes.schema.resolve.clauses.chains import time_of, unsaid
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -14,6 +14,10 @@ def in_time(links: list[str], chains: tuple[Chain, ...], spans: Span) -> tuple[l
     """Sentences that say when ("..., last"): how each follows the one before it, and in which order they come."""
     said = [time_of(chain.clauses[0]) if len(chain.clauses) == 1 else None for chain in chains]
     if all(when is None for when in said):
+        asked = [n for n, chain in enumerate(chains) if any(map(_asks, chain.clauses))]
+        if links[:1] == ["then"] and asked[:1] == [0] and [links[n] for n in asked[1:]].count("and"):
+            raise refuse("ambiguous", "it is not clear what comes before this, and what is done with it",
+                         chains[0].span, "say all in the order in which it is done")  # fmt: skip
         return links, tuple(range(len(chains)))
     if "before" in links:
         raise refuse("ambiguous", "one sentence says that it comes before another, one that it is first or last",
@@ -30,3 +34,7 @@ def in_time(links: list[str], chains: tuple[Chain, ...], spans: Span) -> tuple[l
     for before, after in pairwise(order):
         joined[after] = "then" if times[before] != times[after] else links[after]
     return joined, order
+
+
+def _asks(clause: Meaning) -> bool:
+    return isinstance(clause, Clause) and clause.mode in ("command", "goal") and not clause.negated

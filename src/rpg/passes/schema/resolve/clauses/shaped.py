@@ -40,6 +40,10 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if (goals := _remade(clause, spec, scene, scope)) is not None:
         return goals
     _of_them_all(clause, spec)
+    if clause.lemma == "line" and not spec.intos and getattr(clause.theme, "kind", "") == "stack":
+        spec.intos.append(Into(structure=Structure(kind="line", span=clause.span), span=clause.span))
+    elif clause.lemma == "line" and isinstance(clause.theme, Coord) and not spec.toward:
+        raise refuse("misplaced", "it is not clear what is lined up", clause.span, "say '... from left to right'")
     clause = _where_all_of_it_is(clause, spec, scope)
     shapes: list[Meaning]
     if clause.theme is None:
@@ -182,16 +186,39 @@ def _remade(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | N
             return arrange_blocks(blocks, "arrange", spec, scene, scope, clause.span)
     if clause.lemma == "alphabetize":
         spec.orders.append(OrderBy(by="label", span=clause.word or clause.span))
-        if isinstance(theme, Structure) and theme.det == "the":
-            again = Structure(kind=theme.kind, span=theme.span)
-            spec.intos.append(Into(structure=again, span=theme.span))
     known = _known_already(clause, scene)
+    sorted_ = clause.lemma == "alphabetize" or (not known and _put_in_order(clause, spec))
+    if sorted_ and isinstance(theme, Structure) and theme.det == "the":
+        again = Structure(kind=theme.kind, span=theme.span)
+        spec.intos.append(Into(structure=again, span=theme.span))
     if (line := _lined_already(clause, spec, scene, scope)) is not None:
         return line
-    if isinstance(theme, Structure) and spec.intos and (known or clause.lemma in ("turn into", "alphabetize")):
+    if isinstance(theme, Structure) and spec.intos and (known or sorted_ or clause.lemma == "turn into"):
         there = refer(theme, scene, scope if known else replace(scope, start=True, given=True))
         return arrange_blocks(Ref(names=there.names, plural=True), "arrange", spec, scene, scope, clause.span)
     return None
+
+
+def _put_in_order(clause: Clause, spec: Spec) -> bool:
+    """ "sort the row 3 1 2 (ascending)", "put the row C A B in order": as it is listed it is there at the start."""
+    theme, into = clause.theme, spec.intos
+    if clause.verb not in ("place", "sort", "arrange") or clause.negated or into or not isinstance(theme, Structure):
+        return False
+    listed = theme.members is not None or any(isinstance(x, OrderBy) and x.items for x in theme.details)
+    if theme.kind not in _LINES or theme.det != "the" or theme.plural or not listed:
+        return False
+    if clause.verb == "sort" and not (spec.orders or spec.places):
+        spec.orders.append(OrderBy(by="in_order", span=clause.word or clause.span))
+    into_order = [o for o in spec.orders if o.by in _SORTING]
+    shown = [label for part in parts_of(theme) if isinstance(part, Noun) for label in part.traits.labels]
+    if not into_order or (shown and shown == sorted(shown) and into_order[0].by == "in_order"):
+        return False
+    if spec.places:
+        raise refuse("ambiguous", "is it put there as it is, or in order?", spec.places[0].span, "use two sentences")
+    return True
+
+
+_SORTING = frozenset({"in_order", "label", "number", "ascending", "size", "rainbow"})
 
 
 def _lined_already(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
@@ -231,8 +258,14 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
     return ref, []
 
 
+_BLOCKS = Noun(head="block", plural=True, span=(0, 0))
+
+
 def _as_long(shape: Structure, clause: Clause) -> Structure:
-    """ "a tower that reads HOUSE": of as many blocks as the word has letters."""
+    """ "a tower that reads HOUSE": of as many blocks as the word has letters; "a row of blocks: red, blue, red"."""
+    listed = [x for x in clause.adjuncts if isinstance(x, OrderBy) and len(x.items) > 1]
+    if len(listed) == 1 and isinstance(shape.members, Noun) and replace(shape.members, span=(0, 0)) == _BLOCKS:
+        return replace(shape, members=None)
     told = [x for that in clause.adjuncts if isinstance(that, That) for x in parts_of(that)]
     words = [x.theme for x in told if isinstance(x, Clause) and x.verb == "spell" and isinstance(x.theme, Structure)]
     bare = shape.kind in _LINES and not (shape.members or shape.sizes or shape.plural or clause.adjuncts[1:])

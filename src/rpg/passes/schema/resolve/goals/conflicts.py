@@ -74,7 +74,8 @@ def clash(a: g.Goal, b: g.Goal) -> bool:
         case (r.Moved(), r.Stayed()):
             return a.a == b.a
         case (r.InRegion(), r.InRegion()):
-            return a.a == b.a and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
+            same = bool({*members(a.a)} & {*members(b.a)})
+            return same and {a.region, b.region} in ({"left_half", "right_half"}, {"near_half", "far_half"})
     if isinstance(a, s.Stack | s.Row) and isinstance(b, s.Stack | s.Row) and a.kind == b.kind:
         return _orders_differ(a, b)
     if isinstance(a, s.Spells) and isinstance(b, s.Spells):

@@ -16,6 +16,7 @@ from rpg.passes.schema.resolve.orders.onward import onward
 from rpg.passes.schema.resolve.orders.parts import place_of
 from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, positions
 from rpg.passes.schema.resolve.orders.reading import reading_begins
+from rpg.passes.schema.resolve.orders.runs import painted
 from rpg.passes.schema.resolve.things.items import by_look, claimed, claims
 from rpg.passes.schema.resolve.things.things import quality_fits
 from rpg.passes.schema.resolve.things.world import Scene, Scope, Thing, refuse
@@ -162,6 +163,11 @@ def _merge(
             return _symbolic(order, things, kind, scene, first)
         case "countdown" | "count_up" | "number_up" | "number_down":
             return _counted(order, things, kind, scene, first)
+        case "rainbow" if order.values:
+            if first is None and kind != "line":
+                first = _default_side(kind)
+                _read_from(first, scene)
+            return Order(by="rainbow", descending=painted(order, things, scene), first=first)  # type: ignore[arg-type]
         case "rainbow":
             _paint(things, scene)
             return Order(by="rainbow", descending=order.descending, first=first)  # type: ignore[arg-type]

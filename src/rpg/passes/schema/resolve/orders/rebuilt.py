@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Chain, Clause, Into, Manner, Meaning, Pronoun, Structure, That
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -9,7 +10,7 @@ from rpg.passes.schema.resolve.orders.reordered import reverse
 from rpg.passes.schema.resolve.places.placing import Goals, places
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spoken import known_ones
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 _LINES = ("stack", "row", "line", "column")
 
@@ -74,6 +75,10 @@ def _rebuilt(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | 
     if len(shapes) != 1 or len(known.built) != 1:
         scene.mentions.pop()
         return None
+    again = next((o for o in spec.orders if it and o.by in ("given", "in_order")), None)
+    if again is not None and not set(shapes[0].members) <= {n for x in scene.start_goals for n in names_in(x)}:
+        raise refuse("ambiguous", "is this the order that it has at the end, or is it there in another one at first?",
+                     again.span, "say 'there is a row A B C' of the start, or tell its order with it")  # fmt: skip
     spec.thats = [that for that in spec.thats if not _parts(that)]
     spec.absolutes += ats
     if shapes[0].kind != "stack":

@@ -66,7 +66,8 @@ def topped(theme: Ref, at_: At, scene: Scene, span: Span) -> Atoms | None:
         base = said[-1].ref.names
         beside = [m for m in scene.mentions if m.clause == said[-1].clause and m.role == "landmark"]
         several = {m.ref.names for m in said if m.clause == said[-1].clause and not m.ref.patch}
-        near = any(m.rel in ("left", "right", "front", "behind", "beside") and not m.ref.patch for m in beside)
+        sides = ("left", "right", "front", "behind", "beside", "under")
+        near = any(m.rel in sides and not m.ref.patch for m in beside)
         if near or len(several) > 1:
             raise refuse("ambiguous", "on top of which of the two?", at_.span, "name the block below")
     if isinstance(base, tuple) and len(base) == 1:

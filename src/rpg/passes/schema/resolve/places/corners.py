@@ -11,8 +11,10 @@ from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.places.patches import indefinite, one_lot_each
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.things import alike
-from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, refuse
 
+WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
+"""Structures that no corner is told of."""
 CORNERS = ("far_left_corner", "far_right_corner", "near_left_corner", "near_right_corner")
 
 
@@ -99,3 +101,20 @@ def the_other_half(scene: Scene, span: Span) -> str:
     if scene.region not in _OPPOSITE:
         raise refuse("no-referent", "it is not said which half the other one is", span, "say 'the left half'")
     return _OPPOSITE[scene.region]
+
+
+def of_something_else(theme: Ref, region: str, scene: Scene) -> bool:
+    """Whether a corner, an edge or a half may be that of a structure, or of the patch that the blocks were put on."""
+    return _on_a_patch(theme, scene) or any(_has_such(built, region, scene) for built in scene.built)
+
+
+def _has_such(built: Built, region: str, scene: Scene) -> bool:
+    """Halves are those of a structure where its blocks have no colours yet."""
+    plain = all(scene.things[n].color is None and scene.things[n].label is None for n in built.members)
+    return built.kind not in WITHOUT_CORNERS and (plain or not region.endswith("half"))
+
+
+def _on_a_patch(theme: Ref, scene: Scene) -> bool:
+    """Whether the blocks were put on a patch by a clause before."""
+    patched = {m.clause for m in scene.mentions if m.ref.patch and m.rel in ("on", "in") and m.clause < scene.clause}
+    return any(m.clause in patched and m.role == "theme" and {*theme.names} <= {*m.ref.names} for m in scene.mentions)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TypeGuard
 
+from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Loc
+from rpg.language.meaning import Clause, Loc, Pronoun
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
@@ -42,3 +44,20 @@ def moved(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
 def _lies_there(fact: g.Goal) -> TypeGuard[r.On | r.OnPatch]:
     """A fact of the start of what something lies on."""
     return isinstance(fact, r.On | r.OnPatch)
+
+
+def off_what(theme: Ref, loc: Loc, scene: Scene) -> Ref | None:
+    """ "Take it off": off all that it lies on, where that is known."""
+    if loc.rel != "off" or not isinstance(loc.landmark, Pronoun) or loc.landmark.word != "there" or theme.patch:
+        return None
+    under: list[str] = []
+    below = scene.on_top.get(theme.names[0]) if len(theme.names) == 1 else None
+    while below is not None and below not in under:
+        under.append(below)
+        below = scene.on_top.get(below)
+    return Ref(names=tuple(under), plural=len(under) > 1, span=loc.span) if under else None
+
+
+def taken_off(theme: Ref, below: str, span: Span) -> g.Goal:
+    """Nothing of it is above this block any more."""
+    return spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=(below,), span=span), span=span), span)

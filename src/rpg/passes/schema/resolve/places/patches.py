@@ -60,6 +60,9 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
     if len(theme.names) == len(patches):
         pairs = zip(theme.names, patches, strict=True)
         return conj([r.OnPatch(a=(a,), patch=p, span=span) for a, p in pairs], span)
+    if len(theme.names) > len(patches) and all(scene.things[p].elastic is not None for p in patches):
+        raise refuse("ambiguous", "it is not said how many patches there are, and which block goes on which", span,
+                     "say how many, and 'one on each', or name the patch of each")  # fmt: skip
     return _on_any(replace(theme, built=()), patches, span)
 
 

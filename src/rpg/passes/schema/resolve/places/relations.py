@@ -14,8 +14,9 @@ from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
 from rpg.passes.schema.resolve.places.between import between
-from rpg.passes.schema.resolve.places.corners import corners, the_other_half
+from rpg.passes.schema.resolve.places.corners import corners, of_something_else, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
+from rpg.passes.schema.resolve.places.moved import off_what, taken_off
 from rpg.passes.schema.resolve.places.mutual import none_another, of_the_towers, one_for_each, reciprocal
 from rpg.passes.schema.resolve.places.patches import (
     any_of_the_rest,
@@ -44,10 +45,8 @@ from rpg.passes.schema.resolve.things.operands import (
 )
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import compared, matching
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse, wholes
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, wholes
 
-WITHOUT_CORNERS = ("stack", "towers", "row", "line", "column", "word", "equation", "pile", "group")
-"""Structures that no corner is told of."""
 PATCH_MIDDLE = 0.02
 """How far from a patch's centre a block in its middle may be, in metres."""
 
@@ -65,7 +64,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
     match meaning:
         case In(region="each_corner" | "each_corner?" | "opposite_corner" | "opposite_corners"):
             return corners(theme, meaning, scene, span)
-        case In(vague=True) if any(_has_such(built, meaning.region, scene) for built in scene.built):
+        case In(vague=True) if of_something_else(theme, meaning.region, scene):
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
                          meaning.span, "say 'of the table', or name the structure's blocks")  # fmt: skip
         case In(region="other_half"):
@@ -96,12 +95,6 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
             return negation(goals, span, wholes(scene)) if meaning.negated else goals
         case _:
             raise refuse("misplaced", "this does not say where something is", meaning.span)
-
-
-def _has_such(built: Built, region: str, scene: Scene) -> bool:
-    """Whether a corner, an edge or a half may be that of a structure; halves where its blocks have no colours yet."""
-    plain = all(scene.things[n].color is None and scene.things[n].label is None for n in built.members)
-    return built.kind not in WITHOUT_CORNERS and (plain or not region.endswith("half"))
 
 
 def _alternative(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) -> g.Goal:
@@ -156,9 +149,8 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     nowhere = theme.quant is not None and theme.quant.high == 0
     rel = f"not {loc.rel}" if nowhere or loc.negated or scene.denying else loc.rel
     like = like and loc.rel in ("on", "in")
-    mark = refer(
-        loc.landmark, scene, replace(scope, role="landmark", like_patch=like, pool=(), need=None, rel=rel)
-    )  # fmt: skip
+    there = replace(scope, role="landmark", like_patch=like, pool=(), need=None, rel=rel)
+    mark = off_what(theme, loc, scene) or refer(loc.landmark, scene, there)
     return related(theme, mark, loc, scene, span)
 
 
@@ -312,7 +304,7 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         b = carrier(foot(mark), scene, level=loc.rel in ("beside", "adjacent"))
         return spread(theme, lambda a: node(a=carrier(a, scene, moved=True), b=b, span=span), span, together=together)
     if loc.rel == "off":
-        return spread(theme, lambda a: g.Not(goal=r.Above(a=a, b=mark.names, span=span), span=span), span)
+        return conj([taken_off(theme, n, span) for n in mark.names if n not in theme.names], span)
     if loc.rel == "together":
         return s.GroupBy(groups=((*theme.names, *mark.names),), span=span)
     raise refuse("misplaced", "this relation does not fit here", loc.span)

@@ -115,18 +115,20 @@ def _of_the_ends(
 
 
 def _of_the_pair(loose: list[Loose], goal: g.Goal) -> g.Goal | None:
-    """ "Red and blue side by side, red on the left": of two blocks close to each other, it is left of the other."""
+    """ "Red and blue side by side, red on the left", "both on the mat, ...": of two blocks close to each other, it is
+    left of the other."""
     (ref, at_, span), *more = loose
     node = _TOWARDS.get(at_.side) if isinstance(at_, At) and at_.index is None and not at_.whole else None
     close = r.Beside | r.Adjacent | r.Touching | r.Near | r.Distance | r.Swapped
-    pairs = [a for a in atoms(goal) if isinstance(a, close) and _about(a, ref)]
+    mats = [a for a in atoms(goal) if isinstance(a, r.OnPatch) and {*ref.names} < {*members(a.a)}]
+    pairs = [a for a in atoms(goal) if isinstance(a, close) and _about(a, ref)] or mats
     if not pairs and not more and node is not None:
         return _of_the_ends(ref, node, goal, span)
     if more or node is None or len(ref.names) != 1 or len(pairs) != 1 or pairs[0] not in _at_the_end(goal):
         return None
     if isinstance(pairs[0], r.Distance) and pairs[0].maximum is None:
         return None
-    pair = (*members(pairs[0].a), *members(pairs[0].b))
+    pair = members(pairs[0].a) + (() if isinstance(pairs[0], r.OnPatch) else members(pairs[0].b))
     if len(pair) != 2 or ref.names[0] not in pair:
         return None
     other = pair[1 - pair.index(ref.names[0])]
@@ -237,6 +239,8 @@ def _of_what(item: Loose, goal: g.Goal, scene: Scene) -> None:
     if any(at_.side == "middle" or set(ref.names) & {*members(a.a), *members(a.b)} for a in close) or among:
         raise refuse("ambiguous", "this could be a side of the table or of the other block", at_.span,
                      "say 'of the table', or of what")  # fmt: skip
+    if any(isinstance(a, r.OnPatch) and set(ref.names) & {*members(a.a)} for a in atoms(goal)) and at_.side != "middle":
+        raise refuse("ambiguous", "this could be a side of the table or of the patch", at_.span, "say of what")
     ends = ("edge", *(("corner",) if at_.side != "middle" else ()))
     if any(isinstance(a, r.InRegion) and any(end in a.region for end in ends) for a in atoms(goal)):
         raise refuse("ambiguous", "this could be a half or an edge of the table", at_.span, "say which")

@@ -65,6 +65,9 @@ def vertical(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goa
         raise refuse("ambiguous", "two towers have no room on one block", loc.span, "say which of them stands on it")
     if theme.built and theme.built[0].kind == "stack":
         return _tower_on(theme, mark, scene, span)
+    if theme.built and len(theme.names) > 2 and len(mark.names) == 1 and theme.op == "and":
+        raise refuse("ambiguous", f"a {theme.built[0].kind} has no room on one block", loc.span,
+                     "say which block lies on it")  # fmt: skip
     mark = _as_a_tower(mark, scene)
     if len(theme.names) > 1 and len(mark.names) == len(theme.names) and theme.quant is None and not mark.built:
         return conj([_on(a, (b,), scene, span) for a, b in zip(theme.names, mark.names, strict=True)], span)

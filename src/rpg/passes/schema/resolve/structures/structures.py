@@ -16,6 +16,7 @@ from rpg.passes.schema.resolve.goals.spacing import gaps_of
 from rpg.passes.schema.resolve.orders.orders import order_of
 from rpg.passes.schema.resolve.orders.positions import alternatives, lengthened
 from rpg.passes.schema.resolve.orders.reading import legible
+from rpg.passes.schema.resolve.orders.runs import rainbow_of
 from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, stepped, symbols, towers
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
 from rpg.passes.schema.resolve.things.from_stock import from_stock
@@ -317,7 +318,7 @@ def _row(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
 
 def _gradient(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a colour gradient": a line in the order of the rainbow."""
-    spec.orders = [OrderBy(by="rainbow", span=shape.span), *[o for o in spec.orders if o.by != "rainbow"]]
+    spec.orders = [rainbow_of(shape, spec), *[o for o in spec.orders if o.by != "rainbow"]]
     return _row(replace(shape, kind="line"), spec, theme, scene, scope)
 
 
@@ -381,9 +382,7 @@ def _spaced(place: object) -> dict[str, object]:
 
 MAKERS: dict[str, Maker] = {
     "stack": _stack,
-    "row": _row,
-    "line": _row,
-    "column": _row,
+    **dict.fromkeys(("row", "line", "column"), _row),
     "gradient": _gradient,
     "pile": groups.piles,
     "word": symbols.word,

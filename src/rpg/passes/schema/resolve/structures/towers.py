@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 from itertools import combinations
 
@@ -12,6 +13,7 @@ from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members, some_of
 from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
 STACK_COLORS = ("red", "blue", "green", "yellow", "purple", "orange", "cyan", "pink")
@@ -26,6 +28,10 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         return _of_heights(shape, spec, theme, scene)
     for listed in (shape.members, *(x.members for x in spec.usings)):
         looks = listed.traits.colors if isinstance(listed, Noun) else ()
+        shown = listed.traits.labels if isinstance(listed, Noun) and listed.det == "bare" and listed.cost else ()
+        if "".join(shown).isdigit() and (shape.amount is None or shape.amount.low == len(shown)):
+            raise refuse("ambiguous", "are these the heights of the towers, or cubes that show these numbers?",
+                         shape.span, "say 'of heights 2, 3 and 4', or 'of the cubes 2, 3 and 4'")  # fmt: skip
         if len(set(looks)) < len(looks):
             raise refuse("ambiguous", "it is not clear which blocks form which tower", shape.span,
                          "say of which blocks each tower is")  # fmt: skip
@@ -46,8 +52,10 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
     per = shape.extent("size", "high", "layers") or (scene.each[0] if scene.each else None)
     equal = spec.manner("equal") is not None
-    if equal and per is not None and count is not None and per % count == 0 and not (scene.each or shape.each_size):
-        raise refuse("ambiguous", f"{per} blocks in each of them, or in all?", shape.span, "say 'each', or 'in all'")
+    told = amount_of(shape.members) if shape.each_size else shape.extent("size")
+    if equal and told is not None and count is not None and told % count == 0 and not scene.each:
+        raise refuse("ambiguous", f"{told} blocks in each of them, or in all?", shape.span,
+                     f"say '{told} blocks each', or 'of {told} blocks in all, of equal height'")  # fmt: skip
     theme, per = _source(shape, spec, theme, per, count, by_color, scene, scope)
     if (
         theme is not None
@@ -64,6 +72,8 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         names, count = _given(theme, shape, count, per, by_color, scene)
     else:
         names, count = _new(shape.traits, shape, count, per, by_color, scene)
+    if not by_color:
+        _one_color_each(names, count, per, equal, shape, scene)
     heights = (per,) * count if per is not None and count is not None else None
     if spec.manner("unequal") is not None:
         heights = _unequal(len(names), count, per, shape)
@@ -81,6 +91,18 @@ def _unequal(blocks: int, count: int | None, per: int | None, shape: Structure) 
         raise refuse("ambiguous" if ways else "count-mismatch", f"{blocks} blocks can be shared so in {len(ways)} ways",
                      shape.span, "say how high each tower is")  # fmt: skip
     return ways[0]
+
+
+def _one_color_each(
+    names: tuple[str, ...], count: int | None, per: int | None, equal: bool, shape: Structure, scene: Scene
+) -> None:
+    """Refuse "three red, two blue. Two stacks.", which could be a stack of each colour."""
+    lots = Counter(scene.things[n].color for n in names)
+    told = None not in lots and scene.vague.isdisjoint(names) and len(lots) == count
+    even = len(set(lots.values())) == 1 if equal else per is None or set(lots.values()) == {per}
+    if told and even and len(lots) > 1 and min(lots.values()) > 1:
+        raise refuse("ambiguous", "a tower of each colour, or of whichever of these blocks?", shape.span,
+                     "say 'one tower per color', or which blocks each tower has")  # fmt: skip
 
 
 def _of_heights(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Made:

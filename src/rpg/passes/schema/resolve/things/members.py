@@ -9,6 +9,7 @@ from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun,
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.onward import in_between, onward
 from rpg.passes.schema.resolve.orders.orders import implied_kind
+from rpg.passes.schema.resolve.orders.runs import run_length
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import alike, amount_of, create, matching, plain_colors
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -18,6 +19,7 @@ def members_of(
     shape: Structure, spec: Spec, theme: Ref | None, need: int | None, default: int, scene: Scene, scope: Scope
 ) -> tuple[str, ...]:
     """The blocks of a structure: those named, else `need` (or `default`) new ones."""
+    default = run_length(spec) or default
     if theme is not None:
         theme = certain(theme, scene)
         _agrees(shape, theme.names, scene)

@@ -61,9 +61,10 @@ def _facts(premise: object, scene: Scene) -> list[g.Goal]:
     theme = Ref(names=premise.names, span=premise.span)
     if isinstance(getattr(premise.condition, "landmark", None), Coord):
         raise refuse("ambiguous", "it is not clear which block is where", premise.span, "say it of each block")
-    facts = place(theme, premise.condition, scene, Scope(start=True), premise.span)
+    scene.describing = premise.when == "end"
+    facts = place(theme, premise.condition, scene, Scope(start=premise.when != "end"), premise.span)
     facts = [f for f in facts if not (isinstance(f, g.All) and not f.goals)]
-    if "asserted" in getattr(premise.condition, "mods", ()):
-        return facts
-    scene.start_goals += [f for f in facts if f not in scene.start_goals]
-    return []
+    asserted = "asserted" in getattr(premise.condition, "mods", ())
+    if premise.when != "end" and not asserted:
+        scene.start_goals += [f for f in facts if f not in scene.start_goals]
+    return facts if asserted or premise.when != "start" else []

@@ -149,7 +149,7 @@ def resolve(
 ) -> Feasibility:
     """One reading of every sentence -> the task, or a refusal. Facts that no end fits are about the start."""
     links, chains = hoisted(*places_told(*words_in_rows(links, from_heaps(chains))))
-    facts = begun(chains, text)
+    facts = cleared_of(begun(chains, text), links)
     if (last := heaps_last(*told_later(links, facts))) is not None:
         with suppress(Refusal):
             return _resolved(*last, text, notes, name, seed, author, lenient)

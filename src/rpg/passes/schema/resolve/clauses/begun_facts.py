@@ -2,28 +2,43 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Quality
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Quality, Traits, parts_of
 
 
-def cleared_of(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
-    """ "Clear the mat. A red cube is on it.": the fact behind tells what it is cleared of, which is there at first."""
+def cleared_of(chains: tuple[Chain, ...], links: Sequence[str] | None = None) -> tuple[Chain, ...]:
+    """ "Clear the mat. A red cube is on it.": the fact behind tells what it is cleared of, which is there at first.
+
+    `links`: those of the sentences, where a fact must name the very patch, "a red cube is on the mat", and not follow
+    in time.
+    """
     found, emptied = [], False
-    for chain in chains:
+    patches: list[Traits] = []
+    for n, chain in enumerate(chains):
         clauses: list[Meaning] = []
-        for said in chain.clauses:
+        for link, said in zip(chain.links, chain.clauses, strict=True):
             fact = isinstance(said, Clause) and said.lemma == "fact" and said.mode == "goal" and not said.negated
             on = isinstance(said, Clause) and bool(said.adjuncts) and all(map(_on_it, said.adjuncts))
+            marks = _marks(said)
+            named = link != "then" and bool(marks) and all(x in patches for x in marks)
+            on = on and (links is None or (named and links[n] != "then"))
             begun_ = emptied and fact and on and isinstance(said, Clause)
             clauses.append(replace(said, mode="start") if begun_ and isinstance(said, Clause) else said)
             emptied = emptied or _empties(said)
+            patches += _marks(said) if _empties(said) else []
         found.append(replace(chain, clauses=tuple(clauses)))
     return tuple(found)
 
 
+def _marks(said: Meaning) -> list[Traits]:
+    """The looks of the patches that are named in a clause."""
+    return [x.traits for x in parts_of(said) if isinstance(x, Noun) and x.head == "patch" and x.det == "the"]
+
+
 def wanted(clause: Clause) -> bool:
-    """ "must lie in a heap", "ends on the mat": what is said of the end, where a fact or a bare phrase may be a start."""
+    """ "must lie in a heap", "ends on the mat": told of the end, where a fact or a bare phrase may be a start."""
     return clause.verb == "be" and clause.lemma != "fact" and clause.word is not None
 
 

@@ -103,10 +103,10 @@ def _it(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         single = [m for m in single if not own & set(m.ref.names)]
     if not single:
         several = them(word, scene, scope)
-        if word.word in ("it", "the first one") and len(several.names) > 1 and not several.built:
-            if scope.role == "theme" or word.word != "it":
-                raise refuse("ambiguous", f"{word.word!r} could be any of several blocks", word.span,
-                             "name the one you mean")  # fmt: skip
+        one = word.word == "the first one" or (word.word == "it" and scope.role == "theme")
+        if one and len(several.names) > 1 and not several.built:
+            raise refuse("ambiguous", f"{word.word!r} could be any of several blocks", word.span,
+                         "name the one you mean")  # fmt: skip
         return several
     if scope.role == "theme":
         themes = [m for m in single if m.role in ("theme", "given")]

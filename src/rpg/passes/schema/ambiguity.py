@@ -54,11 +54,14 @@ def _alike_but_for_paint(a: TaskSchema, b: TaskSchema) -> bool:
 
 
 def _unpainted(schema: TaskSchema) -> str:
-    """The task with its blocks called by their place in the list, whatever their colours."""
+    """The task with its blocks called by their place in the list, whatever colours were chosen for them."""
     names = {asset.name: f"#{index}" for index, asset in enumerate(schema.assets)}
     goal = rename(schema.goal, names).model_dump(mode="json")
     start = [rename(x, names).model_dump(mode="json") for x in schema.init.arranged]
-    looks = [asset.model_dump(mode="json", exclude={"name", "color"}) for asset in schema.assets]
+    told = [said.partition(": ")[2] for said in schema.assumptions if said.startswith(COLORS_UNSAID)]
+    chosen = {color for said in told for color in said.split(", ")}
+    looks = [asset.model_dump(mode="json", exclude={"name"}) for asset in schema.assets]
+    looks = [{**x, "color": "" if {x["color"], "one of each colour"} & chosen else x["color"]} for x in looks]
     return repr((_unspanned(goal, len(schema.blocks)), _unspanned(start, len(schema.blocks)), looks))
 
 

@@ -40,6 +40,11 @@ ALWAYS_FOUR = ("corners", "sides", "edges")
 ONLY = frozenset({"only", "just", "exactly"})
 THERE = frozenset({"are", "is", "have", "has", "get", "got"})
 """What leads to "only" in a sentence that says what there is."""
+SYMBOLS = {
+    **dict.fromkeys(("letter", "letters"), str.isalpha),
+    **dict.fromkeys(("digit", "digits", "numeral", "numerals"), str.isdigit),
+}
+"""Words for symbols of a kind, with what tells that kind: "the letters 1, 2 and 3" are none."""
 LASTING = frozenset({"never", "always"})
 STATES = frozenset({"is", "are", "stays", "stay", "remains", "remain", "lies", "lie", "stands", "stand"})
 PRONOUNS = "AI"
@@ -51,14 +56,22 @@ _PLAIN = {
     "ascending descending increasing decreasing": "number size label staircase",
     "checkerboard chessboard": "checkerboard",
     "circle ring": "circle",
+    "column": "x grid staircase",
+    "columns rows": "row grid staircase spells checkerboard towers figure",
     "equation": "equation",
     "evenly": "evenly spacing",
+    "grid wall": "grid",
+    "groups": "group_by",
+    "heap": "heaps group_by",
     "mirror mirrored symmetric symmetrical symmetrically palindrome": "mirrored given",
     "neither nor": "not count",
     "pyramid": "pyramid",
     "rainbow": "rainbow",
+    "row": "row grid spells equation checkerboard pyramid",
     "staircase stairs": "staircase",
     "swap swapped exchange": "swapped",
+    "tower towers stacks": "stack towers on grid pyramid",
+    "triangle": "triangle",
     "upside": "facing stack",
 }
 PLAIN = {word: frozenset(terms.split()) for words, terms in _PLAIN.items() for word in words.split()}
@@ -77,7 +90,7 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
     shown |= {atom.shape for atom in atoms(task.goal) if isinstance(atom, Figure)}
     numbers: set[float] | None = None
     parts = (task.goal, *task.init.arranged, *task.patches)
-    terms = {term for part in parts for term in _terms(part)} | _shown_orders(task)
+    terms = {term for part in parts for term in _terms(part)} | _shown_orders(task) | {"heaps" for _ in task.init.heaps}
     for index, token in enumerate(words):
         color = lexicon.COLOR.get(token.word) or lexicon.COLOR_PLURAL.get(token.word)
         if color is not None and color not in colors and not _spelt(token, task):
@@ -89,7 +102,9 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
         listed = index > 0 and words[index - 1].word in (",", "and")
         if token.kind == "sign" and listed and token.word in SIGNS and token.word not in shown:
             return token
-        if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms):
+        if token.word in PLAIN and PLAIN[token.word].isdisjoint(terms) and not _spelt(token, task):
+            return token
+        if token.word in SYMBOLS and not any(map(SYMBOLS[token.word], shown)):
             return token
         if token.word in PATCHES and not task.patches and not _spelt(token, task):
             return token

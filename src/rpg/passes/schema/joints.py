@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import combinations, pairwise
 
 from rpg.ir import goal as g
@@ -12,8 +12,8 @@ from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.relations import On
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
-from rpg.ir.structures import Row, Spells, Stack, Towers
-from rpg.ir.walk import atoms, names
+from rpg.ir.structures import GroupBy, Row, Spells, Stack, Towers
+from rpg.ir.walk import atoms, children, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
@@ -36,6 +36,28 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     _all_of_them(words, task)
     _in_turn(words, task)
     _letter_a(words, task)
+    _left_open(words, task)
+
+
+_NO_CHOICE = frozenset({"more", "less", "fewer", "higher", "longer", "farther", "further", "minus", "take", "so"})
+"""What follows an "or" that is part of a measure: "20 cm or more", "give or take 5 mm"."""
+_SORTS = frozenset({"vowel", "parity", "kind"})
+
+
+def _left_open(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "put A and B on red or blue respectively" as both: what "or" leaves open, the goal must leave open too."""
+    said = [one for one, then in pairwise(words) if one.word == "or" and then.word not in _NO_CHOICE]
+    if not said or any(isinstance(x, GroupBy) and x.by in _SORTS for x in atoms(task.goal)):
+        return
+    if not any(isinstance(x, g.Any | g.Count | g.Not) for x in _nodes(task.goal)):
+        raise refuse("ambiguous", "it is not clear what 'or' leaves open here", said[0].span,
+                     "say 'and', or name one of them")  # fmt: skip
+
+
+def _nodes(goal: g.Goal) -> Iterator[g.Goal]:
+    yield goal
+    for child in children(goal):
+        yield from _nodes(child)
 
 
 def _letters_of_words(words: Sequence[Token], task: TaskSchema) -> None:

@@ -39,8 +39,6 @@ _MODALS = frozenset({
     "should", "must", "shall", "will", "would", "can", "could", "may", "might", "need", "needs", "has", "have", "ought",
     "want", "wants", "does", "do",
 })  # fmt: skip
-
-
 _NOT = frozenset({"not", "never"})
 _SWAPPED = tuple(
     f"{been}{swapped} {places}" for been in ("", "been ") for swapped in ("swapped", "traded", "changed", "exchanged",
@@ -53,8 +51,9 @@ _SWAP = (
 )  # fmt: skip
 _MOVE = frozenset({"move", "shift", "budge"})
 _HAVE = frozenset({"have", "has"})
-_BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come"})
-"""Verbs of where things are to be, not of where they are."""
+_BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come", "end", "ends", "ending", "finish", "finishes",
+                    "finished", "winds", "finally", "eventually", "ultimately"})  # fmt: skip
+"""Words of where things are to be, not of where they are."""
 
 
 _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
@@ -107,7 +106,8 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             found = denied_of_all(p, j, found) if isinstance(found, Clause) else found
             lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
             lasting = lasting or ("ever" in words and none_of(theme))
-            if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & (_MODALS | _BOUND):
+            bound = (_MODALS | _BOUND) - (_HAVE if p.words[k] == "been" else set())  # "have been put", not "have to"
+            if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & bound:
                 found = replace(found, lemma="fact")
             idle = isinstance(found, Clause) and _needless(
                 words | {"not"} if getattr(theme, "det", "") == "no" else words

@@ -163,7 +163,8 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
     """ "a red block at the bottom" or "bottom red"."""
     yield from part_statement(p, j, unit)
     for theme, k in noun_phrase(p, j):
-        if isinstance(theme, Noun) and (theme.head, theme.det, theme.amount, theme.traits) == _THE_ONE:
+        bare = isinstance(theme, Noun) and (theme.head, theme.det, theme.amount, theme.traits) == _THE_ONE
+        if bare or (isinstance(theme, Pronoun) and p.stands(k, ("above", "below"))):  # "everything above" is the rest
             continue
         if p.stands(k, ("left", "right")) and (not p.stands(k + 1, ("of",)) or p.stands(k + 2, _MARKS)):
             yield from ((Absolute(theme=theme, adjuncts=x, span=p.span(j, end)), end) for x, end in _places(p, k))

@@ -35,7 +35,8 @@ def gradient(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         return
     told = (*named, *inner, last[0]) if inner else _between(named[0], last[0])
     end = end if len(last) == 1 else next((k for _, k in color(p, to)), end)
-    if len(told) > 1:
+    ranks = [RAINBOW.index(one) for one in told if one in RAINBOW]
+    if len(told) > 1 and (ranks == sorted(ranks) or ranks == sorted(ranks)[::-1]):
         span = p.span(j, end)
         items = tuple(Noun(head="any", traits=Traits(colors=(one,)), span=span) for one in told)
         row = (Toward(axis="y", span=p.span(j, along)),) if along and p.words[along - 1] == "row" else ()

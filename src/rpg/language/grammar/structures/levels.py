@@ -94,9 +94,15 @@ def levels(p: Parser, i: int) -> Results[Clause]:
     for start in dict.fromkeys((i, *_LEADS.matches(p, i))):
         begins = start > i and bool({"first", "start", "begin"} & {*p.words[i:start]})
         for had, j in _told(p, start, (), begins):
-            items = in_order(had)
+            items, end = in_order(had), j
             j = max(_TOWER.matches(p, j), default=j)
-            if items and tail(p, j) >= p.end and _OTHERS.isdisjoint(p.words):
+            all_ = next((n for k in range(end, j) if (n := p.number(k) or 0) > 1), None)
+            if (
+                items
+                and all_ in (None, sum(x.many for x in had))
+                and tail(p, j) >= p.end
+                and _OTHERS.isdisjoint(p.words)
+            ):
                 order = OrderBy(by="named", items=items, first="bottom", span=p.span(i, j))
                 line = Structure(kind="stack", det="the", span=p.span(i, j))
                 yield Clause(verb="part", theme=line, adjuncts=(order,), mode="goal", span=p.span(i, j)), j

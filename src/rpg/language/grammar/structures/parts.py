@@ -78,6 +78,8 @@ _REST = (
         for between in ("between them", "in between", "in between them")
     ),
 )  # fmt: skip
+_BEYOND = {"above": 1, "below": -1}
+"""On which side of what is told before "everything above" is: the `index` of such a rest."""
 _BETWEEN = (
     "around it", "all around it", "around the outside", "round it", "around the middle", "around the center",
     "around that", "in between", "anywhere in between", "somewhere in between", "between them", "elsewhere",
@@ -98,7 +100,8 @@ def part(p: Parser, i: int, unit: str = "") -> Results[Meaning]:
     A single block at a side is an `At`, everything else `Places`.
     """
     if k := p.any_of(i, _REST):
-        yield Places(side="rest", unit="block", span=p.span(i, k)), k
+        beyond = next((way for word, way in _BEYOND.items() if word in p.words[i:k]), None)
+        yield Places(side="rest", unit="block", index=beyond, span=p.span(i, k)), k
     j, each, owned = p.opt(i, "only", "just"), False, False
     while k := p.one(j, _OWN):
         each = each or p.words[j] in ("each", "every", "either")

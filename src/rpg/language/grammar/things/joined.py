@@ -276,7 +276,7 @@ def more(p: Parser, i: int, items: tuple[Meaning, ...], at: int, op: str | None)
                 for end in {j: None, p.opt(j, ","): None} if same else ():
                     yield from ((replace(found, span=p.span(i, j)), end) for found in same)
                 continue
-            if not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
+            if op != "or" and not restates(items[-1], item) and not (len(items) == 1 and told_anew(items[0], item)):
                 yield Coord(op="and", items=whole, span=p.span(i, j), cost=6 if retold(whole) else 1), j
             yield from more(p, i, whole, j, op or "comma")
 
@@ -290,7 +290,7 @@ def all_colored(p: Parser, items: tuple[Meaning, ...], j: int) -> tuple[Meaning,
     every = p.words[j - 3 : j - 1] in ([",", "all"], [",", "both"], [",", "each"])
     told = [x for item in items[:-1] for x in (item.items if isinstance(item, Coord) else (item,))]
     open_ = all(isinstance(x, Noun) and not x.traits.colors and x.traits != Traits() for x in told)
-    if not every or not open_:
+    if not every or not open_ or any(isinstance(item, Coord) and item.op != "and" for item in items):
         return items
     named = [replace(x, traits=replace(x.traits, colors=last.traits.colors)) for x in told if isinstance(x, Noun)]
     return (*named,) if those and len(named) > 1 else (*named, last)

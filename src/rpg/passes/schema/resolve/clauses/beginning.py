@@ -29,7 +29,10 @@ UNMEANT = frozenset({"contradiction", "support-cycle"})
 """Refusals of facts and commands that cannot both be about the end."""
 
 
-_END = re.compile(r"\b(?:at|in|by) the (?:very )?end\b|\bfinally\b|\bfinal\b", re.IGNORECASE)
+_END = re.compile(
+    r"\b(?:at|in|by) the (?:very )?end\b|\bfinally\b|\bfinal\b|\b(?:finish|end)(?:es|s|ed|ing)?(?: up)? with\b",
+    re.IGNORECASE,
+)
 """Words of a fact about the end."""
 
 

@@ -134,6 +134,8 @@ def _begun(clause: Clause, lying: bool) -> Clause:
         return clause
     rest = tuple(m for m in clause.adjuncts if m not in begun)
     if clause.verb == "be" and _strewn(begun, rest):
+        if clause.negated:
+            raise refuse("misplaced", "this says nothing of how they lie", clause.span, "say how they start")
         return replace(clause, verb="exist", lemma="", mode="given", adjuncts=())
     return replace(clause, mode="given" if clause.verb == "exist" else "start", adjuncts=rest)
 
@@ -147,7 +149,8 @@ def _lying(chain: Chain) -> bool:
 
 def _strewn(begun: list[Manner], rest: tuple[Meaning, ...]) -> bool:
     """ "scattered on the table": so they begin anyway."""
-    return begun[0].kind == "strewn" and all(isinstance(getattr(m, "landmark", None), TableTop) for m in rest)
+    there = all(isinstance(m, Loc) and isinstance(m.landmark, TableTop) and m.rel in ("on", "above") for m in rest)
+    return begun[0].kind == "strewn" and there
 
 
 def _restacked(before: Goals, after: Goals, scene: Scene) -> bool:

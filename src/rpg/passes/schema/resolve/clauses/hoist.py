@@ -263,7 +263,8 @@ def _in_outline(found: list[list[tuple[str, Meaning]]], clause: Clause, link: st
         return False
     line = max(n for n, lot in enumerate(found) if lot)
     inside = in_the_middle(clause)
-    if inside is not None and not (isinstance(inside[1], Structure) and (_new(inside[1]) or inside[1].members)):
+    of = inside[1] if inside is not None else None
+    if inside is not None and not (isinstance(of, Structure) and (_new(of) or of.members or not outlines(builder, of))):
         found[line][-1] = (found[line][-1][0], replace(builder, adjuncts=(*builder.adjuncts, inside[0])))
         return True
     if told_inside(clause):

@@ -323,7 +323,8 @@ def _sort_piles(shape: Structure, spec: Spec, scene: Scene, scope: Scope) -> tup
 def _separate(theme: Ref, apart: Loc | None, spec: Spec, scene: Scene, scope: Scope, clause: Clause) -> Goals:
     """ "separate the red blocks from the blue ones"."""
     target = _pile_target(spec)
-    if target is not None and target.amount and target.amount.low > 2 and (apart is not None or spec.usings):
+    two = apart is not None or bool(spec.usings) or len(theme.parts) == 2
+    if target is not None and target.amount and target.amount.low > 2 and two:
         raise refuse("count-mismatch", "two groups are separated", target.span, "say 'into two groups'")
     if apart is None and spec.usings and len(theme.parts) != 2:
         from_ = spec.usings.pop(0).members

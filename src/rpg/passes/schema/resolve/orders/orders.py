@@ -46,11 +46,12 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
         raise refuse(
             "misplaced", f"this direction does not fit a {kind}", wrong.span, f"say from {sides[0]} to {sides[1]}"
         )
-    found = Order()
+    found, told = Order(), first
     for order in sorted(spec.orders, key=lambda o: o.by in ("given", "in_order", "paged", "reverse")):
         merged = _merge(found, order, names, kind, scene, scope, order.first if order in pointed else first)
         if found.by == merged.by != "any" and not scene.lenient:
-            merged = one_way(found, merged, order in pointed, first) or _two_orders(order.span)
+            merged = one_way(found, merged, order in pointed, told) or _two_orders(order.span)
+        told = told or (order.first if order in pointed else "bottom" if order.by in _FROM_BELOW else None)
         if found.by not in ("any", merged.by) and order.by not in ("in_order", "paged", "reverse", "either", "any"):
             if scene.lenient:
                 continue
@@ -96,6 +97,8 @@ def _two_orders(span: Span) -> Order:
 
 _FROM_AN_END = ("number", "extreme")
 """Orders that may be told by what stands at an end."""
+_FROM_BELOW = ("size_up", "size_down", "number_up", "number_down")
+"""Orders told by what is at the bottom."""
 
 
 def _either_way(found: Order, spec: Spec, kind: str, first: str | None) -> Order:

@@ -12,6 +12,7 @@ from rpg.ir.order import Order, Pattern
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Structure, Traits
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.left_over import all_left, lines_left
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
@@ -215,17 +216,10 @@ def claims(spec: Spec, node: s.Cells, count: int, scene: Scene) -> list[Claim]:
             raise refuse("misplaced", "nothing is left for this", place.span, "leave it out")
         if not taken:
             raise refuse("misplaced", "it is not said of which other part this is the rest", place.span, "say it")
-        all_left(place, len(left))
+        all_left(place, [cells[k].level for k in left], [cells[k].level for k in taken])
+        lines_left(place, [cells[k] for k in left], [cells[k] for k in taken], upright(node))
         found.append((item, place, [left]))
     return found
-
-
-def all_left(place: At | Places | None, left: int) -> None:
-    """ "the other two": so many places have to be left."""
-    told = place.several if isinstance(place, Places) and place.unit in ("", "block", "cell") else None
-    if place is not None and told not in (None, left):
-        raise refuse("count-mismatch", f"{left} places are left for these, but {told} are told", place.span,
-                     f"say {left}", places=left, named=told)  # fmt: skip
 
 
 def _counted_from(spec: Spec, node: s.Cells) -> str:

@@ -9,8 +9,9 @@ from itertools import combinations
 from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Size, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.left_over import all_left
 from rpg.passes.schema.resolve.orders.mirrored import mirrored
-from rpg.passes.schema.resolve.orders.parts import Groups, all_left, chosen, counted, place_of, so_many, standing
+from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import amount_of, matching, open_to
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
@@ -94,7 +95,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
         parts.append(place)
         spec.absolutes.remove(item)
     for item in rest:
-        _fill(item, held, names, scene)
+        _fill(item, held, names, kind, scene)
         spec.absolutes.remove(item)
     if not held:
         return None
@@ -201,15 +202,14 @@ def _refer(
     return ref.names
 
 
-def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ...], scene: Scene) -> None:
+def _fill(item: Absolute, held: dict[int, tuple[str, ...]], names: tuple[str, ...], kind: str, scene: Scene) -> None:
     """ "and red in between": all the places that are left."""
     left = [k for k in range(len(names)) if k not in held]
     if not left or not held:
         raise refuse("misplaced", "nothing is left for this", item.span, "leave it out")
-    all_left(place_of(item), len(left))
+    all_left(place_of(item), *([k * (kind == "stack") for k in some] for some in (left, held)))
     free = tuple(n for n in names if (n,) not in held.values())
-    place = Places(side="rest", unit="block", span=item.span)
-    found = standing(item, place, [left], free, scene)
+    found = standing(item, Places(side="rest", unit="block", span=item.span), [left], free, scene)
     if len(found) != len(left):
         raise refuse("count-mismatch", f"{len(left)} places are left for this", item.span, f"say {len(left)}")
     held.update({k: (name,) for k, name in zip(left, found, strict=True)})

@@ -34,7 +34,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         raise refuse("ambiguous", "one on each of them, or anywhere on them?", span, "say what each patch gets")
     if scene.denying and mark.det == "both":
         return conj([_on_patch(theme, p, span) for p in patches], span)
-    if (len(theme.names) == 1 and not mark.each and not scene.denying) or theme.op not in ("and", "except"):
+    one = len(theme.names) == 1 or (theme.each and not theme.built and len(mark.parts) > 1)
+    if (one and not mark.each and not scene.denying) or theme.op not in ("and", "except"):
         raise refuse("ambiguous", "a block cannot be on several patches at once", span, "name one of them, or say 'or'")
     if mark.each and theme.quant is not None and _known(theme, scene):
         return conj([_on_patch(theme, p, span) for p in patches], span)

@@ -15,7 +15,16 @@ def _size(shape: Structure) -> int | None:
     return shape.extent("size", "side", "steps", "high", "layers")
 
 
+_GRID = (("rows", "deep"), ("columns", "wide", "long"), ("layers", "high"))
+_ONE_WAY = {
+    "wall": (("wide", "long", "columns"), ("high", "layers", "rows")), "staircase": (("steps", "high", "layers"),),
+    "pyramid": ((), (), ("high", "layers")), **dict.fromkeys(("grid", "cube", "square", "checkerboard"), _GRID),
+}  # fmt: skip
+"""Sizes of a structure that go the same way, so that there is only one of them, in the order of its dimensions."""
+
+
 def plain(shape: Structure) -> None:
+    """Refuse several at once, and two sizes for one direction ("three wide and two long"): one would be lost."""
     if shape.plural or (shape.amount and shape.amount.low > 1):
         raise refuse(
             "unsupported-structure",
@@ -23,6 +32,13 @@ def plain(shape: Structure) -> None:
             shape.span,
             f"name each {shape.kind} by itself: 'a {shape.kind} of ... and a {shape.kind} of ...'",
         )
+    for index, way in enumerate(_ONE_WAY.get(shape.kind, ())):
+        told = {size.amount.low: size.span for size in shape.sizes if size.what in way and size.amount is not None}
+        if told and index < len(shape.dims):
+            told.setdefault(shape.dims[index], shape.span)
+        if len(told) > 1:
+            raise refuse("contradiction", "two sizes are given for one direction", max(told.values()),
+                         "keep one of them, or say which other way it goes")  # fmt: skip
 
 
 def made(kind: str, node: g.Goal, names: tuple[str, ...], span: Span, scene: Scene) -> Made:

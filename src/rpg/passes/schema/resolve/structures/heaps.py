@@ -22,6 +22,7 @@ from rpg.language.meaning import (
     Using,
     parts_of,
 )
+from rpg.passes.schema.resolve.clauses.begun_facts import wanted
 from rpg.passes.schema.resolve.clauses.spec import Spec
 
 
@@ -141,7 +142,7 @@ def _begun_heap(clause: Meaning) -> Clause | None:
         told = all(isinstance(a, Loc) and isinstance(a.landmark, TableTop) for a in clause.adjuncts)
         return replace(clause, verb="exist", lemma="begun", mode="given", adjuncts=()) if told else None
     into = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
-    if not isinstance(into, Into) or not _single_heap(into.structure):
+    if not isinstance(into, Into) or not _single_heap(into.structure) or wanted(clause):
         return None
     return replace(clause, mode="start")
 

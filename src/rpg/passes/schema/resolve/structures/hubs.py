@@ -44,10 +44,12 @@ def _single(theme: Noun) -> bool:
     return one and theme.part_of is None and theme.det in ("a", "the", "bare")
 
 
-def outlines(clause: Clause) -> bool:
-    """Whether a clause builds a circle or the outline of a square."""
+def outlines(clause: Clause, named: Structure | None = None) -> bool:
+    """Whether a clause builds a circle or the outline of a square, and just what is named so later."""
     shapes = [clause.theme, *(a.structure for a in clause.adjuncts if isinstance(a, Into))]
     found = [x for x in shapes if isinstance(x, Structure)]
+    if named is not None and named.kind not in {x.kind for x in found}:
+        return False
     return len(found) == 1 and found[0].kind in OUTLINES and not found[0].filled and not found[0].plural
 
 

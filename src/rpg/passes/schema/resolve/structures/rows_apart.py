@@ -5,7 +5,8 @@ from __future__ import annotations
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.passes.schema.resolve.things.world import Scene
+from rpg.language.meaning import Places, Structure
+from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
 def not_one_line(rows: list[g.Goal], span: Span) -> list[g.Goal]:
@@ -27,3 +28,10 @@ def close_by(atom: g.Goal, scene: Scene) -> g.Goal:
     names = sorted(atom.blocks, key=lambda n: scene.things[n].label or "", reverse=atom.order.descending)
     order = atom.order.model_copy(update={"by": "given", "ranks": tuple((n,) for n in names), "descending": False})
     return atom.model_copy(update={"order": order})
+
+
+def own_unit(shape: Structure, place: Places) -> None:
+    """Refuse "two rows: the far column ..."."""
+    if {place.unit, shape.kind} == {"row", "column"}:
+        raise refuse("no-referent", f"these are {shape.kind}s, and none of them is a {place.unit}", place.span,
+                     f"say '{shape.kind}'")  # fmt: skip

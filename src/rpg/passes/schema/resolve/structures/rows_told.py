@@ -35,6 +35,10 @@ def words_in_rows(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
     last = max(((n, k) for n, k, found in told if found), default=(0, 0))
     if first is None or len(parts) < 2 or len(set(sides)) < len(sides) or _in_time(links, chains):
         return links, chains
+    many = [getattr(chains[n].clauses[k], "theme", None) for n, k, found in told if found]
+    counted = {x.amount for x in many if isinstance(x, Structure) and x.plural and x.amount is not None}
+    if counted - {Amount(len(parts), len(parts))}:
+        return links, chains  # "three words: CAT in the far row and DOG in the near row"
     hosts = [(n, k) for n, chain in enumerate(chains) for k, c in enumerate(chain.clauses) if _hosts(c, len(parts))]
     host = hosts[0] if hosts else first
     if len(hosts) > 1 or (hosts and (host < last or not _bare_grid(chains[host[0]].clauses[host[1]]))):

@@ -25,7 +25,7 @@ from rpg.language.meaning import (
     Traits,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line
+from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, own_unit
 from rpg.passes.schema.resolve.structures.sharing import Look, lots_of, named_lots, shared_out
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import declared
@@ -104,6 +104,8 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
                      f"name each {shape.kind} by itself")  # fmt: skip
     _one_gap(shape, spec)
     shape, theme = several_from_stock(shape, count, spec, theme, scene)
+    for place in filter(None, map(_whole, spec.absolutes)):
+        own_unit(shape, place)
     looks, axis = told_looks(spec, count)
     shape = shared_out(shape, looks, spec)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
@@ -323,6 +325,7 @@ def told_looks(spec: Spec, count: int) -> tuple[list[Look], str | None]:
             or index is None
             or index >= count
             or found[index] is not None
+            or place.several not in (None, 1)
         ):
             raise refuse("count-mismatch", f"there are {count} of them", item.span, "say one thing of each")
         found[index] = theme

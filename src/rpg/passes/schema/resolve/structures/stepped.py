@@ -20,15 +20,17 @@ from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 def pyramid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a pyramid with a 3x3 base", "a pyramid of six blocks"."""
-    if shape.extent("wide", "base") is not None:  # "four blocks wide at the bottom"
+    if shape.extent("wide") is not None:  # "four blocks wide at the bottom"
         spec.ats = [at_ for at_ in spec.ats if at_.side != "bottom" or at_.index is not None]
     spec.absolutes = [part for item in spec.absolutes for part in _topped(item)]
     plain(shape)
+    told = [x for x in spec.absolutes if _level(x) is not None]
     base = _base(shape, spec, theme, scene)
     layers = min(base) if base[1] > 1 else base[0]
     if any(shape.extent(what) not in (None, layers) for what in ("layers", "high")):
         raise refuse("contradiction", f"such a pyramid has {layers} layers", shape.span, f"say {layers} layers")
     need = pyramid_size(base)
+    _in_their_layers(told, base)
     _numbered(spec, base)
     form = s.Pyramid(blocks=("",), base=base)
     shape = widened(shape, spec, theme, form, need, scene)
@@ -57,8 +59,8 @@ def _base(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> tupl
     if len(dims) >= 2:
         return dims[0], dims[1]
     total = said_count(shape, theme, scene) or _symbols(spec)
-    layers = _layers(spec, total is not None or shape.extent("base", "wide", "layers", "high") is not None)
     size = shape.extent("base", "wide", "layers", "high")
+    layers = _layers(spec, total is not None or size is not None, shape.extent("base"))
     if layers:
         bottom = shape.extent("base")
         return _layered([*([bottom] if bottom is not None else []), *layers], total, shape, scene)
@@ -145,9 +147,11 @@ def _number(item: Absolute) -> int | None:
     return 1 if single else amount_of(theme)
 
 
-def _layers(spec: Spec, known: bool) -> list[int]:
+def _layers(spec: Spec, known: bool, base: int | None) -> list[int]:
     """ "four blocks at the bottom and one on top": how many blocks each layer has. `known`: the size is said apart."""
     found: list[int] = []
+    told = [n for x in spec.absolutes if _level(x) is not None and (n := _number(x)) is not None]
+    most = max(*told, base or 0, 0)
     for item in list(spec.absolutes):
         theme, place, count = item.theme, _level(item), _number(item)
         single = isinstance(theme, Pronoun) and theme.word == "one"
@@ -155,7 +159,7 @@ def _layers(spec: Spec, known: bool) -> list[int]:
         looks = (Traits(), Traits(kind="letter"))
         plain = single or (isinstance(theme, Noun) and theme.head != "patch" and theme.traits in looks)
         if place is not None and count is not None and (plain or not known):
-            if found and {"bottom": max(found) > count, "top": min(found) < count}.get(place.side, False):
+            if {"bottom": count < most, "top": count > min(found, default=count) or count == most > 1}.get(place.side):
                 raise refuse("misplaced", "a pyramid grows smaller upwards", item.span, "say how many its base has")
             found.append(count)
             if plain:
@@ -170,13 +174,29 @@ def _symbols(spec: Spec) -> int | None:
     return (len(source.traits.labels) or None) if isinstance(source, Noun) and listed else None
 
 
+def _sizes(base: tuple[int, int]) -> list[int]:
+    """The blocks of each layer, the lowest one first."""
+    longer, depth = max(base), min(base)
+    return [*range(longer, 0, -1)] if depth == 1 else [(longer - k) * (depth - k) for k in range(depth)]
+
+
+def _in_their_layers(told: list[Absolute], base: tuple[int, int]) -> None:
+    """Refuse "two blocks in the third layer" where that is the top one."""
+    sizes = _sizes(base)
+    for item in told:
+        place, count = _level(item), _number(item)
+        index = place.index if isinstance(place, Places) and place.side == "first" and not place.several else None
+        if index is not None and count is not None and sizes[index - 1 : index] != [count]:
+            raise refuse("count-mismatch", f"this layer does not have {count} blocks", item.span,
+                         "let each layer be one block smaller, down to one")  # fmt: skip
+
+
 def _numbered(spec: Spec, base: tuple[int, int]) -> None:
     """ "three red at the bottom, two white above and one blue on top": each layer by its number of blocks.
 
     Of several that are above the others only the last one is the top.
     """
-    longer, depth = max(base), min(base)
-    sizes = [*range(longer, 0, -1)] if depth == 1 else [(longer - k) * (depth - k) for k in range(depth)]
+    sizes = _sizes(base)
     told = [x for x in spec.absolutes if _level(x) is not None and _number(x) is not None]
     tops = [x for x in told if (place := _level(x)) is not None and place.side == "top"]
     between = [x for x in told if (place := _level(x)) is not None and place.side == "next"] + tops[:-1]
@@ -238,6 +258,7 @@ def _highest(spec: Spec, up: str | None) -> str | None:
 
 def staircase(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: Scope) -> Made:
     """ "a staircase with four steps, going up to the left"."""
+    plain(shape)
     steps = shape.extent("steps", "high", "layers")
     total = said_count(shape, theme, scene)
     told = _step_by_step(shape, spec) if theme is None else None

@@ -47,6 +47,7 @@ def _on_each(theme: Meaning | None, loc: Loc) -> bool:
     """ "two blocks of the same colour on each patch": the same as the patch, for these are all alike in turn."""
     each = isinstance(loc.landmark, Noun) and loc.landmark.head == "patch" and loc.landmark.det == "each"
     alike = isinstance(theme, Noun) and theme.traits.scheme == "same" and not theme.traits.colors
+    alike = alike and isinstance(theme, Noun) and theme.head != "patch"
     return each and alike and isinstance(theme, Noun) and theme.amount is not None
 
 

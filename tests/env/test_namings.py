@@ -21,6 +21,7 @@ from rpg.env import BlockTask
 from rpg.env.progress import Memory
 from rpg.ir import goal as g
 from rpg.ir.assets import ColoredCube
+from rpg.ir.order import Order
 from rpg.ir.walk import instances
 from tests.blocks.random_goals import random_atom, random_state, random_world
 
@@ -190,6 +191,18 @@ STRUCTURES: dict[str, tuple[int, g.Goal]] = {
                 g.OnTable(a=("red_1", "red_2")),
                 g.Near(a="red_1", b="red_2"),
                 g.Count(over=("red_3", "red_4", "red_5"), at_least=2, goal=g.Above(a="each", b="red_1")),
+            )
+        ),
+    ),
+    "a row with something on its middle block": (
+        4,
+        g.All(
+            goals=(
+                g.Row(
+                    **_of(1, 2, 3, axis="y"),
+                    order=Order(by="given", ranks=("red_2", "red_1", "red_3"), first="left", match="name"),
+                ),
+                g.On(a="red_4", b="red_1"),
             )
         ),
     ),

@@ -14,7 +14,7 @@ from typing import Generic, TypeVar
 
 from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.state import BlockState, Quat, Vec3, World
-from rpg.blocks.verdict import Verdict
+from rpg.blocks.verdict import TRUE, Verdict
 from rpg.ir.node import Node
 
 N = TypeVar("N", bound=Node)
@@ -56,6 +56,14 @@ class Predicate(ABC, Generic[N]):
     def holds(self, node: N, state: BlockState) -> bool:
         """The truth of `evaluate` alone, for judging many states: most are ruled out at a glance."""
         return self.evaluate(node, state).value
+
+    def loosened(self, node: N) -> N | None:
+        """The atom without its order, where `in_order` judges that by itself; None where it does not."""
+        return None
+
+    def in_order(self, node: N, state: BlockState) -> Verdict:
+        """The order alone: with what is `loosened` it is all that the atom says."""
+        return TRUE
 
     def perhaps(self, node: N, many: Centres) -> Mask:
         """The states in which the atom may hold, as far as the centres of blocks tell; never wrong about the others."""

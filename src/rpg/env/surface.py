@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.namings import Namings
+from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.verdict import Verdict
 from rpg.blocks.verdicts import Verdicts
@@ -27,7 +28,7 @@ Where = Names | Lowest | Highest
 
 class _Call(NamedTuple):
     """A call of a predicate method: its kind of atom, its arguments, and the atom; the different ones that it is under
-    all namings, and which of them under each."""
+    all namings, and which of them under each; and the same of it without its order, where that is fewer."""
 
     kind: type[Node]
     fields: dict[str, Any]
@@ -35,6 +36,7 @@ class _Call(NamedTuple):
     different: list[g.Goal]
     numbers: tuple[int, ...]
     chosen: npt.NDArray[np.intp]
+    loosened: tuple[list[g.Goal], npt.NDArray[np.intp]] | None
 
 
 class Atoms:
@@ -73,12 +75,20 @@ class Atoms:
         if self._asked is Asked.ONE_NAMING:
             verdict = self._judged_atom(call.different[call.numbers[self._naming]], self._now)
         elif self._asked is Asked.ALL_NAMINGS:
-            each = [self._judged_atom(node, self._now) for node in call.different]
-            verdict = cast(Verdict, Verdicts.spread(each, call.chosen))
+            verdict = cast(Verdict, self._judged_at_all(call, self._now))
         else:
             verdict = cast(Verdict, Told(call.different[0]))
         self._noted.append((call.node, verdict))
         return verdict
+
+    def _judged_at_all(self, call: _Call, now: BlockState) -> Verdicts:
+        """The verdicts under all namings; what is the same in whatever order is judged once."""
+        if call.loosened is None:
+            return Verdicts.spread([self._judged_atom(node, now) for node in call.different], call.chosen)
+        different, chosen = call.loosened
+        found = Verdicts.spread([self._judged_atom(node, now) for node in different], chosen)
+        predicate = PREDICATES[call.node.kind]  # type: ignore[attr-defined]
+        return found & Verdicts.spread([predicate.in_order(node, now) for node in call.different], call.chosen)
 
     def _judged_atom(self, node: g.Goal, now: BlockState) -> Verdict:
         verdict = self._verdicts.get(id(node))
@@ -98,11 +108,22 @@ class Atoms:
         if call is None:
             node = kind(**fields)
             self._check_names(node)
-            different, numbers = self._namings.spread(node)  # type: ignore[arg-type]
-            different = [self._distinct.setdefault(one, one) for one in different]
-            call = self._calls[key] = _Call(kind, deepcopy(fields), node, different, numbers, np.array(numbers))
+            call = self._calls[key] = self._new_call(kind, deepcopy(fields), node)
         self._script[place : place + 1] = [call]
         return call
+
+    def _new_call(self, kind: type[Node], fields: dict[str, Any], node: Node) -> _Call:
+        different, numbers = self._spread(node)
+        looser = PREDICATES[node.kind].loosened(node) if len(different) > 1 else None  # type: ignore[attr-defined]
+        loosened = None if looser is None else self._spread(looser)
+        fewer = loosened is not None and len(loosened[0]) < len(different)
+        without = (loosened[0], np.array(loosened[1])) if loosened is not None and fewer else None
+        return _Call(kind, fields, node, different, numbers, np.array(numbers), without)
+
+    def _spread(self, node: Node) -> tuple[list[g.Goal], tuple[int, ...]]:
+        """The different things that an atom says under all namings, each one object for all that are equal."""
+        different, numbers = self._namings.spread(node)  # type: ignore[arg-type]
+        return [self._distinct.setdefault(one, one) for one in different], numbers
 
     def _check_names(self, node: Node) -> None:
         unknown = [name for name in names(node) if name not in self.world.assets]  # type: ignore[arg-type]

@@ -139,9 +139,7 @@ class RowPredicate(Predicate[Row]):
         line = best_line(state, node.blocks)
         parts = [holds(min(lined_up(line, state, node), spacing(node, line.sequence, state)))]
         if node.order.by != "any":
-            traits = Traits(state.world, symbols_shown(state, node.blocks, UP))
-            either = node.order.first is None
-            parts.append(ordered(node.order, from_first(node.order, line.sequence), traits, either))
+            parts.append(_in_order(node, line, state))
         if node.readable:
             parts.append(
                 legible(state, line.sequence, UP, AWAY, node.excused) & alone(state, line.sequence, node.covered)
@@ -149,6 +147,14 @@ class RowPredicate(Predicate[Row]):
             if node.order.by in READ_ORDERS:
                 parts.append(apart(state, line, node.gap_edges, node.covered, symbols=True))
         return every(parts)
+
+    def loosened(self, node: Row) -> Row | None:
+        if node.order.by != "given":
+            return None
+        return node.model_copy(update={"order": Order(), "axis": axis_of(node)})
+
+    def in_order(self, node: Row, state: BlockState) -> Verdict:
+        return _in_order(node, best_line(state, node.blocks), state)
 
     def holds(self, node: Row, state: BlockState) -> bool:
         return not uneven(state, node.blocks) and self.evaluate(node, state).value
@@ -198,6 +204,11 @@ class RowPredicate(Predicate[Row]):
             yield NearMiss(f"{a} and {b} exchanged", swap(state, a, b))
         if node.readable:
             yield from unreadable(state, line.sequence, UP, AWAY, node.excused)
+
+
+def _in_order(node: Row, line: Line, state: BlockState) -> Verdict:
+    traits = Traits(state.world, symbols_shown(state, node.blocks, UP))
+    return ordered(node.order, from_first(node.order, line.sequence), traits, node.order.first is None)
 
 
 def lay(node: Row, sequence: list[str], yaw: float, world: World) -> Cluster | None:

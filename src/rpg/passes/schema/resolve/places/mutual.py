@@ -60,6 +60,16 @@ def reciprocal(theme: Ref, loc: Loc, span: Span, *, denied: bool = False) -> Ato
     return [_close(names, units, loc, span)]
 
 
+def some_other(theme: Ref, loc: Loc, span: Span) -> Atoms:
+    """ "Every block touches another block": each of them some other one, not every two each other."""
+    if len(theme.names) == 2 or loc.rel == "apart":
+        return reciprocal(theme, loc, span)
+    if loc.rel not in LEVEL or theme.built or theme.patch or len(theme.names) > MOST_CHAINED:
+        raise refuse("misplaced", "this is not understood of each of so many blocks", loc.span, "name the blocks")
+    pairs = {two: conj(reciprocal(Ref(names=two), loc, span), span) for two in combinations(theme.names, 2)}
+    return [disj([goal for two, goal in pairs.items() if name in two], span) for name in theme.names]
+
+
 _LEVEL = frozenset({"distance", "apart", "side_by_side", "beside", "adjacent", "near", "touching"})
 
 

@@ -280,3 +280,16 @@ def test_code_that_looks_at_single_verdicts_is_asked_about_every_naming_in_turn(
             j.success.value for j in other.judge_states([state])
         ]
     assert task.judge_states([start.moved(up)])[0].success
+
+
+def test_the_order_in_which_blocks_are_listed_says_nothing_where_namings_take_it_for_nothing() -> None:
+    for seed in range(200):
+        rng = Random(seed)
+        world = random_world(rng)
+        state = random_state(world, rng)
+        blocks = tuple(world.blocks)
+        shuffled = tuple(rng.sample(blocks, len(blocks)))
+        for kind in (g.Row, g.Towers, g.OnTable, g.Clear):
+            field = "a" if kind in (g.OnTable, g.Clear) else "blocks"
+            told, other = (evaluate(kind(**{field: listed}), state) for listed in (blocks, shuffled))
+            assert (told.value, told.margin) == (other.value, pytest.approx(other.margin, abs=1e-9))

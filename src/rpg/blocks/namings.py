@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from rpg.blocks.symmetry import Cells, namings
 from rpg.ir import goal as g
-from rpg.ir.structures import Row
+from rpg.ir.structures import Row, Towers
 from rpg.ir.walk import names, rename
 
 ANY_ORDER = frozenset({"on_table", "on_patch", "in_region", "clear", "stayed", "moved"})
@@ -60,4 +60,6 @@ def _in_any_order(part: g.Goal) -> bool:
         return _in_any_order(part.goal)
     if isinstance(part, Row):
         return part.order.by != "given" and not (part.excused or part.covered)
-    return part.kind in ANY_ORDER
+    if isinstance(part, Towers):
+        return True
+    return part.kind in ANY_ORDER and isinstance(getattr(part, "a", None), tuple)

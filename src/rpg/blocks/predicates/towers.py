@@ -57,7 +57,7 @@ def best_support(state: BlockState, name: str, names: Sequence[str]) -> str | No
         ox, oy, oz = state.position[other]
         if oz < z and abs(ox - x) < 0.1 and abs(oy - y) < 0.1:
             found = directly_on(name, other, state)
-            if found.value and found.margin > margin:
+            if found.value and (found.margin > margin or (found.margin == margin and other < (best or other))):
                 best, margin = other, found.margin
     return best
 

@@ -22,6 +22,8 @@ from rpg.ir.relations import Above, Clear, On, OnTable
 GROUND = "table"
 DIRECTLY = On(a=("a",), b=("b",))
 """The tolerances of one link of a stack."""
+LINK = DIRECTLY.gap + 1e-6
+"""A block's centre is nowhere lower over the one it is on than half of both edges, but for this much (m)."""
 
 
 def directly_on(a: str, b: str, state: BlockState, node: On = DIRECTLY) -> Verdict:
@@ -42,10 +44,12 @@ def directly_on(a: str, b: str, state: BlockState, node: On = DIRECTLY) -> Verdi
 
 def above(a: str, b: str, state: BlockState) -> Verdict:
     """`a` is above `b` in the same stack: a chain of blocks, each directly on the next, leads from `a` down to `b`."""
-    reached, frontier = {a: 1.0}, [a]
+    reached, frontier, edge = {a: 1.0}, [a], state.world.edge
     while frontier:
         block = frontier.pop()
-        for other in state.position:
+        for other, place in state.position.items():
+            if state.position[block][2] - place[2] < (edge[block] + edge[other]) / 2 - LINK:
+                continue
             link = directly_on(block, other, state)
             margin = min(reached[block], link.margin)
             if link.value and margin > reached.get(other, -1.0):

@@ -8,7 +8,8 @@ from dataclasses import replace
 from rpg.language.grammar.clauses.adjuncts import adjunct
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.meaning import TOLD_HERE, Clause, In, Loc, Meaning, Noun, Pronoun
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.meaning import TOLD_HERE, Clause, Coord, In, Loc, Meaning, Noun, Pronoun
 
 _DO_IT = Patterns(
     ",? but|and|and_please|only|just|but_please|and_make_sure_to|but_only do it|this|that|so|all_this|all_of_it|"
@@ -40,6 +41,19 @@ def afterthought(p: Parser, i: int, had: tuple[Meaning, ...], last: Meaning) -> 
     at = next((n for n in range(i, p.end) if p.char(n, 0) >= place.span[0]), i)
     if at > i and p.words[at - 1] in (",", "but") and all(isinstance(x, Loc) for x in others):
         yield replace(last, adjuncts=tuple(others)), _of_all(place)
+
+
+def likewise(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "Red goes on the mat, and blue as well": to the same place, if several things may be there."""
+    if before.verb not in ("be", "place") or before.negated or not before.adjuncts:
+        return
+    for theme, j in noun_phrase(p, i) if all(map(_whereabouts, before.adjuncts)) else ():
+        end = p.any_of(j, ("too", "as well", "also"))
+        if end and isinstance(theme, Noun | Coord) and (end >= p.end or p.stands(end, _ENDS)):
+            yield replace(before, theme=theme, span=p.span(i, end), cost=before.cost + 1), end
+
+
+_ENDS = frozenset({",", ";", "and", "but", "please"})
 
 
 def _whereabouts(place: Meaning) -> bool:

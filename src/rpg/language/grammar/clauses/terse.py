@@ -82,6 +82,7 @@ _SPELT = (
     *(f"{there} {read}" for there in ("is", "can be") for read in ("read", "spelled", "spelt", "written")),
 )  # fmt: skip
 _SAME = "same|equal|identical|matching|like"
+_ALIKE = frozenset({*_SAME.split("|"), "each"})
 _KINDRED = Patterns(
     f"all? the? {_SAME} color|colors|colored|letter|letters|number|numbers|digits|symbols blocks|cubes|bricks|ones?",
     f"all? the? blocks|cubes|bricks|ones|letters|those of|with|showing|that_have the? {_SAME} "
@@ -123,10 +124,9 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
         everything = Pronoun(word="everything", span=found.span)
         sort = Clause(verb="sort", lemma="sort", theme=everything, adjuncts=(found,), span=p.span(i, j), cost=1)
         yield sort, j
-    start = p.any_of(i, ("let", "put", "keep", "have", "make")) or i
     gathered = p.any_of(i, ("group", "gather", "sort", "collect", "cluster", "bunch"))
-    start = gathered or start
-    j = max(_KINDRED.matches(p, start), default=0)
+    start = gathered or p.any_of(i, ("let", "put", "keep", "have", "make")) or i
+    j = max(_KINDRED.matches(p, start), default=0) if p.anywhere(_ALIKE) else 0
     if j and (k := max(_TOGETHER.matches(p, j), default=j if gathered else 0)):
         k = max(_APART.matches(p, k), default=k)
         everything = Pronoun(word="everything", span=p.span(i, j))

@@ -35,7 +35,7 @@ from rpg.passes.schema.resolve.clauses.shaped import shaped
 from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
-from rpg.passes.schema.resolve.clauses.started import laid_down, was_so
+from rpg.passes.schema.resolve.clauses.started import laid_down, partly, was_so
 from rpg.passes.schema.resolve.clauses.swapped import swap
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout, of_the_rest
 from rpg.passes.schema.resolve.orders.rebuilt import once_more
@@ -217,11 +217,14 @@ def _at_a_distance(spec: Spec) -> None:
 def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals | None:
     """What the manner of a clause settles before its theme is looked at: looks, staying, moving; else None."""
     if spec.manner("partial") is not None:
-        return _partly(clause, scene, scope)
+        return partly(clause, scene, scope)
     if spec.qualities and clause.verb in ("be", "keep"):
         return appear(clause, spec, scene, scope)
     if any(m.kind == "stay" for m in spec.manners):
         return turning.keep(clause, spec, scene, scope)
+    if clause.lemma == "move" and clause.theme and [getattr(a, "kind", "") for a in clause.adjuncts] == ["only"]:
+        refer(clause.theme, scene, scope)  # "Only move the red block. It goes ...": nothing of where it goes
+        return []
     _at_a_distance(spec)
     moved = [p for p in spec.places if isinstance(p, Loc) and p.rel == "moved"]
     if clause.verb == "place" and clause.negated and moved and "here" in moved[0].mods and len(spec.places) == 1:
@@ -266,19 +269,6 @@ def _arranged(clause: Clause, said: Meaning, spec: Spec, scene: Scene, scope: Sc
     by_sandwiching(clause, spec)
     in_sequence(clause, theme, spec, scene)
     return arrange_blocks(theme, clause.verb, spec, scene, scope, clause.span)
-
-
-def _partly(clause: Clause, scene: Scene, scope: Scope) -> Goals:
-    """ "start partially stacked": two of the blocks, in a way that the goal does not ask for."""
-    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    pairs = [(a, b) for a in theme.names for b in theme.names if a != b and scene.on_top.get(a) != b]
-    pairs.sort(
-        key=lambda two: (scene.on_top.get(two[1]) == two[0], theme.names.index(two[0]) < theme.names.index(two[1]))
-    )
-    if clause.mode != "start" or not pairs:
-        raise refuse("misplaced", "only a start can be partial", clause.span, "say which block goes on which")
-    scene.assume("partially stacked at the start: one block lies on another")
-    return [r.On(a=(pairs[0][0],), b=(pairs[0][1],), span=clause.span)]
 
 
 def _kind_of_shape(spec: Spec) -> str:

@@ -8,7 +8,8 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, TableTop
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.things.world import Scene, refuse
+from rpg.passes.schema.resolve.things.refer import refer
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
 def was_so(goals: list[g.Goal], clause: Clause, spec: Spec, scene: Scene) -> None:
@@ -50,3 +51,16 @@ def and_in_the_end(chain: Chain) -> Chain:
         links += [link, "and"][: len(parts)]
         clauses += parts
     return replace(chain, links=tuple(links), clauses=tuple(clauses)) if len(clauses) > len(chain.clauses) else chain
+
+
+def partly(clause: Clause, scene: Scene, scope: Scope) -> list[g.Goal]:
+    """ "start partially stacked": two of the blocks, in a way that the goal does not ask for."""
+    theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
+    pairs = [(a, b) for a in theme.names for b in theme.names if a != b and scene.on_top.get(a) != b]
+    pairs.sort(
+        key=lambda two: (scene.on_top.get(two[1]) == two[0], theme.names.index(two[0]) < theme.names.index(two[1]))
+    )
+    if clause.mode != "start" or not pairs:
+        raise refuse("misplaced", "only a start can be partial", clause.span, "say which block goes on which")
+    scene.assume("partially stacked at the start: one block lies on another")
+    return [r.On(a=(pairs[0][0],), b=(pairs[0][1],), span=clause.span)]

@@ -101,7 +101,7 @@ def tokenize(text: str) -> tuple[list[Token], list[Stray]]:
     """Every token of `text`, and every character that belongs to none."""
     tokens: list[Token] = []
     strays: list[Stray] = []
-    text = _unnumbered(text)
+    text = _unnumbered(_stepped(text))
     at = 0
     while at < len(text):
         found = _PIECES.match(text, at)
@@ -146,6 +146,21 @@ def _inline(tokens: list[Token]) -> list[Token]:
         else:
             out.append(replace(token, word=",") if listing else token)
     return out
+
+
+_STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
+
+
+def _stepped(text: str) -> str:
+    """ "1. red on blue 2. green on red": each begins a sentence where the text begins with the first."""
+    marks = []
+    for mark in _STEP.finditer(text):
+        if int(mark.group(1)) == len(marks) + 1 and (marks or not text[: mark.start()].strip()):
+            marks.append(mark)
+    for number, mark in enumerate(marks if len(marks) > 1 else ()):
+        begin, end = mark.span()
+        text = text[:begin] + (";" if number else " ").ljust(end - begin) + text[end:]
+    return text
 
 
 _MARK = re.compile(r"(?:,?\s+and\s+|,\s+)?(?<![\w(])(?:\((?=\w+\)))?(\d{1,2}|[a-h]|i{1,3}|iv|v)\)(?=\s)")

@@ -18,7 +18,7 @@ def there_on_it(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
         clauses: list[Meaning] = []
         for c in chain.clauses:
             marks = [getattr(a, "landmark", None) for a in c.adjuncts] if there_is(c) and isinstance(c, Clause) else []
-            there = asked and any(isinstance(mark, Pronoun) for mark in marks)
+            there = asked and any(isinstance(mark, Pronoun) for mark in marks) and _lying_on_it(c)
             built = any(not kinds.isdisjoint(_called(mark)) for mark in marks)
             if (there or built) and isinstance(c, Clause):
                 c = replace(c, verb="be", lemma="fact" if there else "", mode="goal")
@@ -27,6 +27,11 @@ def there_on_it(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
             kinds |= _asked_for(c)
         found.append(replace(chain, clauses=tuple(clauses)))
     return tuple(found)
+
+
+def _lying_on_it(clause: Meaning) -> bool:
+    """Whether it may be what is cleared away: what is beside the mat is no part of that."""
+    return isinstance(clause, Clause) and all(getattr(a, "rel", "") in ("on", "in") for a in clause.adjuncts)
 
 
 def _called(mark: Meaning | None) -> tuple[str, ...]:

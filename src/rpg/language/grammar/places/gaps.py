@@ -9,7 +9,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.measures import bounds, room, their_ends
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That
+from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That, Traits
 
 _GAPS = tuple(
     (noun, measure, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}"),
@@ -72,10 +72,23 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
                 m, measure = centres, "centres"
             if faces := p.any_of(m, ("the faces of", "faces of", "the sides of")):
                 m, measure = faces, "faces"
-            for theme, end in noun_phrase(p, m):
+            for told, end in noun_phrase(p, m):
+                theme = _its_own(told) if p.words[i] == "leaving" else told
                 apart = _far_apart(p, i, end, theme, low, high, measure)
                 yield apart, end
                 yield from _with_side(p, i, end, apart)
+
+
+def _its_own(told: Meaning) -> Meaning:
+    """ "(spell DOG,) leaving 2 cm between the letters": between those just spoken of."""
+    plain = isinstance(told, Noun) and told.head == "block" and told.det == "the" and told.plural
+    if (
+        isinstance(told, Noun)
+        and plain
+        and told == Noun(head="block", det="the", plural=True, traits=Traits(kind=told.traits.kind), span=told.span)
+    ):
+        return Pronoun(word="them", span=told.span)
+    return told
 
 
 def _from_to(p: Parser, i: int, j: int, measure: str) -> Results[Clause]:

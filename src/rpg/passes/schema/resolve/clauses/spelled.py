@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 
 from rpg.ir.order import Order
@@ -13,7 +14,7 @@ from rpg.passes.schema.resolve.structures.structures import make, row_node
 from rpg.passes.schema.resolve.things.listing import continued
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spoken import known_ones
-from rpg.passes.schema.resolve.things.things import give
+from rpg.passes.schema.resolve.things.things import give, of_no_look
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
 
@@ -23,6 +24,8 @@ def spell(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if spec.usings and isinstance(line := spec.usings[0].members, Structure) and line.kind in _LINES:
         theme = _of_line(line, spec, scene, scope)
     if spec.usings and getattr(spec.usings[0].members, "word", "") == "it" and not any(True for _ in scene.blocks()):
+        spec.usings.pop(0)
+    if spec.usings and _of_its_own(clause.theme, spec.usings[0].members, scene):
         spec.usings.pop(0)
     if spec.usings and _mentioned(spec.usings[0].members):
         theme = refer(spec.usings.pop(0).members, scene, scope)
@@ -54,6 +57,17 @@ def _of_line(line: Structure, spec: Spec, scene: Scene, scope: Scope) -> Ref | N
     spec.intos.insert(0, Into(structure=replace(line, det="a"), span=using.span))
     letters = [m.ref for m in scene.mentions if m.role == "theme" and m.ref.names][-1:]
     return next((ref for ref in letters if all(scene.things[n].elastic for n in ref.names)), None)
+
+
+def _of_its_own(word: Meaning | None, source: Meaning, scene: Scene) -> bool:
+    """ "Spell DOG. Spell HELP with the letters evenly spaced": not those of another word, which do not spell it."""
+    if not isinstance(word, Structure) or word.letter is None or not of_no_look(source):
+        return False
+    built = (*scene.built, *(b for m in scene.mentions for b in m.ref.built))
+    of_words = {n for b in built if b.kind == "word" for n in b.members}
+    shown = [t for t in scene.blocks() if t.label]
+    lacking = Counter(word.letter) - Counter(t.label for t in shown if t.label)
+    return bool(lacking) and all(t.name in of_words for t in shown)
 
 
 def _mentioned(meaning: Meaning) -> bool:

@@ -112,6 +112,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word in _BESIDES and _joined_by_others(task):
             return token
+        if color is not None and _one_of_invented(words, color, task):
+            return token
         if token.word == "order" and words[index - 1 : index] and words[index - 1].word == "any" and _as_listed(task):
             return token
         if token.word == "each" and (_on_one(words, index, task) or _in_one(words, index, task)):
@@ -130,6 +132,14 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             if not any(abs(said - number) < 0.02 for number in known):
                 return token
     return None
+
+
+def _one_of_invented(words: Sequence[Token], color: str, task: TaskSchema) -> bool:
+    """Whether groups were given colours, of which some are told: "group by colour, reds left, blues right"."""
+    noted = next((x for x in task.assumptions if x.startswith("the colours are not said: ")), "")
+    listed = noted.partition(": ")[2].split(", ")
+    said = {lexicon.COLOR.get(x.word) or lexicon.COLOR_PLURAL.get(x.word) for x in words}
+    return color in listed and not said.issuperset(listed) and any(isinstance(x, GroupBy) for x in atoms(task.goal))
 
 
 def _as_listed(task: TaskSchema) -> bool:

@@ -215,10 +215,14 @@ def _next_clause(first: Meaning, second: Meaning) -> bool:
     """ "G next to F and H to the left of them": the last of a list with a place right behind it begins a clause."""
     if _side_after(first, second) or _of_the_patch(first, second):
         return True
-    if not (isinstance(first, Loc) and isinstance(second, Loc) and isinstance(second.landmark, Pronoun)):
+    if not (isinstance(first, Loc) and isinstance(second, Loc)):
         return False
-    mark = first.landmark
-    return isinstance(mark, Coord) or (isinstance(mark, Noun) and len(mark.traits.labels) > 1)
+    mark, other = first.landmark, second.landmark
+    labels = mark.traits.labels if isinstance(mark, Noun) else ()
+    if isinstance(other, Noun):  # "A to the right of B and C in front of B"
+        again = set(other.traits.labels)
+        return len(labels) > 1 and bool(again) and again.issubset(labels)
+    return isinstance(other, Pronoun) and (isinstance(mark, Coord) or len(labels) > 1)
 
 
 def _of_the_patch(first: Meaning, second: Meaning) -> bool:

@@ -15,6 +15,7 @@ from rpg.language.grammar.clauses.states import carried_on
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import STARTING
+from rpg.language.grammar.places.relations import of_one_kind
 from rpg.language.grammar.things.alike import color_at_last
 from rpg.language.grammar.things.bodies import bodies
 from rpg.language.grammar.things.inventory import inventory
@@ -124,7 +125,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
         for item, k in items:
             if previous is not None and _no_clause(p, j, k, previous, item):
                 continue
-            if denies and _plain_command(item):
+            if denies and isinstance(item, Clause) and item.mode == "command" and not item.negated:
                 continue
             if previous is not None and (more := _told_again(previous, item)) is not None:
                 yield Chain(clauses=(*had[:-1], more), links=links, span=p.span(i, k)), k
@@ -154,7 +155,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
                 if (p.words[j - 1] == "," and _apposed(previous, item)) or _told_again(previous, item) is not None:
                     continue
                 item = item if denied else _contrasted(previous, item, link)
-                whole = (*_shared(had, item), item)
+                whole = (*_shared(had, item, link), item)
                 yield from ((found, k) for found in _so_far(p, (i, j, k), whole, (*links, link)))
                 yield from _more(p, i, whole, (*links, link), k)
 
@@ -233,10 +234,6 @@ def _set_apart(before: Meaning, item: Meaning) -> Clause | None:
     if isinstance(item.theme, Pronoun):
         return None if isinstance(before.theme, Pronoun) else replace(item, theme=before.theme)
     return item if isinstance(before.theme, Pronoun) else None
-
-
-def _plain_command(item: Meaning) -> bool:
-    return isinstance(item, Clause) and item.mode == "command" and not item.negated
 
 
 def _no_clause(p: Parser, j: int, k: int, previous: Clause, item: Meaning) -> bool:
@@ -350,13 +347,14 @@ def _contrasted(before: Clause, item: Meaning, link: str) -> Meaning:
     return item if isinstance(item.theme, Pronoun) else replace(item, cost=item.cost + 1)
 
 
-def _shared(had: tuple[Meaning, ...], item: Meaning) -> tuple[Meaning, ...]:
-    """ "spell SOL or SUN in a tower": what is said behind the last of several words is said of all of them."""
+def _shared(had: tuple[Meaning, ...], item: Meaning, link: str) -> tuple[Meaning, ...]:
+    """ "spell SOL or SUN in a tower", "on the red or on the blue patch": what is said of the last is said of all."""
     last = had[-1]
-    words = isinstance(last, Clause) and isinstance(item, Clause) and last.verb == item.verb == "spell"
-    if not words or not isinstance(last, Clause) or not isinstance(item, Clause):
+    if not isinstance(last, Clause) or not isinstance(item, Clause):
         return had
-    if any(not isinstance(a, Using) for a in last.adjuncts):
+    if link == "or" and len(last.adjuncts) == len(item.adjuncts) == 1:
+        return (*had[:-1], replace(last, adjuncts=(of_one_kind(last.adjuncts[0], item.adjuncts[0]),)))
+    if not last.verb == item.verb == "spell" or any(not isinstance(a, Using) for a in last.adjuncts):
         return had
     own = tuple(a for a in item.adjuncts if not isinstance(a, Using) or not isinstance(a.members, Pronoun))
     return (*had[:-1], replace(last, adjuncts=tuple(dict.fromkeys((*last.adjuncts, *own)))))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rpg.language.meaning import Chain, Clause, Into, Loc, Meaning, Noun, Structure, That
+from rpg.language.grammar.places.onto import single
+from rpg.language.meaning import Chain, Clause, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, That
 
 
 def piled(found: Meaning) -> Meaning:
@@ -14,6 +15,8 @@ def piled(found: Meaning) -> Meaning:
     if found.lemma == "keep" and found.adjuncts and all(_bunched(part) for part in found.adjuncts):
         bunch = tuple(part for part in found.adjuncts if isinstance(part, Into))
         return replace(found, verb="place", lemma="put", adjuncts=bunch) if bunch else found
+    if (tower := _looks_again(found) or _beside_a_tower(found)) is not None:
+        return tower
     for index, (first, second) in enumerate(zip(found.adjuncts, found.adjuncts[1:], strict=False)):
         alike = getattr(first, "rel", "") == getattr(second, "rel", "")
         if alike and _lies_on(first) and _lies_on(second) and second.span[0] <= first.span[1] + 1:
@@ -25,6 +28,42 @@ def piled(found: Meaning) -> Meaning:
             said = That(kind="so", clauses=chain, span=span)
             return replace(found, adjuncts=(*found.adjuncts[: index + 1], said))
     return found
+
+
+def _looks_again(found: Clause) -> Clause | None:
+    """ "red on blue on red": a look that comes again is that of a further block, and all of them form a tower."""
+    places = [x for x in found.adjuncts if isinstance(x, Loc) and _lies_on(x) and not x.mods]
+    items = (found.theme, *(x.landmark for x in places))
+    nouns = [x for x in items if isinstance(x, Noun) and single(x) and x.det != "the"]
+    looks = {x.traits for x in nouns}
+    if len(nouns) < len(items) or len(places) < len(found.adjuncts) or found.negated or len(looks) in (1, len(nouns)):
+        return None
+    order = OrderBy(by="named", items=tuple(nouns), first="top", span=found.span)
+    tower = Structure(kind="stack", det="a", details=(order,), span=found.span)
+    return replace(found, verb="build", lemma="", theme=tower, adjuncts=())
+
+
+_BESIDE = frozenset({"left", "right", "front", "behind", "beside", "adjacent"})
+
+
+def _beside_a_tower(found: Clause) -> Clause | None:
+    """ "(red on green,) and next to that tower yellow on brown": it is all of a second tower that stands there."""
+    theme, places = found.theme, [x for x in found.adjuncts if isinstance(x, Loc) and not x.negated]
+    below = [x for x in places if _lies_on(x) and not x.mods and isinstance(x.landmark, Noun) and single(x.landmark)]
+    side = [x for x in places if x.rel in _BESIDE]
+    if not isinstance(theme, Noun) or not single(theme) or found.negated or found.verb not in ("be", "place"):
+        return None
+    if len(below) != 1 or len(side) != 1 or len(found.adjuncts) != 2 or side[0].span[0] > below[0].span[0]:
+        return None
+    mark = side[0].landmark
+    tower = isinstance(mark, Structure) and mark.kind == "stack" and mark.det == "the" and not mark.members
+    first = side[0].span[0] < theme.span[0] and isinstance(mark, Pronoun) and mark.word in ("it", "that", "them")
+    if not (tower or first):
+        return None
+    items = (theme, *(x.landmark for x in below if x.landmark))
+    order = OrderBy(by="named", items=items, first="top", span=found.span)
+    pile = Structure(kind="stack", det="a", details=(order,), span=found.span)
+    return replace(found, verb="build", lemma="", theme=pile, adjuncts=(side[0],))
 
 
 def _bunched(part: Meaning) -> bool:

@@ -14,7 +14,7 @@ from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Coord, Loc, Meaning, Noun, Pronoun, Structure, TableTop
+from rpg.language.meaning import Coord, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop
 
 _COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"})
 """ "Not more than 10 cm from" is a measure, and denies no place."""
@@ -78,6 +78,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
         for landmark, k in noun_phrase(p, j):
             if ends and isinstance(landmark, Structure) and landmark.det == "a":
                 continue
+            if isinstance(landmark, PartOf) and landmark.part in ("left", "right") and p.words[j - 1] in ("on", "onto"):
+                continue  # on top of the last block of a row, or beside it?
             if isinstance(landmark, Structure) and p.tokens[i].joined:  # "a red-on-blue tower"
                 continue
             if name == "in" and isinstance(landmark, Pronoun) and landmark.word == "all":  # "four in all"
@@ -162,7 +164,18 @@ def _either_place(p: Parser, i: int) -> Results[Meaning]:
         k = p.one(j, "or")
         for second, end in _loc(p, k) if k else ():
             if isinstance(first, Loc) and isinstance(second, Loc):
-                yield Coord(op="or", items=(first, second), span=p.span(i, end)), end
+                yield Coord(op="or", items=(of_one_kind(first, second), second), span=p.span(i, end)), end
+
+
+def of_one_kind(first: Meaning, second: Meaning) -> Meaning:
+    """ "(either on the red) or on the blue patch": the first of them is on a patch, too."""
+    if not isinstance(first, Loc) or not isinstance(second, Loc) or first.rel != second.rel:
+        return first
+    one, other = first.landmark, second.landmark
+    alike = isinstance(one, Noun) and isinstance(other, Noun) and one.head == "any" and one.det == other.det != "bare"
+    if not alike or not isinstance(one, Noun) or not isinstance(other, Noun) or other.head != "patch":
+        return first
+    return replace(first, landmark=replace(one, head="patch"))
 
 
 def on_its_own(place: Meaning) -> bool:

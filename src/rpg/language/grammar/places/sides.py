@@ -202,7 +202,7 @@ def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
     ended = word in ("far", "near") and p.words[j + 1] in ("left", "right") and p.words[j + 2] == "end"
     if ended or far_end(p, j):
         j, word = p.reach(j + 1), p.words[j + 1]
-    side = _INSIDES.get(word)
+    side = _INSIDES.get(word) if not p.stands(j + 1, ("between",)) else None
     ending = (
         word in ("near", "far")
         and p.words[j + 1] == "end"

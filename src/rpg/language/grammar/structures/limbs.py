@@ -15,9 +15,14 @@ _OF_L = {
     **dict.fromkeys(("long arm", "long side", "longer arm", "longer side", "long leg", "stem"), "long arm"),
     **dict.fromkeys(("short arm", "short side", "shorter arm", "shorter side", "short leg", "foot"), "short arm"),
 }
+_ACROSS = {
+    **dict.fromkeys(("across", "across the bar", "across the top", "across the top bar"), "bar"),
+    **dict.fromkeys(("down", "down the middle", "for the stem", "for the leg", "below", "downwards"), "stem"),
+}
+"""How many blocks of a T lie which way."""
 LIMBED = {"T": _OF_T, "L": _OF_L}
 """The parts of letters that have lengths of their own."""
-LIMBS = frozenset({"bar", "crossbar", "stem", "leg", "trunk", "foot", "arm", "arms", "legs"})
+LIMBS = frozenset({"across", "bar", "crossbar", "stem", "leg", "trunk", "foot", "arm", "arms", "legs"})
 _EQUAL = (
     *(f"{both}{arms} {same}" for both in ("", "both ", "with ", "with both ", "with its ", "whose ", "the ")
       for arms in ("arms", "sides", "legs", "arms are", "sides are")
@@ -61,6 +66,9 @@ def limb(p: Parser, i: int, kind: str) -> Results[Size]:
         for phrase, end in p.standing(k, named) if k else ():
             end = p.any_of(end, ("on top", "at the top", "at the far side")) or end
             yield Size(what=named[phrase], amount=found, span=p.span(i, end)), end
+        more = p.opt(p.any_of(j, _LONG) or j, "more", "further")
+        for phrase, end in p.standing(more, _ACROSS) if kind == "T" else ():
+            yield Size(what=_ACROSS[phrase], amount=found, span=p.span(i, end)), end
 
 
 _SET_OFF = (",", ":", "with", ", with", "from", "of", "made of", "using", ": with", "that is", "which is")

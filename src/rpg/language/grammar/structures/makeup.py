@@ -266,7 +266,8 @@ _HOLLOW = (
                       "in the inside", "within")
     ),
     "with an empty center", "with an empty middle", "with a hole in the middle", "hollow", "empty inside",
-    "that is hollow", "just the outline", "outline", "as an outline", "just an outline", "outline only", "only the outline",
+    "that is hollow", "just the outline", "outline", "as an outline", "just an outline", "outline only",
+    "only the outline",
     "the outline only", "hollow inside",
     "empty in the middle", "empty in the center", "with a hole in the center", "with the inside empty",
     "with the middle empty", "with its middle empty", "with the center empty", "with a hollow middle",

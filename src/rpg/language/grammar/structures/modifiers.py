@@ -14,6 +14,7 @@ MODIFIERS = {
     "single file": {}, "standing": {"upright": True}, "closed": {}, "proper": {},
     "full": {"filled": True},
     "correct": {}, "subtraction": {}, "multiplication": {}, "division": {}, "neatly": {}, "regular": {}, "loose": {},
+    "free standing": {}, "freestanding": {},
     "valid": {}, "true": {}, "math": {}, "mathematical": {}, "arithmetic": {},
     "addition": {},
     "single digit": {}, "separate": {}, "separated": {}, "distinct": {}, "individual": {}, "neat": {},

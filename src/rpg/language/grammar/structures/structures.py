@@ -212,6 +212,9 @@ def _named(p: Parser, i: int) -> Results[object]:
     yield from equation(p, i)
 
 
+_POINTED = frozenset({"that", "this", "these", "those"})
+_TOLD_BY = frozenset({":", ",", "of", "with", "that", "which", "made", "from", "in", "(", "where", "whose", "using"})
+"""What may stand between "this tower" and what is told of it."""
 _CODES = ("number", "year", "pin", "code")
 
 
@@ -258,7 +261,8 @@ def _kinds(p: Parser, i: int, j: int, quantity: Quantity, before: _Before) -> Re
             details=before.details,
             span=p.span(i, k), cost=1 if kind == "cube" and not before.dims else 0,
         )  # fmt: skip
-        yield from _tail(p, i, k, base)
+        pointed = p.stands(i, _POINTED) and not p.stands(k, _TOLD_BY)  # "next to that tower blue on yellow"
+        yield from ([(base, k)] if pointed else _tail(p, i, k, base))
     if (k := p.any_of(j, _CODES)) and (digits := digits_of(p, k)) is not None:
         yield Structure(kind="word", det="the", letter=digits, span=p.span(j, k + 1)), k + 1
     for text, k in equation(p, j):

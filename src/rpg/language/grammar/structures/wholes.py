@@ -249,6 +249,9 @@ def _kind_of(p: Parser, j: int) -> Results[Meaning]:
         labelled = len(marks.labels) > 1 and marks == Traits(labels=marks.labels, kind=marks.kind)
         if (plain and (counted or (colors and theme.amount is None))) or (labelled and theme.det == "bare"):
             yield theme, k
+        in_turn = marks == Traits(colors=colors) and len(colors) > 1 and theme.amount is None and theme.det == "bare"
+        if in_turn and (theme.head == "any" or not p.words[k - 1].endswith("s")):
+            yield theme, k
 
 
 def _lot(p: Parser, j: int) -> Results[Coord]:

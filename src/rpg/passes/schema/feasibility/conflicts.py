@@ -9,8 +9,9 @@ from itertools import combinations
 
 from rpg.blocks.constants import HAND
 from rpg.core.diagnostics import Diagnostic
+from rpg.ir.relations import Above, On
 from rpg.ir.schema import TaskSchema
-from rpg.ir.structures import Grid
+from rpg.ir.structures import Grid, Stack, Towers
 from rpg.ir.walk import names
 from rpg.passes.schema.feasibility.inventory import Excess, Inventory
 from rpg.passes.schema.feasibility.requirements import (
@@ -42,6 +43,9 @@ def conflicts(task: TaskSchema, stock: Inventory, needs: tuple[Requirement, ...]
     for need in needs:
         found += [Conflict(need, diagnostic) for diagnostic in _wrong(need, stock)]
     reaches = [need for need in needs if isinstance(need, Reach)]
+    piles = [{*names(x)} for x in required(task.goal) if isinstance(x, On | Above | Stack | Towers)]
+    near = [need for need in reaches if need.high < need.least - 1e-9 and not any(need.pair <= x for x in piles)]
+    found += [Conflict(need, _too_close(need)) for need in near]
     return (*found, *(Conflict(b, _opposed(b)) for a, b in combinations(reaches, 2) if _apart(a, b)))
 
 
@@ -101,6 +105,17 @@ def _too_far(need: Reach) -> Diagnostic:
         span=need.atom.span,
         hint=f"at most {DIAGONAL * 100:.0f} cm fit",
         facts={"distance_m": need.low, "room_m": round(DIAGONAL, 4)},
+        origin="schema",
+    )
+
+
+def _too_close(need: Reach) -> Diagnostic:
+    return Diagnostic(
+        code="does-not-fit",
+        message=f"the centres of blocks side by side are at least {need.least * 100:g} cm apart",
+        span=need.atom.span,
+        hint="say 'a gap of ...' of what is left between them",
+        facts={"distance_m": need.high, "least_m": need.least},
         origin="schema",
     )
 

@@ -42,12 +42,16 @@ class Room:
 
 @dataclass(frozen=True)
 class Reach:
-    """The centres of two blocks, or one block's places before and after, are to be `low` to `high` metres apart."""
+    """The centres of two blocks, or one block's places before and after, are to be `low` to `high` metres apart.
+
+    `least`: how far apart the two are side by side, where it is said how far.
+    """
 
     atom: g.Goal
     pair: frozenset[str]
     low: float
     high: float
+    least: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -138,6 +142,9 @@ def _reaches(atom: g.Goal, edges: Mapping[str, float]) -> Iterator[Reach]:
     """The least and greatest distance of centres that a relation of two blocks allows, or a move of one."""
     if isinstance(atom, r.Moved):
         yield Reach(atom, frozenset(members(atom.a)), atom.at_least, math.inf)
+    if isinstance(atom, s.Row) and atom.spacing:
+        least = sum(edges[n] for n in atom.blocks) / len(atom.blocks)
+        yield Reach(atom, frozenset(atom.blocks), 0.0, atom.spacing + atom.tolerance, least)
     a, b = getattr(atom, "a", None), getattr(atom, "b", None)
     if not (isinstance(a, tuple) and isinstance(b, tuple) and len(a) == len(b) == 1):
         return
@@ -158,7 +165,8 @@ def _reaches(atom: g.Goal, edges: Mapping[str, float]) -> Iterator[Reach]:
             high = half * 2
         case _:
             return
-    yield Reach(atom, frozenset((a[0], b[0])), low, high)
+    told = isinstance(atom, r.Distance) and a[0] in edges and b[0] in edges
+    yield Reach(atom, frozenset((a[0], b[0])), low, high, half if told else 0.0)
 
 
 def _symbols(atom: g.Goal) -> Iterator[Symbols]:

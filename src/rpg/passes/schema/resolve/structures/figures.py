@@ -57,6 +57,9 @@ def figure(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
         count = amount_of(spec.usings[0].members)
     sides, need = _outline(shape, count)
     pointing = _pointing(shape, spec)
+    if shape.kind == "U" and pointing in ("left", "right") and sides is not None and sides[0] != sides[1]:
+        raise refuse("ambiguous", "it is not clear what of it is wide and what is deep", shape.span,
+                     "say of how many blocks it is")  # fmt: skip
     filled = bool(shape.filled) and shape.kind in ("triangle", "circle")
     said: dict[str, Any] = {"shape": shape.kind, "pointing": pointing}
     form = s.Figure(blocks=("",), filled=filled, sides=sides, **said)
@@ -108,7 +111,7 @@ def _rectangle(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, sc
 
 def _outline(shape: Structure, count: int | None) -> tuple[tuple[int, int] | None, int | None]:
     """The sides of an outline and the number of blocks on it, where they were said."""
-    if shape.kind in ("T", "L"):
+    if shape.kind in ("T", "L", "U"):
         return limbs_of(shape, count)
     side = shape.extent("side")
     deep, wide, long = (shape.extent(*said) for said in (("rows", "deep"), ("wide", "columns"), ("long",)))

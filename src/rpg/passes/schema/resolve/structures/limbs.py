@@ -1,4 +1,4 @@
-"""The arms of letters by their lengths: which T or L they make."""
+"""The arms of letters by their lengths: which T, L or U they make."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ Sides = tuple[int, int]
 
 
 def limbs_of(shape: Structure, count: int | None) -> tuple[Sides | None, int | None]:
-    """The two lengths of a T or an L, both with the block where they meet, and its number of blocks."""
+    """The two lengths of a T, an L or a U, both with the block where they meet, and its number of blocks."""
     told = {size.what for size in shape.sizes} - {"size"}
     if not told:
         return None, count
-    options = _of_t(shape, count) if shape.kind == "T" else _of_l(shape, count)
+    options = {"T": _of_t, "L": _of_l, "U": _of_u}[shape.kind](shape, count)
     if len(options) != 1:
         raise refuse(
             "ambiguous" if len(options) > 1 else "count-mismatch",
@@ -21,7 +21,19 @@ def limbs_of(shape: Structure, count: int | None) -> tuple[Sides | None, int | N
             "say how many blocks it has in all, and how long each part is",
         )  # fmt: skip
     (a, b) = options[0]
-    return (a, b), a + b - 1
+    return (a, b), b + 2 * (a - 1) if shape.kind == "U" else a + b - 1
+
+
+def _of_u(shape: Structure, count: int | None) -> list[Sides]:
+    """As deep as its arms with the base, and as wide as its base."""
+    deep, wide = shape.extent("high", "deep"), shape.extent("wide")
+    if count is not None and deep is None and wide is not None and (count - wide) % 2 == 0:
+        deep = (count - wide) // 2 + 1
+    if count is not None and wide is None and deep is not None:
+        wide = count - 2 * (deep - 1)
+    if deep is None or wide is None or deep < 2 or wide < 3:
+        return []
+    return [(deep, wide)] if count in (None, wide + 2 * (deep - 1)) else []
 
 
 def _of_t(shape: Structure, count: int | None) -> list[Sides]:
@@ -49,12 +61,12 @@ def _of_l(shape: Structure, count: int | None) -> list[Sides]:
         return [] if count is None or not count % 2 else [((count + 1) // 2, (count + 1) // 2)]
     if (each := shape.extent("each arm")) is not None:
         return [(each, each)] if count == 2 * each - 1 or (count is None and "shared" in told) else []
-    long, short = shape.extent("long arm", "high"), shape.extent("short arm", "wide")
+    long, short = shape.extent("long arm", "high", "long"), shape.extent("short arm", "wide")
     if count is not None and (long is None) != (short is None):
         long, short = (long, count - long + 1) if long is not None else (count - (short or 0) + 1, short)
     if long is None or short is None or long < short or short < 2:
         return []
     whole = long + short - 1
     if count is None:
-        return [(long, short)] if told & {"shared", "wide", "high"} else [(long, short), (long, short + 1)]
+        return [(long, short)] if told & {"shared", "wide", "high", "long"} else [(long, short), (long, short + 1)]
     return [(long, short)] if count == whole else [(long, short + 1)] if count == whole + 1 else []

@@ -26,7 +26,14 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, own_unit
-from rpg.passes.schema.resolve.structures.sharing import Look, lots_of, named_lots, shared_out
+from rpg.passes.schema.resolve.structures.sharing import (
+    Look,
+    as_long_as_listed,
+    in_turn,
+    lots_of,
+    named_lots,
+    shared_out,
+)
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import declared
 from rpg.passes.schema.resolve.things.operands import foot
@@ -107,7 +114,7 @@ def each_of(shape: Structure, spec: Spec, theme: Ref | None, maker: Maker, scene
     for place in filter(None, map(_whole, spec.absolutes)):
         own_unit(shape, place)
     looks, axis = told_looks(spec, count)
-    shape = shared_out(shape, looks, spec)
+    shape = as_long_as_listed(shared_out(shape, looks, spec), looks, scene)
     sized = bool(shape.sizes or shape.dims or amount_of(shape.members))
     if not any(isinstance(look, Noun) and look.amount is not None for look in looks):
         shape = _fresh(shape, scene)
@@ -188,8 +195,12 @@ def _told_in_order(shape: Structure, look: Noun, lot: Ref | None, own: Spec, sce
     others = tuple(_further(Noun(head="any", traits=one, span=look.span), used, scene) for one in looks)
     members: Meaning = look
     if any(isinstance(item, Noun) and item.det == "another" for item in others):
-        members = Coord(op="and", items=others, span=look.span)
+        members = Coord(op="and", items=tuple(map(_alone, others)), span=look.span)
     return replace(shape, plural=False, amount=Amount(1, 1), det="a", members=None if lot is not None else members)
+
+
+def _alone(item: Meaning) -> Meaning:
+    return replace(item, amount=Amount(1, 1)) if isinstance(item, Noun) else item
 
 
 def _piled(shape: Structure, look: Coord, own: Spec, scene: Scene) -> Structure:
@@ -318,7 +329,7 @@ def told_looks(spec: Spec, count: int) -> tuple[list[Look], str | None]:
         said = [(a, w) for a in spec.absolutes if (w := _whole(a) or _middle(a)) is not None]
     spec.absolutes = [a for a in spec.absolutes if all(a is not b for b, _ in said)]
     for number, (item, place) in enumerate(said):
-        theme = item.theme
+        theme = in_turn(item.theme)
         index = number if place.side == "one" else _index(place, count)
         if (
             not isinstance(theme, Noun | Coord | Structure)

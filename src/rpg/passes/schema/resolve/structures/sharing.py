@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.language.meaning import Coord, Noun, Structure
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Size, Structure, Traits
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
@@ -59,3 +59,24 @@ def lots_of(theme: Ref | None, count: int, shape: Structure, scene: Scene) -> li
         "ambiguous", f"it is not said which blocks go into which {shape.kind}", shape.span,
         f"say how many blocks each {shape.kind} has",
     )  # fmt: skip
+
+
+def in_turn(told: Meaning) -> Meaning:
+    """ "(the back row is) red, white, blue": its blocks one by one, as one list of their looks."""
+    items = told.items if isinstance(told, Coord) and told.op in ("then", "and") else ()
+    nouns = [x for x in items if isinstance(x, Noun) and x.amount in (None, Amount(1, 1)) and x.det in ("bare", "a")]
+    colors = tuple(c for x in nouns if x.traits == Traits(colors=x.traits.colors[:1]) for c in x.traits.colors)
+    if not items or len(colors) < len(items):
+        return told
+    return Noun(head="any", plural=True, traits=Traits(colors=colors), span=told.span)
+
+
+def as_long_as_listed(shape: Structure, looks: Sequence[Look], scene: Scene) -> Structure:
+    """ "two rows: the far one red, white, blue, the near one black": all of them are as long as those listed."""
+    long = {len(x.traits.colors or x.traits.labels) for x in looks if isinstance(x, Noun) and x.amount is None} - {0, 1}
+    if len(long) != 1 or shape.sizes or shape.dims or shape.members or shape.kind not in ("row", "line", "column"):
+        return shape
+    many = Amount(min(long), min(long))
+    if any(isinstance(x, Noun) and len(x.traits.colors or x.traits.labels) < many.low for x in looks):
+        scene.assume(f"all {shape.kind}s are as long as those of which each block is told: {many.low} blocks")
+    return replace(shape, sizes=(Size(what="size", amount=many, span=shape.span),))

@@ -21,7 +21,7 @@ from rpg.passes.schema.resolve.structures import figures, grids, groups, lots, s
 from rpg.passes.schema.resolve.structures.several import each_of, one_by_one
 from rpg.passes.schema.resolve.things.from_stock import from_stock
 from rpg.passes.schema.resolve.things.members import members_of
-from rpg.passes.schema.resolve.things.spoken import exact_size, known_ones
+from rpg.passes.schema.resolve.things.spoken import SPOKEN_OF, exact_size, known_ones
 from rpg.passes.schema.resolve.things.things import amount_of
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, refuse
 
@@ -31,7 +31,7 @@ Maker = Callable[[Structure, Spec, Ref | None, Scene, Scope], Made]
 
 def refer_structure(shape: Structure, scene: Scene, scope: Scope) -> Ref:
     """A structure as a noun phrase: one spoken of before, or a new one (whose making joins the goal)."""
-    known = known_ones(shape, scene) if shape.det in ("the", "its", "each", "all", "both", "bare") else []
+    known = known_ones(shape, scene, scope.role) if shape.det in SPOKEN_OF else []
     if known:
         if shape.amount is not None and shape.amount.low > len(known):
             raise refuse(
@@ -164,7 +164,8 @@ _SIZES = {
     "rectangle": {"size", "dims", "rows", "columns", "wide", "long", "deep"},
     "triangle": {"size", "side"}, "circle": {"size"}, "checkerboard": {"dims", "rows", "columns", "size", "side"},
     "gradient": {"size", "long"}, "word": {"size"}, "T": {"size", "bar", "stem", "high", "wide"},
-    "L": {"size", "long arm", "short arm", "equal arms", "each arm", "shared", "high", "wide"},
+    "L": {"size", "long arm", "short arm", "equal arms", "each arm", "shared", "high", "long", "wide"},
+    "U": {"size", "wide", "high", "deep"},
 }  # fmt: skip
 
 

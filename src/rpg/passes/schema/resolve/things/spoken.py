@@ -11,6 +11,8 @@ from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Thing, refuse
 
+SPOKEN_OF = ("the", "its", "each", "all", "both", "bare")
+"""Determiners of structures that may have been spoken of before."""
 _FAMILY = {"line": "row", "column": "row", "checkerboard": "grid"}
 
 

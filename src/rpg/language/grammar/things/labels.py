@@ -87,7 +87,8 @@ def label_list(p: Parser, i: int, spoken: bool = False) -> Results[tuple[tuple[s
             readings.append(((tuple(labels), True), j + 1))
             break
         after = symbol(p, j, spoken)
-        if after is None or (j == at and not _bare_row(p, at)):
+        signed = after is not None and after in "+-*/=" and labels[-1].isalpha()  # "A/B": no list of three
+        if after is None or (j == at and (signed or not _bare_row(p, at))):
             break
         if after == labels[-1] and p.stands(j + 1, _UPON):  # "1 on 2, 2 on 3": the next pair
             break

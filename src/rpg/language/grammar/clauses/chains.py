@@ -8,7 +8,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
-from rpg.language.grammar.clauses.done_there import afterthought, done_there
+from rpg.language.grammar.clauses.done_there import afterthought, done_there, likewise
 from rpg.language.grammar.clauses.links import emphasised, linked
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
@@ -175,6 +175,7 @@ _WHOLE_ALONE = ("swap", "stack", "sort", "reverse", "unstack")
 
 def _there_too(p: Parser, i: int, before: Clause) -> Results[Clause]:
     """ "there are red and blue blocks, two of each, and a white mat": a further thing there is."""
+    yield from likewise(p, i, before)
     if before.verb != "exist" or before.mode != "given" or before.negated or not before.adjuncts:
         return
     for theme, j in noun_phrase(p, i):

@@ -14,6 +14,7 @@ _SIMPLE = {
     "on the top face of": "on", "on the upper side of": "on", "onto the upper face of": "on",
     "onto the top face of": "on", "higher than": "above", "higher up than": "above",
     "in": "in", "inside": "in", "inside of": "in", "into": "in", "within": "in", "at": "in", "to": "in",
+    "over to": "in",
     "under": "under", "underneath": "under", "beneath": "under", "below": "under",
     "in front of": "front", "ahead of": "front", "to the front of": "front", "on the front side of": "front",
     "at the front of": "front", "on the near side of": "front", "on the front of": "front", "nearer than": "front",

@@ -214,6 +214,7 @@ TAGS = Patterns(
     "please|thanks|ok|okay|either|now|too",
     "thanks a lot",
     "spell|write it|that|this out? please?",
+    "got_it|understood|agreed",
     "and|then? done|finished|ready",
     "thank you very_much?",
     "if you can|could|please",

@@ -32,6 +32,7 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     _colors_behind(words, task)
     _letters_of_words(words, task)
     _counts_or_cubes(words, task)
+    _stacked_at_last(words, task)
     _beside_a_chain(words, task)
     _all_of_them(words, task)
     _in_turn(words, task)
@@ -187,6 +188,16 @@ def _some_of_them(words: Sequence[Token], end: int) -> bool:
 
 
 _PLACED = frozenset({"in", "on", "at", "to"})
+
+
+def _stacked_at_last(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "two red on the left and two blue on the right, stacked" as the blue ones alone."""
+    said = [*(t.word for t in words), "."]
+    at = next((n for n, word in enumerate(said) if (said[n - 1], word) == (",", "stacked") and said[n + 1] in _ENDS), 0)
+    stacks = [x for x in atoms(task.goal) if isinstance(x, Stack)] if at else []
+    placed = {*names(task.goal)} & {block.name for block in task.blocks}
+    if len(stacks) == 1 and len(placed) > len(stacks[0].blocks) + 1:
+        raise refuse("ambiguous", "are all of these stacked, or those named last?", words[at].span, "use two sentences")
 
 
 def _counts_or_cubes(words: Sequence[Token], task: TaskSchema) -> None:

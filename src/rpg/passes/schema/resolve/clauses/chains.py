@@ -33,7 +33,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
     before: Clause | None = None
     for (link, clause), after in zip(pairs, [*(link for link, _ in pairs[1:]), ""], strict=True):
         if isinstance(clause, Chain):
-            _append(stages, link, [conj(chain_goals(clause, scene, start))])
+            _append(stages, link, [conj(chain_goals(clause, scene, start))], scene)
             continue
         if not isinstance(clause, Clause):
             continue
@@ -64,7 +64,7 @@ def chain_goals(chain: Chain, scene: Scene, start: bool = False) -> Goals:
         if starts and clause.verb != "exist":
             scene.start_goals += goals
             continue
-        _append(stages, link, goals)
+        _append(stages, link, goals, scene)
         if both:
             stages[-1] = [*stages[-1][:-1], *not_both(stages[-1][-1:], clause.span)]
     return _sequence(stages, scene, chain)
@@ -242,12 +242,12 @@ def untimed(chain: Chain) -> Chain:
     return replace(chain, clauses=tuple(bare), links=links)
 
 
-def _append(stages: list[Goals], link: str, goals: Goals) -> None:
+def _append(stages: list[Goals], link: str, goals: Goals, scene: Scene) -> None:
     if not goals:
         return
     match link:
         case "then" | "before":
-            if stages[-1] and not _comes_of_it(stages[-1], goals):
+            if stages[-1] and not _comes_of_it(stages[-1], goals, scene):
                 stages.append([])
             stages[-1] += goals
         case "or" if stages[-1]:
@@ -258,10 +258,14 @@ def _append(stages: list[Goals], link: str, goals: Goals) -> None:
             stages[-1] += goals
 
 
-def _comes_of_it(before: Goals, after: Goals) -> bool:
-    """ "Clear the mat; its blocks should be on the table afterwards": no later step, but where they are by then."""
-    cleared = all(isinstance(x, r.Empty | g.Not) for goal in before for x in required(goal))
-    return cleared and bool(before) and all(isinstance(x, r.OnTable | g.Not) for goal in after for x in required(goal))
+def _comes_of_it(before: Goals, after: Goals, scene: Scene) -> bool:
+    """ "The red block is on the mat. Clear it; the block should be on the table afterwards": no later step, for it lies
+    on the table all the time, but where it is when the mat is clear."""
+    lying = {n for x in scene.start_goals if isinstance(x, r.OnPatch) for n in members(x.a)}
+    cleared = bool(before) and all(isinstance(x, r.Empty | g.Not) for goal in before for x in required(goal))
+    there = [x for goal in after for x in required(goal) if not isinstance(x, g.Not)]
+    told = bool(there) and all(any(True for _ in required(goal)) for goal in after)
+    return cleared and told and all(isinstance(x, r.OnTable) and {*members(x.a)} <= lying for x in there)
 
 
 def _sequence(stages: list[Goals], scene: Scene, chain: Chain) -> Goals:
@@ -329,7 +333,7 @@ def join(sentences: list[tuple[str, Goals]], scene: Scene, span: tuple[int, int]
         if link == "before" and goals:
             stages += _stages(goals)
             continue
-        if goals and ((link == "then" and not _comes_of_it(now, goals)) or _restacked(now, goals, scene)):
+        if goals and ((link == "then" and not _comes_of_it(now, goals, scene)) or _restacked(now, goals, scene)):
             stages += _stages(now)
             now = []
         now += goals

@@ -13,7 +13,9 @@ def with_its_noun(clause: Clause) -> Clause:
     """ "A red and a blue tower": the noun of the last one is that of all."""
     items = clause.theme.items if isinstance(clause.theme, Coord) and clause.theme.op == "and" else ()
     last = items[-1] if items else None
-    if not isinstance(last, Structure) or last.members is not None or last.plural or len(last.traits.colors) != 1:
+    if not isinstance(last, Structure) or last.plural or len(last.traits.colors) != 1:
+        return clause
+    if last.members is not None and getattr(last.members, "traits", None) != Traits():
         return clause
     if not all(isinstance(x, Noun) and _bare_look(x, last) for x in items[:-1]):
         return clause

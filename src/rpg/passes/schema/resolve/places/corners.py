@@ -103,9 +103,11 @@ def the_other_half(scene: Scene, span: Span) -> str:
     return _OPPOSITE[scene.region]
 
 
-def of_something_else(theme: Ref, region: str, scene: Scene) -> bool:
-    """Whether a corner, an edge or a half may be that of a structure, or of the patch that the blocks were put on."""
-    return _on_a_patch(theme, scene) or any(_has_such(built, region, scene) for built in scene.built)
+def of_something_else(theme: Ref, place: In, scene: Scene) -> bool:
+    """Whether a corner, an edge or a half may be that of a structure, or a bare side, "red left", that of the patch
+    that the blocks were put on."""
+    bare = place.span[1] - place.span[0] < len("left half")
+    return (bare and _on_a_patch(theme, scene)) or any(_has_such(x, place.region, scene) for x in scene.built)
 
 
 def _has_such(built: Built, region: str, scene: Scene) -> bool:

@@ -64,7 +64,7 @@ def place(theme: Ref, meaning: Meaning, scene: Scene, scope: Scope, span: Span) 
     match meaning:
         case In(region="each_corner" | "each_corner?" | "opposite_corner" | "opposite_corners"):
             return corners(theme, meaning, scene, span)
-        case In(vague=True) if of_something_else(theme, meaning.region, scene):
+        case In(vague=True) if of_something_else(theme, meaning, scene):
             raise refuse("ambiguous", f"it is not clear of what this is the {meaning.region.replace('_', ' ')}",
                          meaning.span, "say 'of the table', or name the structure's blocks")  # fmt: skip
         case In(region="other_half"):

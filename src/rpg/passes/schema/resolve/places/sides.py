@@ -92,6 +92,8 @@ def _of_themselves(loose: list[Loose], goal: g.Goal) -> None:
     sides = {at_.side for _, at_, _ in loose if isinstance(at_, At)}
     if sides & {"left", "right"} and sides & {"front", "back"}:
         raise refuse("ambiguous", "it is not clear of what these are the sides", loose[0][2], "say of what")
+    if any(isinstance(a, r.OnPatch) and own & {*members(a.a)} and own - {*members(a.a)} for a in atoms(goal)):
+        raise refuse("ambiguous", "on the same patch, or of the table?", loose[-1][2], "say of what")
     placed = r.LeftOf | r.RightOf | r.InFrontOf | r.Behind | r.OnPatch
     for beside in (a for a in atoms(goal) if isinstance(a, placed)):
         if not own & {*members(beside.a), *(() if isinstance(beside, r.OnPatch) else members(beside.b))}:

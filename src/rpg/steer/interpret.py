@@ -305,6 +305,8 @@ def _reused(request: str, history: History, read: Reader) -> Interpretation:
     past = history.current
     draft = Draft(past.schema, past.focus)
     reused(draft, request, read)
+    if all(part.kind in _OF_A_BLOCK for part in conjuncts(draft.schema.goal)):
+        raise _not_understood(request, None, (), True)
     not_half(request, draft.schema.goal, history)
     return finish(request, draft, past)
 

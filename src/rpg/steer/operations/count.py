@@ -156,6 +156,8 @@ def _line(draft: Draft, line: Line, request: r.Recount) -> None:
             same = draft.view.line_of(line.members)
             assert same is not None
             join_line(draft, same, asset.name, request.span)
+    if (whole := draft.view.line_of(line.members[:wanted])) is not None:
+        draft.look_at(whole.members)
 
 
 def _by_turns(draft: Draft, line: Line, wanted: int, request: r.Recount) -> bool:

@@ -9,7 +9,7 @@ from rpg.blocks.traits import symbol_of
 from rpg.ir import goal as g
 from rpg.ir.edits import AddCondition, SetGoal
 from rpg.ir.node import Lowest, members
-from rpg.ir.relations import Beside, Directional, InRegion, OnPatch
+from rpg.ir.relations import Adjacent, Apart, Beside, Directional, InRegion, Near, OnPatch
 from rpg.ir.shrink import close, without
 from rpg.ir.structures import GroupBy
 from rpg.steer.draft import Draft
@@ -26,10 +26,27 @@ from rpg.steer.view import Line
 from rpg.steer.wholes import Found
 
 
+def _by_a_new_one(draft: Draft, request: r.Move) -> r.Move:
+    """Phrases such as "behind a yellow block", "left of a green mat", which the task does not have so far."""
+    place = request.place
+    if not isinstance(place, m.Loc) or _onto(place):
+        return request
+    mark = place.landmark
+    if not isinstance(mark, m.Noun) or not fresh(mark) or mark.plural or exists(draft.view, mark):
+        return request
+    draft.add(new_assets(draft, mark), request.span)
+    return replace(request, place=replace(place, landmark=replace(mark, det="the", amount=None)))
+
+
+def _onto(place: m.Meaning | r.Spot) -> bool:
+    return getattr(place, "rel", "") in ("on", "in")
+
+
 def move(draft: Draft, request: r.Move) -> None:
     """What the goal said of where these blocks are gives way to the place that the request names."""
     found = resolve(draft.view, request.theme)
     names = found.names
+    request = _by_a_new_one(draft, request)
     request = replace(request, place=_beside_as_now(draft, there(draft, request.place), names))
     request = replace(request, place=_by_the_other(draft, request.place, found))
     near = getattr(request.place, "landmark", None) or getattr(request.place, "whole", None)
@@ -39,7 +56,7 @@ def move(draft: Draft, request: r.Move) -> None:
     line = draft.view.line_of(names)
     draft.note("move", list(names))
     landmark = getattr(request.place, "landmark", None)
-    if isinstance(landmark, m.Noun) and landmark.head == "patch" and fresh(landmark):
+    if _onto(request.place) and isinstance(landmark, m.Noun) and landmark.head == "patch" and fresh(landmark):
         (patch,) = draft.add(new_assets(draft, landmark), request.span)[:1]
         if found.line is not None:
             draft.aim("EXTEND")
@@ -153,15 +170,16 @@ def _without(anchor: Found | None, names: Sequence[str]) -> Found | None:
 
 def _whole_elsewhere(draft: Draft, found: Found, request: r.Move) -> None:
     """A structure stays what it is and goes elsewhere: a region, a patch or a side that it had gives way to the new."""
-    before = [part for part in conjuncts(draft.schema.goal) if not _only_where(part, found.names)]
+    landmark = getattr(request.place, "landmark", None)
+    anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
+    near = anchor.names if anchor is not None else ()
+    before = [part for part in conjuncts(draft.schema.goal) if not _only_where(part, found.names, near)]
     draft.aim("EXTEND" if len(before) == len(conjuncts(draft.schema.goal)) else "MODIFY")
     if before:
         draft.do(SetGoal(goal=before[0] if len(before) == 1 else g.All(goals=tuple(before))), request.span)
-    landmark = getattr(request.place, "landmark", None)
-    anchor = None if landmark is None or isinstance(landmark, m.TableTop) else resolve(draft.view, landmark)
     if isinstance(request.place, m.In) or anchor is None:
         put(draft, found.names, request.place, anchor, request.span)
-    elif set(anchor.names) <= set(draft.view.world.patches) and found.line is not None:
+    elif _onto(request.place) and set(anchor.names) <= set(draft.view.world.patches) and found.line is not None:
         stand_on(draft, draft.view.line_of(found.names) or found.line, anchor.names[-1], request.span)
     else:
         foot = Lowest(lowest=found.names) if found.line is not None and found.line.kind == "tower" else found.names
@@ -172,9 +190,12 @@ def _whole_elsewhere(draft: Draft, found: Found, request: r.Move) -> None:
     draft.look_at(found.names)
 
 
-def _only_where(part: g.Goal, names: Sequence[str]) -> bool:
-    """Does a condition say no more of a structure than in which region or on which patch it is?"""
-    return isinstance(part, InRegion | OnPatch) and set(members(part.a)) <= set(names)
+def _only_where(part: g.Goal, names: Sequence[str], near: Sequence[str]) -> bool:
+    """Does a condition say of a structure only in which region or on which patch it is, or where beside `near`?"""
+    if isinstance(part, Directional | Near | Beside | Adjacent | Apart) and set(members(part.b)) != set(near):
+        return False
+    wheres = InRegion | OnPatch | Directional | Near | Beside | Adjacent | Apart
+    return isinstance(part, wheres) and set(members(part.a)) <= set(names)
 
 
 def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None) -> None:

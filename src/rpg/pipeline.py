@@ -12,9 +12,10 @@ from random import Random
 from typing import Literal, Protocol
 
 from rpg.blocks.english import describe
+from rpg.blocks.namings import all_namings
 from rpg.blocks.patches import place_patches
 from rpg.blocks.state import BlockState, World
-from rpg.blocks.symmetry import interchangeable, link, namings
+from rpg.blocks.symmetry import interchangeable, link
 from rpg.blocks.waypoints import waypoints
 from rpg.core.codes import ROOMS
 from rpg.core.diagnostics import Diagnostic, UsageError
@@ -237,7 +238,7 @@ def prepared(schema: TaskSchema) -> TaskSchema:
     placed = place_patches(schema)
     world = World(placed.assets)
     goal = reconcile(link(placed.goal, world))
-    namings(interchangeable(goal, world))
+    all_namings(interchangeable(goal, world))
     return placed if goal is placed.goal else placed.model_copy(update={"goal": goal})
 
 

@@ -16,6 +16,7 @@ ADMITTED = (
     "Build a 2x2 grid of the letters W, X, Y, Z in reading order and put a white block on the Z.",
     "Put 7, 8 and 9 in ascending order from left to right, and the letter Z on top of the 9.",
     "CAT is written with the blocks, and on the C there is a red block.",
+    "Build a tower that spells HOUSE.",
     # above, but not directly; faces that can only be seen from the front
     "Put the orange block above the white block without putting it directly on the white block. There is a purple one.",
     "Digit 4 on digit 7, both facing the camera.",

@@ -57,11 +57,11 @@ def layouts_of(
 
 def _covers(other: g.Atom, atom: g.Atom) -> bool:
     """Do the blocks of `atom` all have their places by `other`? Of two with the same blocks, a group is the looser, and
-    a line is looser than a text."""
+    a line or a stack is looser than a text."""
     if other is atom or other.kind == "group_by":
         return False
     mine, theirs = set(names(atom)), set(names(other))
-    looser = atom.kind == "group_by" or (atom.kind == "row" and other.kind in TEXTS)
+    looser = atom.kind == "group_by" or (atom.kind in ("row", "stack") and other.kind in TEXTS)
     return mine < theirs or (mine == theirs and looser)
 
 

@@ -153,7 +153,7 @@ _STEP = re.compile(r"(?<![\w.,])(\d{1,2})[.:](?=\s)")
 
 def _stepped(text: str) -> str:
     """ "1. red on blue 2. green on red": each begins a sentence where the text begins with the first."""
-    marks = []
+    marks: list[re.Match[str]] = []
     for mark in _STEP.finditer(text):
         if int(mark.group(1)) == len(marks) + 1 and (marks or not text[: mark.start()].strip()):
             marks.append(mark)

@@ -36,7 +36,8 @@ def on_patches(theme: Ref, mark: Ref, scene: Scene, span: Span) -> g.Goal:
         return conj([_on_patch(theme, p, span) for p in patches], span)
     one = len(theme.names) == 1 or (theme.each and not theme.built and len(mark.parts) > 1)
     if (one and not mark.each and not scene.denying) or theme.op not in ("and", "except"):
-        raise refuse("ambiguous", "a block cannot be on several patches at once", span, "name one of them, or say 'or'")
+        raise refuse("ambiguous", "a block cannot be on several patches at once", span,
+                     "name one of them, say 'or', or say which block goes on which")  # fmt: skip
     if mark.each and theme.quant is not None and _known(theme, scene):
         return conj([_on_patch(theme, p, span) for p in patches], span)
     if mark.each and theme.quant is not None and not _just_these(theme, scene):
@@ -85,6 +86,10 @@ def like_the_last(loc: Loc, scene: Scene) -> bool:
         return before or (bool(last) and all(m.ref.patch and m.role == "theme" for m in last))
     if not before or any(m.ref.everything and m.ref.quant is not None for m in last):
         return False
+    patch = next((m.ref.names for m in reversed(scene.mentions) if m.ref.patch and m.ref.names), ())
+    bare = isinstance(loc.landmark, Noun) and loc.landmark.det == "bare" and loc.landmark.traits.colors
+    if bare and len(patch) == 1 and scene.things[patch[0]].color is None:
+        return False  # "red on the mat, green on blue": a patch that has no colour is no example of one told by colour
     if isinstance(loc.landmark, Noun) and _from_afar(loc.landmark, scene):
         raise refuse("ambiguous", "this could be a block or a patch", loc.landmark.span, "say 'block' or 'patch'")
     return True

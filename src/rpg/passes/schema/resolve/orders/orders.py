@@ -166,14 +166,8 @@ def _merge(
             return _symbolic(order, things, kind, scene, first)
         case "countdown" | "count_up" | "number_up" | "number_down":
             return _counted(order, things, kind, scene, first)
-        case "rainbow" if order.values:
-            if first is None and kind != "line":
-                first = _default_side(kind)
-                _read_from(first, scene)
-            return Order(by="rainbow", descending=painted(order, things, scene), first=first)  # type: ignore[arg-type]
         case "rainbow":
-            _paint(things, scene)
-            return Order(by="rainbow", descending=order.descending, first=first)  # type: ignore[arg-type]
+            return _rainbow(order, things, kind, scene, first)
         case "extreme" if any(t.kind == "letter" for t in things):
             raise refuse("misplaced", "letters are not ordered by size", order.span, "say 'in alphabetical order'")
         case "extreme":
@@ -322,6 +316,17 @@ def _by_size(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first
             )
         return Order(by="size", first="bottom", descending=order.by == "size_down")
     return Order(by="size", descending=order.descending, first=first or _default_side(kind))  # type: ignore[arg-type]
+
+
+def _rainbow(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:
+    """A gradient; where both its ends are told, it begins with the first of them."""
+    if not order.values:
+        _paint(things, scene)
+        return Order(by="rainbow", descending=order.descending, first=first)  # type: ignore[arg-type]
+    if first is None and kind != "line":
+        first = _default_side(kind)
+        _read_from(first, scene)
+    return Order(by="rainbow", descending=painted(order, things, scene), first=first)  # type: ignore[arg-type]
 
 
 def _paint(things: list[Thing], scene: Scene) -> None:

@@ -43,13 +43,7 @@ def members_of(
         )
         _fix_parts(named)
         named = certain(named, scene)
-        if shape.traits.colors and not {scene.things[n].color for n in named.names} <= set(shape.traits.colors):
-            raise refuse(
-                "contradiction",
-                "the blocks have other colours than the structure",
-                shape.span,
-                "name one colour for both",
-            )
+        _of_its_colors(shape, named, scene)
         spec.listed = spec.listed or named.listed
         in_turn = named.op == "then" or (_named_one_by_one(source) and not spec.absolutes)
         if in_turn and shape.kind in ("stack", "row", "line", "column") and not spec.orders:
@@ -76,6 +70,12 @@ def members_of(
         count = default
         scene.assume(f"the number of blocks is not said: {default}")
     return new_members(shape.traits, count, implied_kind(spec), scene)
+
+
+def _of_its_colors(shape: Structure, named: Ref, scene: Scene) -> None:
+    if shape.traits.colors and not {scene.things[n].color for n in named.names} <= set(shape.traits.colors):
+        raise refuse("contradiction", "the blocks have other colours than the structure", shape.span,
+                     "name one colour for both")  # fmt: skip
 
 
 def _by_its_parts(

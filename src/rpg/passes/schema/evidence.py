@@ -122,7 +122,10 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
             return more
-        said = _number(token) if index + 1 == len(words) or words[index + 1].word not in ALWAYS_FOUR else None
+        said, after = _number(token), words[index + 1].word if index + 1 < len(words) else ""
+        if said is not None and said > 4 and after == "corners":
+            return token
+        said = said if after not in ALWAYS_FOUR else None
         if said is not None and shown & DIGITS and _listed(words, index) and f"{said:g}" not in shown:
             return token
         if said is not None and said > FEW:

@@ -67,7 +67,7 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
     if height > 1 or not _square(node):
         return []
     rows, columns = 1 + max(c.row for c in cells), 1 + max(c.column for c in cells)
-    if unit == "cell" and isinstance(node, s.Grid):
+    if unit == "cell" and " " in side and isinstance(node, s.Grid):
         along, across = side.split()
         row = 0 if along in ("top", "back") else rows - 1
         column = 0 if across == "left" else columns - 1

@@ -24,6 +24,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spun import spun
+from rpg.passes.schema.resolve.goals.logic import negation
 from rpg.passes.schema.resolve.orders.onward import in_between
 from rpg.passes.schema.resolve.places.centred import centred
 from rpg.passes.schema.resolve.places.mutual import of_the_other
@@ -36,7 +37,7 @@ from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.spare import definite, further, pass_over
 from rpg.passes.schema.resolve.things.spoken import as_it_stands
 from rpg.passes.schema.resolve.things.things import alike, of_no_look
-from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
+from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, wholes
 
 Goals = list[g.Goal]
 CHAINED = ("left", "right", "front", "behind", "above", "under", "beside", "adjacent", "touching", "near")
@@ -92,7 +93,9 @@ def distractors(clause: Clause, spec: Spec, scene: Scene) -> bool:
                      "say where they should be")  # fmt: skip
     pass_over(refer(clause.theme if definite(clause.theme) else as_extra(clause.theme), scene, Scope()), scene)
     scene.mentions.pop()
-    spec.places = [p for p in spec.places if not isinstance(getattr(p, "landmark", None), TableTop)]
+    about = [p for p in spec.places if isinstance(p, Loc) and isinstance(p.landmark, TableTop)]
+    about = [p for p in about if p.rel not in ("left", "right", "front", "behind")]
+    spec.places = [p for p in spec.places if p not in about]
     return True
 
 
@@ -312,7 +315,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
                 if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
                     raise refuse("ambiguous", f"it is not clear what {mark.word!r} is", mark.span, "name what you mean")
                 that = last if mark.word == "that" and last is not None else _pointed(ref, mark, scene)
-                goals += related(theme, that, adjunct, scene, item.span)
+                found = related(theme, that, adjunct, scene, item.span)
+                goals += negation(found, item.span, wholes(scene)) if adjunct.negated else found
             else:
                 before = len(scene.things)
                 goals += place(theme, adjunct, scene, scope, item.span)

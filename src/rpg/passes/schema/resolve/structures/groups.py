@@ -30,6 +30,8 @@ def piles(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: 
         raise refuse("ambiguous", "a group that is there already would get further blocks", shape.span,
                      "say at once what is in the group")  # fmt: skip
     several = shape.plural or attribute is not None
+    if scope.start and scene.denying:
+        raise refuse("misplaced", "this says nothing of how they lie", shape.span, "say how they start")
     if scope.start and not several:
         names = members_of(shape, spec, theme, None, 4, scene, scope)
         scene.heaps.append(names)

@@ -11,19 +11,20 @@ from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Qual
 def cleared_of(chains: tuple[Chain, ...], links: Sequence[str] | None = None) -> tuple[Chain, ...]:
     """ "Clear the mat. A red cube is on it.": the fact behind tells what it is cleared of, which is there at first.
 
-    `links`: those of the sentences, where a fact must name the very patch, "a red cube is on the mat", and not follow
-    in time.
+    `links`: those of the sentences, where a fact must name the very patch, "a red cube is on the mat", in a sentence of
+    its own, and not follow in time.
     """
     found, emptied = [], False
     patches: list[Traits] = []
     for n, chain in enumerate(chains):
         clauses: list[Meaning] = []
+        before = emptied
         for link, said in zip(chain.links, chain.clauses, strict=True):
             fact = isinstance(said, Clause) and said.lemma == "fact" and said.mode == "goal" and not said.negated
             on = isinstance(said, Clause) and bool(said.adjuncts) and all(map(_on_it, said.adjuncts))
             marks = _marks(said)
             named = link != "then" and bool(marks) and all(x in patches for x in marks)
-            on = on and (links is None or (named and links[n] != "then"))
+            on = on and (links is None or (named and before and links[n] != "then"))
             begun_ = emptied and fact and on and isinstance(said, Clause)
             clauses.append(replace(said, mode="start") if begun_ and isinstance(said, Clause) else said)
             emptied = emptied or _empties(said)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 import sys
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from random import Random
 
 from rpg.ir.schema import TaskSchema
@@ -37,11 +37,11 @@ SAYS_THE_SAME = {
     r"(?:front to back|nearest|away|towards)",
     "what is sorted in two kinds, one or the other": r"(?:vowel|odd|letter|even)s? \[(?:and>or|or>and)\]",
     "measures with a limit, or with a tolerance": r"\[or>and\] (?:more|less|minus|take)",
-    "none of two is neither of them, said either way": r"(?=.*\b(?:neither|nor|not|no)\b).*\[(?:or>and|and>or)\]",
+    "none of two is neither of them": r"(?=.*(?:\b(?:neither|nor|not|no)\b|n't)).*\[(?:or>and|and>or)\]",
     "the far left of a line is its left": r"\[(?:far>near|near>far)\] (?:left|right)",
     "what reads the same from both ends": r"again|alternat|symm|mirror|both ends|checker|either (?:end|direction)",
     "left is what remains": r"\[left>right\] (?:on|in|over|out|alone|behind|where)",
-    "a wall is as wide as it is long": r"\[long>\w+\]",
+    "a wall is as wide as it is long, and a tower as high": r"\[(?:long|high)>\w+\]",
     "what is taken apart before anything else is done": r"(?:unstack|apart)\b.*\[(?:first|last)>",
 }
 """Reasons for which another word says the same, with what the changed sentences look like: [word>other word]."""
@@ -84,9 +84,9 @@ def unread(text: str) -> list[str]:
     return [marked for marked, other in found if other is not None and same(task, other)]
 
 
-def sample(count: int, seed: int) -> list[str]:
-    """Sentences of all splits that are to be read."""
-    texts = sorted({entry.text for split in SPLITS for entry in load(split) if not entry.refuse})
+def sample(count: int, seed: int, splits: Sequence[str] = SPLITS) -> list[str]:
+    """Sentences that are to be read."""
+    texts = sorted({entry.text for split in splits for entry in load(split) if not entry.refuse})
     return Random(seed).sample(texts, count)
 
 

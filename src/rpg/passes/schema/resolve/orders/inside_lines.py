@@ -78,6 +78,7 @@ def as_a_grid(clause: Clause) -> Clause:
         return clause
     size = lines.size if lines.size is not None else getattr(lines.members, "amount", None) if lines.each_size else None
     plain = not (into.plural or into.members or into.details or into.dims or into.sizes)
+    plain = plain and all(z.what != f"{lines.kind}s" for z in lines.sizes)  # "three rows and four rows in a grid"
     if not plain or size is None or size.low != size.high or lines.amount.low != lines.amount.high:
         return clause
     many, long = lines.amount.low, size.low

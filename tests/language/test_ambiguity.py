@@ -7,7 +7,6 @@ from rpg.passes.schema.frontend import BuiltinFrontEnd
 
 TWO_WAYS = (
     "Arrange the letters from A to D in a row.",
-    "the pink block goes in the middle between the black block and the white block",
     "white goes on black, but pink has to go on gray before that",
 )
 

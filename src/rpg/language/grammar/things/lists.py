@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -41,7 +41,7 @@ def _colors(p: Parser, i: int) -> Results[tuple[Meaning, ...]]:
         if found is None:
             break
         items.append(Noun(head="any", traits=Traits(colors=(found[0],)), span=p.span(at, found[1])))
-        at = found[1]
+        at = _again(p, found[1], items)
         if len(items) > 1:
             readings.append((tuple(items), at))
         at = p.opt(at, ",", "-")
@@ -80,8 +80,15 @@ def _more(p: Parser, items: tuple[Meaning, ...], at: int) -> Results[tuple[Meani
         return
     for item, k in simple(p, j):
         if isinstance(item, Noun) and not _next_part(items[0], item):
+            k = _again(p, k, (*items, item))
             yield (*items, item), k
             yield from _more(p, (*items, item), k)
+
+
+def _again(p: Parser, at: int, items: Sequence[Meaning]) -> int:
+    """ "blue, then red, then blue again": the position behind it, where the look was in the list before."""
+    looks = [item.traits for item in items if isinstance(item, Noun)]
+    return p.opt(at, "again") if looks[-1] in looks[:-1] else at
 
 
 def _next_part(first: Meaning, item: Noun) -> bool:

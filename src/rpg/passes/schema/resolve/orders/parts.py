@@ -54,6 +54,9 @@ def groups_in(place: At | Places, node: s.Cells, cells: Sequence[Cell], scene: S
         and side in ("top", "bottom", "middle")
         and not isinstance(node, s.Staircase)
     ):
+        if side == "middle" and isinstance(place, At) and place.own and isinstance(node, s.Grid):
+            raise refuse("ambiguous", "the middle layer, or the block in the middle?", place.span,
+                         "say 'the middle row', or name the rows")  # fmt: skip
         unit = "layer"
     if unit in FIRST:
         return _lines(part, unit, side, node, cells, height, scene)

@@ -14,6 +14,7 @@ from rpg.blocks.evaluate import evaluate
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import assignments, interchangeable, link
 from rpg.ir import goal as g
+from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.assets import Asset, GoalPatch
 from rpg.ir.node import members
@@ -51,6 +52,7 @@ def composed(seed: int) -> TaskSchema | None:
         return None
     whole = parts[0] if len(parts) == 1 else g.All(goals=tuple(parts))
     if len(parts) > 1 and rng.random() < SHARE:
+        parts.sort(key=lambda part: isinstance(part, r.OnTable))  # blocks are on the table first: that is no stage
         whole = g.Sequence(stages=tuple(g.Stage(goal=part) for part in parts))
     cells = interchangeable(whole, world)
     if math.prod(assignments(group) for group in cells) > NAMINGS:

@@ -140,10 +140,10 @@ def arrange_blocks(theme: Ref, verb: str, spec: Spec, scene: Scene, scope: Scope
     if spec.ats and scope.start:
         raise refuse("misplaced", "this is a place in a structure of the start", spec.ats[0].span, "say it beside that")
     goals += loose_ats(ref, spec, scene, span) if spec.ats else []
-    if not goals and not structured and not spec.thats and not (verb == "be" and spec.absolutes):
-        raise refuse(
-            "no-goal", "it is not said where or how", span, "say for example 'on the blue block' or 'in a row'"
-        )
+    told = structured or (spec.thats and not scope.start) or (verb == "be" and spec.absolutes)
+    if not goals and not told:
+        hint = "say for example 'on the blue block' or 'in a row'"
+        raise refuse("no-goal", "it is not said where or how", span, hint)
     if spec.absolutes:
         goals += absolutes(ref, spec, scene, scope)
     return goals

@@ -18,6 +18,8 @@ def of_the_rest(clause: Clause) -> Clause:
     at = [n for n, x in enumerate(said) if _always(x)]
     if len(at) != 1 or clause.mode == "start" or clause.verb == "keep":
         return clause
+    if said[at[0]].span < said[0].span:  # "stays on the table, with blue on it"
+        return clause
     beside = [n for n in (at[0] - 1,) if n >= 0 and _beside(said[n])]
     beside += [n for n in (at[0] + 1,) if n < len(said) and isinstance(said[n], That) and _beside(said[n])]
     if not beside or not (_asked(clause) or any(isinstance(x, Loc | In | Into) for x in said[: min(beside)])):

@@ -179,7 +179,8 @@ _ACROSS = ({"left", "right"}, {"front", "behind"})
 def _there(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     """ "Put a green block there": on the patch that was spoken of last, if no other place was spoken of since. "Take it
     off": from the block that it was said to be on."""
-    told = [m for m in scene.mentions if m.ref.names and (m.ref.patch or (m.role == "landmark" and m.word != "there"))]
+    told = [m for m in scene.mentions if m.ref.names and m.ref.span < word.span]  # commands are read before what was so
+    told = [m for m in told if m.ref.patch or (m.role == "landmark" and m.word != "there")]
     last = [m for m in told if told and m.clause == told[-1].clause]
     patches = {m.ref.names for m in last if m.ref.patch and m.rel in ("", "on", "in", "off", "not on")}
     below = {m.ref.names for m in last if m.rel == "on" and len(m.ref.names) == 1 and not m.ref.built}

@@ -24,7 +24,7 @@ def read(text: str) -> TaskSchema:
 LOST = [
     ("put the red block on the blue block", "put the red and the green block on the blue block", "green"),
     ("put the red block on the blue patch", "put the red block on the blue patch; there is a white patch", "white"),
-    ("put the letter T on the red block", "put the letter T on the red block and the digit 7 on it", "7"),
+    ("put the letter T on the red block", "put the letter T on the red block and the digit 7 on it", "digit"),
     ("put the letter T on the red block", "put the letter T on the letter K", "K"),
     ("a row of four blocks", "a row of four blocks with gaps of 3 cm", "3"),
     ("a tower of three blocks", "two towers of five blocks", "five"),

@@ -73,7 +73,7 @@ def _made_up_beside(words: Sequence[Token], task: TaskSchema) -> None:
     unsaid = any(task.assumed(f"the number of {kind} is not said") for kind in kinds)
     if not unsaid or not (task.assumed(COLORS_UNSAID) or task.assumed(SYMBOLS_UNSAID)):
         return
-    shown = {getattr(block, "label", "") for block in task.blocks} - {""}
+    shown = {getattr(block, "label", "") for block in task.blocks} - {"", "A", "I"}  # these are words as well
     said = [t for t in words if t.raw in shown or (lexicon.COLOR.get(t.word) in {b.color for b in task.blocks})]
     told = [t for t in said if t.raw in shown or not task.assumed(SYMBOLS_UNSAID)]
     if told:

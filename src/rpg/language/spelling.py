@@ -246,7 +246,7 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
         before, two = two, tokens[index - 3].word if index > 2 else ""
     if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
         goes_on = index + 1 < len(tokens) and tokens[index + 1].kind == "word" and not tokens[index].raw.isupper()
-        told = index > 2 and tokens[index - 3].word in _SPELLERS | _WRITERS | _MAKERS
+        told = index > 2 and tokens[index - 3].word in _MAKERS
         said_of = word in _SAID_OF_A_WORD or word in lexicon.VERB
         return word not in _NOT_LITERAL and not (word in _OF_A_WORD or (goes_on and said_of and not told))
     if before in _SPELLERS or (before == "out" and two in _SPELLERS):
@@ -272,8 +272,8 @@ _SAID_OF_A_WORD = frozenset({
     "remains", "ends", "belongs", "there",
 })  # fmt: skip
 """What is not the word to be spelt behind "the word", but says something of it; the latter only where more follows."""
-_MAKERS = frozenset({"make", "form", "build", "create", "out"})
-"""Before "the word" these ask for the word behind it, as those do that spell and write."""
+_MAKERS = _SPELLERS | _WRITERS | {"make", "form", "build", "create", "out"}
+"""Before "the word" these ask for the word behind it."""
 
 
 _OTHER_THINGS = frozenset({

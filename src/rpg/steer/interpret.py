@@ -155,12 +155,13 @@ def _carried_out(request: str, parsed: Parsed, history: History, read: Reader) -
     if past.number != history.head:
         draft.parameters["revert"] = past.number
     instead = parsed.reference is None and _INSTEAD.search(request) is not None
-    added = _adds(parsed)
-    if not (instead and added):
-        carry_out(draft, parsed.requests)
-    if instead and (added or only_adds(past.schema.goal, draft.schema.goal)):
-        told, hint = "it is not said what this comes instead of", "say 'replace ... with ...', or add it"
-        raise draft.refusal("edit-unclear", told, (0, len(request)), hint)
+    told, hint = "it is not said what this comes instead of", "say 'replace ... with ...', or add it"
+    of_nothing = draft.refusal("edit-unclear", told, (0, len(request)), hint)
+    if instead and _adds(parsed):
+        raise of_nothing
+    carry_out(draft, parsed.requests)
+    if instead and only_adds(past.schema.goal, draft.schema.goal):
+        raise of_nothing
     if _AFTER.match(request):
         _staged(draft, past.schema.goal)
     if besides(request, parsed.requests, past.schema.goal, draft.schema.goal):

@@ -40,6 +40,7 @@ ALWAYS_FOUR = ("corners", "sides", "edges")
 ONLY = frozenset({"only", "just", "exactly"})
 THERE = frozenset({"are", "is", "have", "has", "get", "got"})
 """What leads to "only" in a sentence that says what there is."""
+STAY = frozenset({"stay", "stays", "remain", "remains", "leave", "keep"})
 SYMBOLS = {
     **dict.fromkeys(("letter", "letters"), str.isalpha),
     **dict.fromkeys(("digit", "digits", "numeral", "numerals"), str.isdigit),
@@ -120,6 +121,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word == "while" and _meanwhile(words, index):
             return token
+        if token.word in STAY and _where_it_is(words, index) and terms.isdisjoint({"stayed", "always"}):
+            return token
         if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
             return more
         said, after = _number(token), words[index + 1].word if index + 1 < len(words) else ""
@@ -143,6 +146,12 @@ def _one_of_invented(words: Sequence[Token], color: str, task: TaskSchema) -> bo
     listed = noted.partition(": ")[2].split(", ")
     said = {lexicon.COLOR.get(x.word) or lexicon.COLOR_PLURAL.get(x.word) for x in words}
     return color in listed and not said.issuperset(listed) and any(isinstance(x, GroupBy) for x in atoms(task.goal))
+
+
+def _where_it_is(words: Sequence[Token], index: int) -> bool:
+    """Whether it is said to stay "where it is", with a few words between."""
+    told = [t.word for t in words[index + 1 : index + 7]]
+    return any(first == "where" and last in ("is", "are") for first, last in zip(told, told[2:], strict=False))
 
 
 def _as_listed(task: TaskSchema) -> bool:

@@ -20,7 +20,7 @@ _FOREIGN = re.compile(
 _FLOOR = re.compile(r"\b(?:on|onto|to|off|from) the floor\b(?! of)", re.IGNORECASE)
 """The table, or what lies below it?"""
 _TWO_IN_ONE = re.compile(r"(?<![\w#(\[/.-])(?:[A-Z]\d|\d[A-CE-Z])(?![\w:)\]/-])")
-"""What would be two symbols on one cube; in a heading, "T1: ...", it counts the tasks."""
+"""What would be two symbols on one cube; "3D" is none, and in a heading, "T1: ...", it counts the tasks."""
 
 
 def guard(text: str) -> None:

@@ -10,7 +10,7 @@ from itertools import combinations, pairwise
 from rpg.ir import goal as g
 from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.node import members
-from rpg.ir.relations import On, Stayed
+from rpg.ir.relations import On
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
 from rpg.ir.structures import GroupBy, Row, Spells, Stack, Towers
 from rpg.ir.walk import atoms, children, names
@@ -40,20 +40,6 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     _left_open(words, task)
     _as_many_as_said(words, task)
     _made_up_beside(words, task)
-    _stays_there(words, task)
-
-
-_STAY = frozenset({"stay", "stays", "remain", "remains", "leave", "keep"})
-
-
-def _stays_there(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "B stays where it is with R to its right" as what is right of B alone."""
-    for n, token in enumerate(words):
-        told = [t.word for t in words[n + 1 : n + 7]]
-        there = any(told[k : k + 1] == ["where"] and told[k + 2 : k + 3] in (["is"], ["are"]) for k in range(len(told)))
-        if token.word in _STAY and there and not any(isinstance(x, Stayed | g.Always) for x in _nodes(task.goal)):
-            raise refuse("misplaced", f"this was read, but nothing in the task would come of {token.raw!r}", token.span,
-                         "say this part in a sentence of its own")  # fmt: skip
 
 
 def _as_many_as_said(words: Sequence[Token], task: TaskSchema) -> None:

@@ -192,10 +192,13 @@ def _whole_elsewhere(draft: Draft, found: Found, request: r.Move) -> None:
 
 def _only_where(part: g.Goal, names: Sequence[str], near: Sequence[str]) -> bool:
     """Does a condition say of a structure only in which region or on which patch it is, or where beside `near`?"""
-    if isinstance(part, Directional | Near | Beside | Adjacent | Apart) and set(members(part.b)) != set(near):
+    if isinstance(part, _FROM_ANOTHER) and set(members(part.b)) != set(near):
         return False
-    wheres = InRegion | OnPatch | Directional | Near | Beside | Adjacent | Apart
-    return isinstance(part, wheres) and set(members(part.a)) <= set(names)
+    return isinstance(part, InRegion | OnPatch | _FROM_ANOTHER) and set(members(part.a)) <= set(names)
+
+
+_FROM_ANOTHER = Directional | Near | Beside | Adjacent | Apart
+"""Where something is, seen from something else."""
 
 
 def _give_way(draft: Draft, names: Sequence[str], request: r.Move, anchor: Found | None) -> None:

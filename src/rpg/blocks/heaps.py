@@ -73,8 +73,7 @@ def above(world: World, heap: Heap, rng: Random) -> dict[str, tuple[Vec3, Quat]]
 
 def dropped(state: BlockState, heaps: tuple[Heap, ...]) -> BlockState | None:
     """`state` after its heaps have fallen and settled; None where something does not come to rest."""
-    sides = tuple(heap.side for heap in heaps)
-    physics = Physics(state.world, _walled(tuple(state.world.assets.values()), sides))
+    physics = _shafts(state.world, tuple(heap.side for heap in heaps))
     physics.write(state)
     for index, heap in enumerate(heaps):
         physics.data.mocap_pos[index] = (heap.x, heap.y, TABLE_Z)
@@ -97,6 +96,12 @@ def in_one_piece(heap: Heap, state: BlockState) -> bool:
         frontier += near
     raised = sum(state.bottom(name) > TABLE_Z + state.world.edge[name] / 4 for name in names)
     return len(reached) == len(names) and (len(names) < PILED or 0 < raised < len(names) - 1)
+
+
+@lru_cache(maxsize=1)
+def _shafts(world: World, sides: tuple[float, ...]) -> Physics:
+    """The simulation that the heaps of one task fall in, one after the other."""
+    return Physics(world, _walled(tuple(world.assets.values()), sides))
 
 
 @lru_cache(maxsize=16)

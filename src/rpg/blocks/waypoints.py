@@ -11,6 +11,7 @@ from rpg.blocks.arrange import CHANGES, Impossible, arrange
 from rpg.blocks.arrange.solve import AT_A_GLANCE, Solver
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.initial import sample_start
+from rpg.blocks.outset import at_every_start
 from rpg.blocks.state import BlockState, World
 from rpg.ir import goal as g
 from rpg.ir.schema import InitialState
@@ -57,6 +58,12 @@ def leaves_room(goal: g.Goal, world: World, start: BlockState, rng: Random) -> b
     return all(solver.solve(rng) is not None for solver in solvers)
 
 
+def always_ahead(goal: g.Goal, init: InitialState) -> bool:
+    """Does a later stage hold at every start?"""
+    sequences = (part for part in _conjuncts(goal) if isinstance(part, g.Sequence))
+    return any(at_every_start(stage.goal, init) for sequence in sequences for stage in sequence.stages[1:])
+
+
 def _moments(goal: g.Goal) -> Iterator[g.Goal]:
     """What holds in each scene after the start: a stage and those before it, none of those after it."""
     parts = list(_conjuncts(goal))
@@ -74,7 +81,8 @@ def _starts(goal: g.Goal, init: InitialState, world: World) -> Iterator[BlockSta
     parts = list(_conjuncts(goal))
     stages = [stage.goal for part in parts if isinstance(part, g.Sequence) for stage in part.stages]
     standing = [part for part in parts if isinstance(part, g.Always)]
-    for attempt in range(STARTS):
+    past = any(at_every_start(part, init) for part in (goal, *stages))
+    for attempt in range(0 if past else STARTS):
         start = sample_start(init, world, 0, attempt)
         seen = replace(start, start=start)
         ahead = not evaluate(goal, seen) and not any(evaluate(stage, seen) for stage in stages)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from functools import lru_cache
+from functools import cached_property
 from random import Random
 from typing import cast
 
@@ -16,23 +16,23 @@ from rpg.blocks.initial import crowded, sample_start, solved_at_start
 from rpg.blocks.judgement import Judgement
 from rpg.blocks.namings import all_namings
 from rpg.blocks.physics import Physics
-from rpg.blocks.scene import build_spec
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import Cells
 from rpg.blocks.verdict import FALSE, Verdict, between
 from rpg.blocks.verdicts import Looked, Verdicts, counted
-from rpg.blocks.waypoints import FIXING, leaves_room
+from rpg.blocks.waypoints import FIXING, always_ahead, leaves_room
 from rpg.core.diagnostics import Refusal
 from rpg.env import told
 from rpg.env.embodiment import ACTION_SIZE, Action, Embodiment, Robot
+from rpg.env.models import model_for
 from rpg.env.progress import Memory
 from rpg.env.relations import Relations
 from rpg.env.setup import Setup
 from rpg.env.structures import Structures
 from rpg.env.told import Asked
 from rpg.ir import goal as g
-from rpg.ir.assets import Asset
 from rpg.ir.node import Node
+from rpg.ir.schema import InitialState
 from rpg.ir.walk import atoms
 
 ATTEMPTS = 100
@@ -44,23 +44,6 @@ MOST_AHEAD = 10
 AT_REST = "every block is at rest, released and supported"
 HOLD: Action = np.zeros(ACTION_SIZE)
 NOTHING: frozenset[str] = frozenset()
-
-
-def model_for(assets: tuple[Asset, ...], embodiment: Embodiment | None, textures: bool) -> mujoco.MjModel:
-    """The compiled scene with its robot; plain ones are shared, so never modify it."""
-    return _build(assets, embodiment, True) if textures else _plain(assets, embodiment)
-
-
-@lru_cache(maxsize=64)
-def _plain(assets: tuple[Asset, ...], embodiment: Embodiment | None) -> mujoco.MjModel:
-    return _build(assets, embodiment, False)
-
-
-def _build(assets: tuple[Asset, ...], embodiment: Embodiment | None, textures: bool) -> mujoco.MjModel:
-    spec = build_spec(assets, textures=textures)
-    if embodiment is not None:
-        embodiment.attach(spec)
-    return spec.compile()
 
 
 class BlockTask(Relations, Structures, Setup):
@@ -92,7 +75,7 @@ class BlockTask(Relations, Structures, Setup):
         self._rest = FALSE
         self._unread = False
         self._looks_back: bool | None = None
-        self._fixing: tuple[g.Goal, ...] | None = None
+        self._drawn: tuple[int, InitialState, BlockState] | None = None
         self._hooked = type(self)._on_step is not BlockTask._on_step
         self._names_of_conditions: dict[int, str] = {}
         self.seed = 0
@@ -257,6 +240,13 @@ class BlockTask(Relations, Structures, Setup):
         """Draw starts until the goal is ahead: not satisfied, not lost, and no stage met, if possible no later one; and
         until what must stay where it is leaves room for it."""
         init = self._initial_state()
+        if self._drawn is None or self._drawn[:2] != (seed, init):
+            self._drawn = seed, init, self._drawn_start(seed, init)
+        else:
+            self._begin(self._drawn[2])
+
+    def _drawn_start(self, seed: int, init: InitialState) -> BlockState:
+        """The start of `seed`; the episode has begun with it."""
         fallback: BlockState | None = None
         narrow = False
         for attempt in range(ATTEMPTS):
@@ -265,17 +255,19 @@ class BlockTask(Relations, Structures, Setup):
             judgement = self.judge()
             if judgement.success or judgement.failed or judgement.stage:
                 continue
-            if not self._leaves_room(start, f"{seed}/{attempt}/room"):
+            ahead = any(memory.ahead for memory in self._memories)
+            if not (ahead and fallback) and not self._leaves_room(start, f"{seed}/{attempt}/room"):
                 narrow = True
                 continue
-            if not any(memory.ahead for memory in self._memories):
-                return
+            if not ahead:
+                return start
             fallback = fallback or start
-            if attempt >= MOST_AHEAD:
+            if attempt >= MOST_AHEAD or (self._told is not None and always_ahead(self._told, init)):
                 break
         if fallback is None:
             raise Refusal([crowded(ATTEMPTS) if narrow else solved_at_start(ATTEMPTS)])
         self._begin(fallback)
+        return fallback
 
     def _begin(self, start: BlockState) -> None:
         """An episode begins with `start`."""
@@ -351,12 +343,20 @@ class BlockTask(Relations, Structures, Setup):
 
     def _leaves_room(self, start: BlockState, draw: str) -> bool:
         """Can the goal be reached from `start`, though it fixes where some blocks are at the end?"""
-        if self._fixing is None:
-            answer, _ = self._answer(Asked.TOLD)
-            goal = answer.goal if isinstance(answer, told.Told) else None
-            fixing = goal is not None and any(atom.kind in FIXING for atom in atoms(goal))
-            self._fixing = (goal,) if goal is not None and fixing else ()
-        return all(leaves_room(goal, self.world, start, Random(draw)) for goal in self._fixing)
+        if not self._fixes or self._told is None:
+            return True
+        return leaves_room(self._told, self.world, start, Random(draw))
+
+    @cached_property
+    def _told(self) -> g.Goal | None:
+        """The goal as the code tells it; None where it does not."""
+        answer, _ = self._answer(Asked.TOLD)
+        return answer.goal if isinstance(answer, told.Told) else None
+
+    @cached_property
+    def _fixes(self) -> bool:
+        """Does the goal fix where some blocks are at the end by where they start?"""
+        return self._told is not None and any(atom.kind in FIXING for atom in atoms(self._told))
 
     def _remembered(self) -> Memory:
         """What is remembered of the episode under the naming at hand: to each its own."""

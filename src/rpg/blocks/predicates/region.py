@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 from random import Random
 from typing import Any
 
@@ -73,8 +74,9 @@ class InRegionPredicate(Predicate[InRegion]):
         if len(members(node.a)) > 1:
             yield from side_by_side(node.region, state.world.edge[block])
             return
-        yield from sorted(_grid(), key=lambda p: (-region_margin(node.region, p[0], p[1], 0.04), rng.random()))[:12]
-        places = [p for p in _grid() if region_margin(node.region, p[0], p[1], 0.04) > 0.2]
+        rated = [(-margin, rng.random(), place) for place, margin in _rated(node.region)]
+        yield from (place for *_, place in sorted(rated)[:12])
+        places = [place for place, margin in _rated(node.region) if margin > 0.2]
         rng.shuffle(places)
         yield from places[:24]
 
@@ -97,7 +99,14 @@ def _grid() -> list[tuple[float, float]]:
     return [(x, y) for x in xs for y in ys]
 
 
-def side_by_side(region: Region, edge: float) -> list[tuple[float, float]]:
+@lru_cache(maxsize=32)
+def _rated(region: Region) -> tuple[tuple[tuple[float, float], float], ...]:
+    """Places all over the workspace, each with its slack in a region for a block of the usual size."""
+    return tuple((place, region_margin(region, *place, 0.04)) for place in _grid())
+
+
+@lru_cache(maxsize=32)
+def side_by_side(region: Region, edge: float) -> tuple[tuple[float, float], ...]:
     """Places in a region at which blocks stand close together, from the corner or the edge on which it borders."""
     pitch = 1.25 * edge
     axes = []
@@ -105,7 +114,7 @@ def side_by_side(region: Region, edge: float) -> list[tuple[float, float]]:
         steps = range(int((high - low - 2 * INSET) / pitch) + 1)
         axes.append([high - INSET - k * pitch if from_high else low + INSET + k * pitch for k in steps])
     places = [(x, y) for x in axes[0] for y in axes[1] if region_margin(region, x, y, edge) > 0.05]
-    return sorted(places, key=lambda place: -region_margin(region, place[0], place[1], edge))
+    return tuple(sorted(places, key=lambda place: -region_margin(region, place[0], place[1], edge)))
 
 
 def _way_out(region: Region, x: float, y: float, edge: float) -> tuple[float, float]:

@@ -13,10 +13,10 @@ from rpg.language.grammar.places.offsets import offset
 from rpg.language.grammar.places.onto import piled_up
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import at
+from rpg.language.grammar.structures.apposed import apposed_blocks
 from rpg.language.grammar.structures.each import each_led
 from rpg.language.grammar.structures.each_line import each_line
 from rpg.language.grammar.structures.limbs import LIMBED, LIMBS, limb
-from rpg.language.grammar.structures.makeup import apposed_blocks
 from rpg.language.grammar.structures.orders import READABLE, order
 from rpg.language.grammar.structures.sizes import IN_TOTAL, size_phrase
 from rpg.language.grammar.structures.steps import rising_steps

@@ -357,8 +357,9 @@ def _told_one_by_one(theme: Meaning | None) -> bool:
 def _weighed(found: Meaning) -> Meaning:
     """ "First a row of three, then a red block on one of them": what comes then has its own place, not both of them."""
     theme, place = (found.theme, found.adjuncts[0]) if isinstance(found, Clause) and found.adjuncts else (None, None)
-    if isinstance(found, Clause) and _told_one_by_one(found.theme):
-        return replace(found, cost=found.cost + 4)
+    told = isinstance(found, Clause) and found.verb == "be" and {getattr(a, "kind", "") for a in found.adjuncts}
+    if isinstance(found, Clause) and (told == {"idle"} or _told_one_by_one(found.theme)):
+        return replace(found, cost=found.cost + 4)  # "a T, 5 blue cubes, any orientation" says it of the T
     if not isinstance(place, Loc):
         return found
     inside = theme.members if isinstance(theme, Structure) else None
@@ -381,13 +382,9 @@ def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results
             lined = lemma == "line" and p.words[at_ - 1] == "up"
             for found, k in [*adjuncts(p, at_), *(adjuncts(p, p.opt(at_, "and")) if lined else ())]:
                 if found or sense == "stack" or lined:
-                    yield (
-                        Clause(
-                            verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k),
-                            word=p.span(j, j + 1), cost=1,
-                        ),
-                        k,
-                    )  # fmt: skip
+                    told = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, mode=mode, span=p.span(i, k),
+                                  word=p.span(j, j + 1), cost=1)  # fmt: skip
+                    yield nothing_at_all(told), k
 
 
 def tail(p: Parser, i: int) -> int:

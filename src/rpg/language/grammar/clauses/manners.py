@@ -33,13 +33,16 @@ def direction(p: Parser, i: int) -> Results[str]:
 
 
 _ANY_WAY = Patterns(
-    ", or|in? any|either|whatever|whichever direction|orientation|rotation|way|way_round "
-    "you_like|will_do|is_fine|works?",
+    ", or|in? any|either|whatever|whichever direction|orientation|rotation|way|way_round|way_around "
+    "you_like|you_want|you_please|you_prefer|will_do|is_fine|works|is_ok|is_okay|allowed|goes?",
     ",? it|they|which|the_row|the_line|the_tower may|can|might|could run|go|point|lie|stand|face|be_turned|be_rotated "
     "in? any|either|whatever|whichever direction|orientation|way",
-    "in|with any|whatever|whichever orientation|rotation you_like?",
-    "whichever way round?",
-    ",? the? orientation|direction|rotation does_not_matter|is_irrelevant|is_up_to_you|is_free",
+    ",? facing|pointing|turned|rotated|lying|oriented in? any|either|whatever|whichever direction|orientation|way "
+    "you_like?",
+    "in|with any|whatever|whichever orientation|rotation you_like|you_want|you_please?",
+    "whichever|whatever|any way round|around you_like?",
+    ",? the|its? orientation|direction|rotation does_not_matter|is_irrelevant|is_up_to_you|is_free|free|irrelevant|"
+    "is_your_choice|up_to_you|is_not_important|arbitrary|is_arbitrary",
 )
 """How a figure lies is not asked for anyway."""
 _LEFTWARD = tuple(f"{way} from right to left" for way in ("going up", "rising", "ascending", "climbing"))

@@ -53,9 +53,8 @@ def _as_a_word(p: Parser, i: int, j: int, theme: Meaning) -> Results[Meaning]:
         yield Clause(verb="spell", theme=word, adjuncts=more, mode="start", span=p.span(i, last)), last
 
 
-_ENDING = frozenset(
-    {"end", "finally", "final", "goal", "finish", "afterwards", "later", "then", "result", "should", "must"}
-)
+_ENDINGS = "end ends finally final goal finish finishes afterwards later then result should must"
+_ENDING = frozenset(_ENDINGS.split())
 
 
 def still_begun(p: Parser, j: int, k: int, before: Clause | None, item: Meaning) -> Meaning:

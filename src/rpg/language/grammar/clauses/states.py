@@ -160,8 +160,12 @@ _BARRED = ("at no time", "at no point", "at no moment", "under no circumstances"
 
 _FILLERS = frozenset({
     "to", "also", "only", "all", "always", "both", "each", "ever", "end", "ends", "ended", "winds", "gets", "get", "up",
-    "then", "still", "just", "simply",
+    "then", "still", "just", "simply", "finishes",
 })  # fmt: skip
+
+
+_ENDS = frozenset({"end", "ends", "winds", "finishes"})
+"""What tells of the end: "A starts on B and ends up beside it"."""
 
 
 _ADVERBS = frozenset({
@@ -246,7 +250,7 @@ def _predicate_after_be(
         longer = [*_subject_verb(p, i, gone, theme, mode, True), *_predicate(p, i, gone, theme, mode, True)]
         return [(replace(c, adjuncts=(*c.adjuncts, past)) if isinstance(c, Clause) else c, e) for c, e in longer]
     if (
-        p.words[k - 1 : k] == ["up"]
+        p.words[k - 1 : k] in (["up"], ["finishes"])
         or any(m.kind != "extra" for m, _ in manner(p, k) if isinstance(m, Manner))
         or p.words[k - 1 : k] in (["always"], ["never"])
     ):
@@ -383,7 +387,7 @@ def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
         return
     both = "both" in words or p.words[i - 1] == "both"
     same = Pronoun(word="both the same" if both else "same", span=before.theme.span)
-    mode = "goal" if words & _MODALS else before.mode
+    mode = "goal" if words & (_MODALS | _ENDS) else before.mode
     for found, j in _predicate_after_be(p, i, k, same, mode, bool(words & _NOT)):
         if isinstance(found, Clause):
             yield replace(found, cost=found.cost + 1), j

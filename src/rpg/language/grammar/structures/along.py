@@ -28,6 +28,15 @@ def listed_in_turn(p: Parser, k: int) -> Results[OrderBy]:
             yield OrderBy(by="named", items=items, span=p.span(k, end)), end
 
 
+def listed_again(p: Parser, k: int, many: int) -> Results[OrderBy]:
+    """Behind "a row of five": ": red, white, red, white, red". Looks that come again tell an order; others may tell no
+    more than what there is."""
+    for order, end in listed_in_turn(p, k) if many and p.stands(k, (":", ",")) else ():
+        looks = [x.traits for x in order.items if isinstance(x, Noun) and x.traits.colors[1:] == ()]
+        if len(set(looks)) < len(looks) == len(order.items) == many:
+            yield order, end
+
+
 def _mere_lots(p: Parser, k: int, end: int, items: tuple[Meaning, ...]) -> bool:
     """ "(a row,) two red and three green", "(five blocks in a row,) two red, three green": of what it is made, in no
     order."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.each_line import EACH
-from rpg.language.grammar.things.adjectives import color
+from rpg.language.grammar.things.adjectives import color, colors
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import Absolute, Amount, Coord, Noun, Places, Size, Traits
@@ -27,6 +27,26 @@ def symbols_told(p: Parser, j: int, kind: str) -> Results[Noun]:
         plain = marks == Traits(labels=marks.labels, kind=marks.kind)
         if isinstance(found, Noun) and plain and len(marks.labels) > 1 and found.amount is None:
             yield found, k
+
+
+@rule
+def apposed_blocks(p: Parser, j: int, alone: bool = False) -> Results[Noun]:
+    """ ", red blocks", ", all blocks green", ", five red blocks" of a structure that stands `alone`: what the blocks of
+    a structure look like, closed by the next comma."""
+    if not p.stands(j, (",", ":") if alone else (",",)):
+        return
+    start = p.opt(j + 1, "all")
+    if every := p.any_of(start, ("blocks", "cubes", "of the blocks", "the blocks", "of the cubes", "the cubes")):
+        for (named, either), k in colors(p, p.any_of(every, ("are", "being", "in")) or every) if start > j + 1 else ():
+            if not either and len(named) == 1 and (k >= p.end or p.words[k] == ","):
+                yield Noun(head="block", plural=True, traits=Traits(colors=named), span=p.span(start, k)), k
+    many = p.number(start) if alone and start == j + 1 else None
+    amount = Amount(many, many) if many else None
+    for (named, either), k in colors(p, start + 1 if many else start):
+        end = p.one(k, frozenset({"blocks", "cubes", "bricks"}))
+        if end and not either and len(named) == 1 and (end >= p.end or p.words[end] == ","):
+            look = Traits(colors=named)
+            yield Noun(head="block", amount=amount, plural=True, traits=look, span=p.span(start, end)), end
 
 
 @rule

@@ -8,8 +8,8 @@ from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import toward
-from rpg.language.grammar.structures.along import listed_along, listed_in_turn
-from rpg.language.grammar.structures.apposed import a_lot_each, colored_ones, layers_told, symbols_told
+from rpg.language.grammar.structures.along import listed_again, listed_along, listed_in_turn
+from rpg.language.grammar.structures.apposed import a_lot_each, apposed_blocks, colored_ones, layers_told, symbols_told
 from rpg.language.grammar.structures.ascents import measures
 from rpg.language.grammar.structures.each_line import one_line_each
 from rpg.language.grammar.structures.gradients import gradient
@@ -65,6 +65,8 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
                 yield replace(whole, details=(*whole.details, lot), span=p.span(i, last)), last
             yield from _sided(p, i, end, whole)
             yield from _in_colors(p, i, end, whole)
+            for along, last in listed_again(p, end, _of_so_many(whole)):
+                yield replace(whole, details=(*whole.details, along), span=p.span(i, last)), last
             yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
         yield from _sided(p, i, k, sized)
         for lot, end in each_of(p, k) if base.plural else ():
@@ -106,6 +108,12 @@ def _in_colors(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]
         if _as_many_colors(items, size):
             whole = Coord(op="and", items=items, span=p.span(lead, end))
             yield replace(base, members=whole, sizes=(), span=p.span(i, end)), end
+
+
+def _of_so_many(base: Structure) -> int:
+    """ "a row of five", of which no more is said; 0 for others."""
+    line = base.members is None and base.kind in ("stack", "row", "line", "column")
+    return base.size.low if line and base.size is not None else 0
 
 
 def _as_many_colors(items: tuple[Meaning, ...], size: Amount | None) -> bool:
@@ -202,7 +210,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                          ", flat on the table", "flat on the table")):  # fmt: skip
         yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
     plain = base.members is None and not base.traits.colors
-    for blocks, k in apposed_blocks(p, j) if plain else ():
+    for blocks, k in apposed_blocks(p, j, not base.plural) if plain else ():
         yield replace(base, members=blocks, span=p.span(i, k)), k
     for blocks, k in symbols_told(p, j, base.kind) if plain else ():
         yield replace(base, members=blocks, span=p.span(i, k)), k
@@ -276,22 +284,6 @@ _HOLLOW = (
     "the inside is empty", "the center is empty",
 )  # fmt: skip
 """What makes a figure an outline."""
-
-
-@rule
-def apposed_blocks(p: Parser, j: int) -> Results[Noun]:
-    """ ", red blocks", ", all blocks green": what the blocks of a structure look like, closed by the next comma."""
-    if p.words[j : j + 1] != [","]:
-        return
-    start = p.opt(j + 1, "all")
-    if every := p.any_of(start, ("blocks", "cubes", "of the blocks", "the blocks", "of the cubes", "the cubes")):
-        for (named, either), k in colors(p, p.any_of(every, ("are", "being", "in")) or every) if start > j + 1 else ():
-            if not either and len(named) == 1 and (k >= p.end or p.words[k] == ","):
-                yield Noun(head="block", plural=True, traits=Traits(colors=named), span=p.span(start, k)), k
-    for (named, either), k in colors(p, start):
-        end = p.one(k, frozenset({"blocks", "cubes", "bricks"}))
-        if end and not either and len(named) == 1 and (end >= p.end or p.words[end] == ","):
-            yield Noun(head="block", plural=True, traits=Traits(colors=named), span=p.span(start, end)), end
 
 
 _LINES = ("row", "line", "column", "stack", "circle", "pile", "word")

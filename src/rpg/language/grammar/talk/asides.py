@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser
+from rpg.language.grammar.structures.repeating import repeated
 from rpg.language.grammar.talk.arrows import in_words
 from rpg.language.grammar.talk.framing import VIEW
 from rpg.language.grammar.talk.rephrased import rephrased
@@ -177,7 +178,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         else:
             at = _closed(tokens, out, end, words[at] in _HESITATIONS)
     out += waiting
-    plain = rephrased(in_words([token for n in range(len(out)) for token in _meant(out, n)]))
+    plain = rephrased(in_words(repeated([token for n in range(len(out)) for token in _meant(out, n)])))
     return reckoned(exceptions_first(plain))
 
 
@@ -342,6 +343,8 @@ def _meant(tokens: list[Token], at: int) -> list[Token]:
         return [replace(token, word=word) for word in ("it", "is")]
     if token.word == "its" and after in _NAMED:
         return [replace(token, word=word) for word in ("it", "is")]
+    if token.word == "…" and (at == 0 or tokens[at - 1].word in _STOPS):
+        return []
     if token.raw == "u" and (at == 0 or tokens[at - 1].word in _ADDRESSED):
         return [replace(token, word="you")]
     if token.raw == "w" and 0 < at < len(tokens) - 1 and len(tokens[at - 1].word) > 2 and _thing(tokens[at + 1]):

@@ -8,7 +8,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import OPPOSITE, SIDES, toward
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
-from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Places, Toward, Traits
+from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Pattern, Places, Toward, Traits
 
 _UNITS = {"row": "row", "column": "column", "layer": "layer", "level": "layer"}
 _WHERE = "with|where|and|so_that|such_that|having|in_which|whose|while?"
@@ -90,12 +90,20 @@ def _colors(p: Parser, i: int, start: int, unit: str) -> Results[Meaning]:
         told, end = _told(p, k, unit)
         yield from _whole(p, i, end, told, unit, side)
     told, end = _told(p, p.opt(start, "from"), unit)
+    plain = len(told) > 1 and not any(side for _, side, _ in told)
+    if plain and (free := p.any_of(p.opt(end, ","), _ANY_ORDER)):
+        values = tuple(look.traits.colors[0] for look, _, _ in told)
+        yield Pattern(unit=unit, values=values, span=p.span(i, free)), free
+    if plain and not _EVERY.isdisjoint(p.words[i:start]) and all(look.amount for look, _, _ in told):
+        return  # "each column in its own colour: two red, two pink": what there is, and not where
     yield from _whole(p, i, end, told, unit, None)
     for way, j in toward(p, p.opt(end, ",")) if told else ():
         if isinstance(way, Toward) and way.first is not None:
             yield from _whole(p, i, j, told, unit, way.first)
 
 
+_ANY_ORDER = ("in any order", "in whatever order", "in no particular order", "in either order", "in some order")
+_EVERY = frozenset({"each", "every", "per", "color"})
 _BEGUN = ("from the", "starting from the", "starting at the", "starting with the", "beginning with the",
           "beginning at the", "starting in the", "counted from the", "beginning from the")  # fmt: skip
 _SET_OFF = frozenset({",", ":", "-"})

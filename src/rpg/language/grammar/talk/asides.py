@@ -51,6 +51,8 @@ _FREE = (
                      " i do not mind")
     ),
     "the order does not matter", "order does not matter", "no matter the order",
+    *(f"the order{of} {free}" for of in ("", " of the rows", " of the columns", " of the layers", " of the colors")
+      for free in ("does not matter", "is up to you", "is free", "is your choice", "is irrelevant", "is open")),
     "no particular order", "in no particular order", "whichever way", "whichever way you like",
     "any way you like", "however you like", "whichever direction", "in whichever direction",
     "direction does not matter", "the direction does not matter", "in no particular direction",
@@ -98,7 +100,7 @@ _FREE = (
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
-_LINES = frozenset({"row", "line", "tower", "stack", "column"})
+_LINES = frozenset({"row", "line", "tower", "stack", "column", "rows", "columns", "layers"})
 _STOPS = frozenset({"…", ";", ".", "!", "?", ":"})
 _BREAKS = _STOPS | {","}
 _DEGREES = frozenset(

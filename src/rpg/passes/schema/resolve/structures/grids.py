@@ -32,7 +32,9 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     if shape.kind == "checkerboard":
         spec.patterns.append(Said(unit="checkerboard", span=shape.span))
     if any(p.unit == "checkerboard" for p in spec.patterns):
-        shape = _cornered(_two_colors(shape, spec), spec, rows * columns if rows % 2 and columns % 2 else 0)
+        shape = _cornered(_colors_told(shape, spec), spec, rows * columns if rows % 2 and columns % 2 else 0)
+    elif any(p.values for p in spec.patterns) and theme is None:
+        shape = _colors_told(shape, spec)
     form = s.Grid(blocks=("",), rows=rows, columns=columns, layers=layers)
     shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)
@@ -46,6 +48,7 @@ def grid(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
 def _of_lines(shape: Structure, spec: Spec) -> Structure:
     """ "a grid, one colour per row: red, white, blue" has three rows, where nothing else is said of them."""
     told = {place.unit: place.of for item in spec.absolutes if isinstance(place := place_of(item), Places) and place.of}
+    told |= {pattern.unit: len(pattern.values) for pattern in spec.patterns if pattern.values}
     for unit, whats in (("row", ("rows", "deep")), ("column", ("columns", "wide", "long"))):
         if told.get(unit) and not shape.dims and shape.extent(*whats, "side") is None:
             amount = Amount(told[unit] or 0, told[unit])
@@ -81,8 +84,8 @@ def _many(told: Meaning) -> int:
     return told.amount.low if told.amount else max(1, len(told.traits.colors), len(told.traits.labels))
 
 
-def _two_colors(shape: Structure, spec: Spec) -> Structure:
-    """ "a checkerboard, red and white", "in a checkerboard pattern of red and white": the two colours, not an order."""
+def _colors_told(shape: Structure, spec: Spec) -> Structure:
+    """ "a checkerboard, red and white", "each row in one colour: red, white, in any order": colours, and no order."""
     said = next((pattern.values for pattern in spec.patterns if pattern.values), ())
     if said and shape.members is None:
         items = tuple(Noun(head="any", traits=Traits(colors=(color,)), span=shape.span) for color in said)
@@ -227,8 +230,8 @@ def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
             )
         scene.assume(f"the wall is {columns} blocks wide and {layers} high")
     need = columns * layers
-    if any(p.unit == "checkerboard" for p in spec.patterns):
-        shape = _two_colors(shape, spec)
+    if any(p.unit == "checkerboard" or p.values for p in spec.patterns):
+        shape = _colors_told(shape, spec)
     form = s.Grid(blocks=("",), rows=1, columns=columns, layers=layers)
     shape = widened(shape, spec, theme, form, need, scene)
     names = members_of(shape, spec, theme, need, need, scene, scope)

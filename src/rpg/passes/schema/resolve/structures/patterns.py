@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from rpg.ir.order import Pattern
 from rpg.ir.structures import Cells, Figure
 from rpg.language.lexicon import COLORS
@@ -59,7 +61,13 @@ def pattern_of(
 
 
 def _painted(unit: str, things: list[Thing], dims: tuple[int, int, int], scene: Scene) -> Pattern:
-    """Colours for a pattern where none were said."""
+    """A pattern by lines, with colours where none were said."""
+    colors = Counter(t.color for t in things if t.color and not t.label)
+    if unit in ("row", "column", "layer") and colors.total() == len(things):
+        lines = _lines(unit, len(things), dims)
+        if sorted(colors.values()) != sorted(lines):
+            raise refuse("count-mismatch", f"these blocks do not make {len(lines)} {unit}s of one colour each", None,
+                         f"use {len(lines)} colours, as many of each as a {unit} has", lines=len(lines))  # fmt: skip
     if not any(t.color or t.label for t in things):
         lines = _lines(unit, len(things), dims)
         if len(lines) > len(PALETTE):

@@ -52,8 +52,13 @@ class Judge:
         cheap_first = sorted(conditions(goal), key=lambda part: part.kind not in PREDICATES or part.kind in STRUCTURES)
         renamed = Renamed(goal, cheap_first, world)
         self._goals = tuple(transform(part, _spelt_out) for part in renamed.goals)
+        self._own = renamed.namings[:1]
         self._all = _unlike(renamed.namings)
         self._changed = _unlike(renamed.namings[1:])
+
+    def as_named(self, state: BlockState) -> bool:
+        """Does the goal hold with its names as they stand?"""
+        return self._holds(state, self._own)
 
     def renamed(self, state: BlockState) -> bool:
         """Does the goal hold once look-alikes change places? The names as they stand are left for others to judge."""

@@ -35,9 +35,9 @@ GONE = (1.3, 0.0)
 """A place on the floor beside the table."""
 
 
-def near_misses(goal: g.Goal, state: BlockState, rng: Random) -> list[NearMiss]:
-    """States close to `state` (in which `goal` holds) in which it must not hold."""
-    judge = Judge(goal, state.world)
+def near_misses(goal: g.Goal, state: BlockState, rng: Random, judge: Judge | None = None) -> list[NearMiss]:
+    """States close to `state` (in which `goal` holds) in which it must not hold; `judge` is one of that goal."""
+    judge = judge or Judge(goal, state.world)
     found = [miss for miss in _of_conditions(goal, state, rng) if not judge.renamed(miss.state)]
     found += [miss for miss in _generic(goal, state, rng) if not judge.any_name(miss.state)]
     return found

@@ -28,7 +28,7 @@ LIKELY = 4
 
 def looks_back(goal: g.Goal) -> bool:
     """Does the goal depend on more than the state in which it is judged?"""
-    return _over_time(goal) or any(atom.kind in CHANGES for atom in atoms(goal))
+    return over_time(goal) or any(atom.kind in CHANGES for atom in atoms(goal))
 
 
 def waypoints(
@@ -99,5 +99,6 @@ def _conjuncts(goal: g.Goal) -> Iterator[g.Goal]:
         yield goal
 
 
-def _over_time(goal: g.Goal) -> bool:
-    return isinstance(goal, g.Sequence | g.Always) or any(_over_time(child) for child in children(goal))
+def over_time(goal: g.Goal) -> bool:
+    """Does the goal depend on what happened in between, so that a task must remember it?"""
+    return isinstance(goal, g.Sequence | g.Always) or any(over_time(child) for child in children(goal))

@@ -10,6 +10,7 @@ from typing import cast
 import mujoco
 import numpy as np
 
+from rpg.blocks.alike import Judge
 from rpg.blocks.english import clause
 from rpg.blocks.evaluate import settled
 from rpg.blocks.initial import crowded, sample_start, solved_at_start
@@ -75,6 +76,7 @@ class BlockTask(Relations, Structures, Setup):
         self._rest = FALSE
         self._unread = False
         self._looks_back: bool | None = None
+        self._judge: Judge | None = None
         self._drawn: tuple[int, InitialState, BlockState] | None = None
         self._hooked = type(self)._on_step is not BlockTask._on_step
         self._names_of_conditions: dict[int, str] = {}
@@ -188,6 +190,10 @@ class BlockTask(Relations, Structures, Setup):
                 self._judgement = self._judged(state)
         return self._judgement
 
+    def solved(self) -> bool:
+        """Does the goal hold in the current state?"""
+        return self.judge().success.value if self._judge is None else self._judge.any_name(self.state())
+
     def judge_states(self, states: Iterable[BlockState], start: BlockState | None = None) -> list[Judgement]:
         """Judge an episode that is given by its states, without physics; it began with `start`, else the first one."""
         found: list[Judgement] = []
@@ -252,8 +258,7 @@ class BlockTask(Relations, Structures, Setup):
         for attempt in range(ATTEMPTS):
             start = sample_start(init, self.world, seed, attempt)
             self._begin(start)
-            judgement = self.judge()
-            if judgement.success or judgement.failed or judgement.stage:
+            if self._past():
                 continue
             ahead = any(memory.ahead for memory in self._memories)
             if not (ahead and fallback) and not self._leaves_room(start, f"{seed}/{attempt}/room"):
@@ -341,6 +346,10 @@ class BlockTask(Relations, Structures, Setup):
         self._begin_naming(0)
         return answer, noted
 
+    def _past(self) -> bool:
+        """Is the goal met, or a stage of it, or is the episode lost?"""
+        return self.solved() or (self._judge is None and (self.judge().failed or self.judge().stage > 0))
+
     def _leaves_room(self, start: BlockState, draw: str) -> bool:
         """Can the goal be reached from `start`, though it fixes where some blocks are at the end?"""
         if not self._fixes or self._told is None:
@@ -374,12 +383,6 @@ class BlockTask(Relations, Structures, Setup):
         if name is None:
             name = self._names_of_conditions[id(node)] = clause(node, self.world)  # type: ignore[arg-type]
         return name
-
-
-def run_in_place_of(other: BlockTask, task: BlockTask) -> None:
-    """Let `task` simulate in the memory of `other`, if their scenes are the same: both must be reset after the other
-    one was used."""
-    task._lender = other
 
 
 def _as_verdict(value: Verdict | bool) -> Verdict:

@@ -75,6 +75,22 @@ def transform(goal: g.Goal, change: Callable[[g.Goal], g.Goal]) -> g.Goal:
     return change(goal)
 
 
+def plain(goal: g.Goal) -> g.Goal:
+    """What `goal` says: without its spans, conjunctions within conjunctions and choices within choices opened up."""
+
+    def change(node: g.Goal) -> g.Goal:
+        if isinstance(node, g.All | g.Any):
+            kind, nested = type(node), (opened(part, type(node)) for part in node.goals)
+            parts = tuple(part for found in nested for part in found)
+            return parts[0] if len(parts) == 1 else kind(goals=parts)
+        return node if node.span is None else node.model_copy(update={"span": None})
+
+    def opened(part: g.Goal, kind: type[g.All] | type[g.Any]) -> tuple[g.Goal, ...]:
+        return part.goals if isinstance(part, kind) else (part,)
+
+    return transform(goal, change)
+
+
 def names(goal: g.Goal) -> tuple[str, ...]:
     """Every object a goal mentions, each once, in order of first mention; bound variables are left out."""
     found: dict[str, None] = {}

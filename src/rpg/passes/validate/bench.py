@@ -7,10 +7,13 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Protocol
 
+from rpg.blocks.alike import Judge
 from rpg.blocks.state import BlockState, World
+from rpg.blocks.waypoints import over_time
 from rpg.env import BlockTask
-from rpg.env.task import run_in_place_of
+from rpg.env.bench import goal_told, judge_by, run_in_place_of
 from rpg.ir.artifact import GateReport, Program
+from rpg.ir.walk import plain
 from rpg.passes.validate.load import load
 
 
@@ -67,6 +70,20 @@ class Bench:
         made = self.classes[1]()
         run_in_place_of(self.task, made)
         return made
+
+    @cached_property
+    def judge(self) -> Judge | None:
+        """Says whether the goal holds for the task, once it has a state, where its code is our own lowering, tells just
+        the goal of the schema, and remembers nothing. That is less work than to run the code for every state."""
+        goal = self.program.task.goal
+        if not self.trusted or over_time(goal):
+            return None
+        told = goal_told(self.task)
+        if told is None or plain(told) != plain(goal):
+            return None
+        judge = Judge(goal, self.world)
+        judge_by(self.task, judge)
+        return judge
 
     @cached_property
     def world(self) -> World:

@@ -50,13 +50,17 @@ class MutationGate:
         rng = Random(f"near-misses of {program.task.name}")
         goal = bench.trace.authored
         history = bench.trace.history
-        paths = [(miss, (*history, miss.state)) for miss in near_misses(program.task.goal, goal, rng)]
+        judge = bench.judge
+        misses = near_misses(program.task.goal, goal, rng, judge)
+        survivors = [miss for miss in misses if _survives(miss, bench)]
         # where stages count, the goal was met before it moves again
-        paths += [(miss, (*history, *([goal] if history else []), miss.state)) for miss in unsettled(goal)]
-        misses = [miss for miss, _ in paths]
-        survivors = [miss for miss, path in paths if holds(bench.task, path)]
+        met = (*history, goal) if history else ()
+        moving = unsettled(goal)
+        survivors += [miss for miss in moving if holds(bench.task, (*met, miss.state))]
+        misses += moving
         others = other_goals(program, bench)
-        rejected = [path[-1] for path in others if not holds(bench.task, path)]
+        # they were found by the goal of the schema, which where there is a judge the code tells word for word
+        rejected = [] if judge else [path[-1] for path in others if not holds(bench.task, path)]
         found = []
         if survivors:
             found.append(self._vacuous(program, survivors, len(misses)))
@@ -86,6 +90,15 @@ class MutationGate:
         first = subgoals(program.task, rejected[0])
         facts = {"poses": poses(rejected[0]), **first.facts()}
         return failure(self.name, "goal-over-tight", "goal", message, span=first.span, **facts)
+
+
+def _survives(miss: NearMiss, bench: Bench) -> bool:
+    """Does the code's goal hold in a near-miss? Those in which it would under other names are no near-misses."""
+    assert bench.trace is not None
+    history = bench.trace.history
+    if bench.judge is None:
+        return holds(bench.task, (*history, miss.state))
+    return bench.judge.as_named(miss.state.since(history[0].since(None)) if history else miss.state)
 
 
 def holds(task: BlockTask, path: tuple[BlockState, ...]) -> bool:

@@ -74,19 +74,19 @@ class UnsolvedGate:
     def _look(self, starts: _Starts, bench: Bench, seed: int) -> None:
         task = bench.task
         start = task.reset(seed)
-        judged = task.judge()
+        solved, lost = task.solved(), bench.judge is None and task.judge().failed
         bench.prints[f"reset {seed}"] = print_of(task)
         overlap, speed = deepest_overlap(task), task.physics.fastest()
         task.step()
         speed = max(speed, task.physics.fastest())
-        starts.solved += judged.success.value
+        starts.solved += solved
         starts.overlap, starts.speed = max(starts.overlap, overlap), max(starts.speed, speed)
         facts: dict[str, Any] = {"seed": seed, "poses": poses(start)}
         found = []
-        if judged.success:
+        if solved:
             message = f"the goal holds already at the start of seed {seed}"
             found.append(failure(self.name, "reset-solved", "goal", message, **facts))
-        if judged.failed:
+        if lost:
             message = f"the episode of seed {seed} is lost at its start"
             found.append(failure(self.name, "reset-lost", "goal", message, **facts))
         found += self._physical(bench, start, overlap, speed, facts)

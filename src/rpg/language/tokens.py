@@ -50,6 +50,7 @@ AMERICAN = {
     "centres": "centers", "centred": "centered", "neighbour": "neighbor", "neighbours": "neighbors",
     "neighbouring": "neighboring",
     "metre": "meter", "metres": "meters", "organise": "organize", "multicoloured": "multicolored", "storey": "story",
+    "courses": "layers",
     "merely": "only", "solely": "only", "purely": "only", "whereby": "where", "unto": "onto", "him": "it",
     "upto": "up to",
     "invert": "reverse", "inverts": "reverses", "inverted": "reversed", "inverting": "reversing",

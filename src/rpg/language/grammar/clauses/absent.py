@@ -9,20 +9,39 @@ from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Clause, Loc, Pronoun, TableTop
+from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, TableTop
 
 
 def nothing_at_all(found: Clause) -> Clause:
-    """ "do not put anything on it": nothing is put there."""
+    """ "do not put anything on it": nothing is put there; "none stacked": they are not stacked."""
     theme = found.theme
+    if (all_ := none_stacked(found)) is not None:
+        return _on_the_table(found, all_)
     if not found.negated or not isinstance(theme, Pronoun) or theme.word not in ("anything", "anything else"):
         return found
     if found.verb == "stack" and not found.adjuncts and theme.word == "anything":  # "do not stack anything"
-        table = Loc(rel="on", landmark=TableTop(span=found.span), span=found.span)
-        all_ = Pronoun(word="everything", span=theme.span)
-        return Clause(verb="be", theme=all_, adjuncts=(table,), mode="goal", span=found.span)
+        return _on_the_table(found, Pronoun(word="everything", span=theme.span))
     nothing = Pronoun(word="nothing else" if theme.word.endswith("else") else "nothing", span=theme.span)
     return replace(found, theme=nothing, negated=False, verb="be", lemma="")
+
+
+def _on_the_table(found: Clause, all_: Meaning) -> Clause:
+    """Blocks none of which is on another."""
+    table = Loc(rel="on", landmark=TableTop(span=found.span), span=found.span)
+    return Clause(verb="be", theme=all_, adjuncts=(table,), mode="goal", span=found.span, cost=found.cost)
+
+
+def none_stacked(found: Clause) -> Meaning | None:
+    """ "None of them is stacked.", "nothing stacked": which blocks are on no other."""
+    theme, more = found.theme, [a for a in found.adjuncts if not (isinstance(a, Manner) and a.kind == "allowed")]
+    if found.verb != "stack" or more or found.negated or found.mode == "start":
+        return None
+    if isinstance(theme, Pronoun):
+        whole = {"none of them": "them", "neither of them": "them", "nothing": "everything"}.get(theme.word)
+        return Pronoun(word=whole, span=theme.span) if whole else None
+    if isinstance(theme, Noun) and theme.det == "no" and theme.head != "patch":
+        return theme.part_of or replace(theme, det="all", plural=True)
+    return None
 
 
 _NEVER_THERE = Patterns(

@@ -357,8 +357,8 @@ def _told_one_by_one(theme: Meaning | None) -> bool:
 def _weighed(found: Meaning) -> Meaning:
     """ "First a row of three, then a red block on one of them": what comes then has its own place, not both of them."""
     theme, place = (found.theme, found.adjuncts[0]) if isinstance(found, Clause) and found.adjuncts else (None, None)
-    told = isinstance(found, Clause) and found.verb == "be" and {getattr(a, "kind", "") for a in found.adjuncts}
-    if isinstance(found, Clause) and (told == {"idle"} or _told_one_by_one(found.theme)):
+    kinds = isinstance(found, Clause) and found.verb == "be" and {getattr(a, "kind", "") for a in found.adjuncts}
+    if isinstance(found, Clause) and (kinds == {"idle"} or _told_one_by_one(found.theme)):
         return replace(found, cost=found.cost + 4)  # "a T, 5 blue cubes, any orientation" says it of the T
     if not isinstance(place, Loc):
         return found

@@ -15,6 +15,8 @@ def piled(found: Meaning) -> Meaning:
     if found.lemma == "keep" and found.adjuncts and all(_bunched(part) for part in found.adjuncts):
         bunch = tuple(part for part in found.adjuncts if isinstance(part, Into))
         return replace(found, verb="place", lemma="put", adjuncts=bunch) if bunch else found
+    if (each := _each_on_one(found)) is not None:
+        return each
     if (tower := _looks_again(found) or _beside_a_tower(found)) is not None:
         return tower
     for index, (first, second) in enumerate(zip(found.adjuncts, found.adjuncts[1:], strict=False)):
@@ -28,6 +30,17 @@ def piled(found: Meaning) -> Meaning:
             said = That(kind="so", clauses=chain, span=span)
             return replace(found, adjuncts=(*found.adjuncts[: index + 1], said))
     return found
+
+
+def _each_on_one(found: Clause) -> Clause | None:
+    """ "stack each red block on a blue one": each on one of its own, and not all of them in one tower."""
+    theme, places = found.theme, found.adjuncts
+    place = places[0] if found.verb == "stack" and len(places) == 1 and not found.negated else None
+    if not isinstance(theme, Noun) or theme.det != "each" or not isinstance(place, Loc) or not _lies_on(place):
+        return None
+    one = place.landmark
+    some = isinstance(one, Noun) and one.det == "a" and one.head != "patch"
+    return replace(found, verb="place", lemma="put") if some else None
 
 
 def _looks_again(found: Clause) -> Clause | None:

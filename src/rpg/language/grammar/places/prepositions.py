@@ -69,6 +69,8 @@ CLOSE = ("immediately", "right", "just")
 _LOOSE_TOO = ("front", "behind", "apart")
 """Relations of which "nearer than" and "apart from" are looser kinds."""
 _LOOSE = ("somewhere", "anywhere", "generally")
+_FLAT = ("flat", "flatly", "loosely")
+"""Before "on" these say no more than that: whatever is on something lies flat on it."""
 
 
 @rule
@@ -116,6 +118,8 @@ def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
     for words, mod in ((DIRECT, "directly"), (CLOSE, "immediate"), (_LOOSE, "somewhere")):
         if i < p.end and p.words[i] in words:
             starts.append(((mod,), p.opt(p.reach(i + 1), "and")))
+    if p.stands(i, _FLAT) and p.words[i + 1] in ("on", "onto", "upon"):
+        starts.append(((), p.reach(i + 1)))
     for mods, j in starts:
         for phrase, k in p.standing(j, _SIMPLE):
             loose = mods if not phrase.endswith("than") or phrase == "nearer than" else (*mods, "somewhere")

@@ -30,6 +30,12 @@ _GOING = (
 _AWAY = Patterns(f"{_GOING}? straight? away_from the? {_ME}", f"{_GOING} straight? away")
 _NEARER = Patterns(f"{_GOING}|coming|comes|that_comes straight? towards|toward|to the? {_ME}")
 """Lines that begin near the viewer, and far from them."""
+_EDGE = "edge|side of_the_table|of_the_desk|of_the_workspace?"
+_OF_TABLE = "the|its? table_'s|desk_'s|workspace_'s?"
+_SIDEWAYS = Patterns(f"running? parallel to|with {_OF_TABLE} front|near|back|far|rear {_EDGE}")
+_DEEPWARDS = Patterns(f"running? parallel to|with {_OF_TABLE} left|right {_EDGE}",
+                      f"running? perpendicular to {_OF_TABLE} front|near|back|far|rear {_EDGE}")  # fmt: skip
+"""Lines by the edges of the table."""
 _BEGINNING = {
     "starting from the left": ("left", "y"), "starting at the left": ("left", "y"),
     "starting from the right": ("right", "y"), "starting from the bottom": ("bottom", "z"),
@@ -116,9 +122,13 @@ def toward(p: Parser, i: int) -> Results[Meaning]:
             yield replace(way, span=p.span(i, k)), k
     for phrase, k in p.standing(i, _BEGINNING):
         side, axis = _BEGINNING[phrase]
+        if p.words[i] in ("highest", "lowest") and any(token.kind == "number" for token in p.tokens):
+            continue  # that of the numbers
         yield Toward(first=side, axis=axis, span=p.span(i, k)), k
     for ways, side in ((_AWAY, "front"), (_NEARER, "back")):
         yield from ((Toward(first=side, axis="x", span=p.span(i, k)), k) for k in ways.matches(p, i))
+    for axis, ways in (("y", _SIDEWAYS), ("x", _DEEPWARDS)):
+        yield from ((Toward(axis=axis, span=p.span(i, k)), k) for k in ways.matches(p, i))
     for phrase, k in p.standing(i, _ALONG):
         yield Toward(axis=_ALONG[phrase], span=p.span(i, k)), k
 

@@ -57,21 +57,24 @@ _LINES = {"row": "columns", "rows": "columns", "column": "rows", "columns": "row
 
 
 def _lines_by_lines(p: Parser, i: int, first: int) -> Results[tuple[int, ...]]:
-    """ "four rows by two columns": the rows come first in what is yielded."""
+    """ "four rows by two columns", "2 rows 4 columns": the rows come first in what is yielded."""
     other = _LINES.get(p.words[i + 1]) if i + 3 < p.end else None
-    second = p.number(i + 3) if other and p.one(i + 2, _BY) else None
-    if second is not None and p.words[i + 4] in (other, (other or "")[:-1]):
-        yield ((first, second) if other == "columns" else (second, first)), p.reach(i + 5)
+    k = p.opt(i + 2, *_BY)
+    second = p.number(k) if other else None
+    if second is not None and p.words[k + 1] in (other, (other or "")[:-1]):
+        yield ((first, second) if other == "columns" else (second, first)), p.reach(k + 2)
 
 
 @rule
 def rows_and_columns(p: Parser, i: int) -> Results[tuple[int, ...]]:
     """ "two rows and three columns", "4 rows x 2 columns": a grid that is told by these alone."""
     first = p.number(i)
-    other = _LINES.get(p.words[i + 1]) if first is not None else None
-    k = p.any_of(i + 2, ("and", "by", "x", ", and", ",", "times", "*")) if other else 0
-    second = p.number(k) if k else None
-    if first is not None and second is not None and other is not None and p.words[k + 1] in (other, other[:-1]):
+    if first is None:
+        return
+    other = _LINES.get(p.words[i + 1])
+    k = p.any_of(i + 2, ("and", "by", "x", ", and", ",", "times", "*")) or i + 2
+    second = p.number(k) if other else None
+    if second is not None and other is not None and p.words[k + 1] in (other, other[:-1]):
         yield ((first, second) if other == "columns" else (second, first)), p.reach(k + 2)
 
 
@@ -130,8 +133,9 @@ _WITH = (
 _COUNTED = (
     (("block base", "blocks base", "cube base", "wide base", "block wide base", "base", "blocks wide base",
       "blocks wide bottom"), "base", 0),
-    (("blocks each", "cubes each", "blocks per row", "blocks in each row", "cubes per row", "per row",
-      "blocks in every row", "each"), "columns", 0),
+    (("each", *(f"{blocks}{every}" for blocks in ("", "blocks ", "cubes ", "bricks ") for every in (
+        "each", "per row", "in each row", "in every row", "per layer", "in each layer", "in every layer", "per level",
+        "in each level", "to a layer", "to each layer", "to the layer")[1 - bool(blocks) :])), "columns", 0),
     (("blocks per column", "blocks in each column", "cubes per column", "per column", "blocks in every column",
       "cubes in each column"), "rows", 0),
     (("blocks per side", "cubes per side", "blocks on each side", "blocks along each side", "blocks to a side",

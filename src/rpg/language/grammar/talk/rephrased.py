@@ -25,9 +25,14 @@ _PHRASES = {
     **{f"{on} the {floor}": f"{on} the table" for on in ("on", "onto", "to") for floor in ("floor", "ground")},
     **{f"{how} {heap}": heap for how in _MESSY for heap in ("heap", "pile", "jumble", "bunch")},
     **{f"{how} {at}": at for how in _TOGETHER for at in ("in one heap", "in a heap", "in one pile", "in a pile")},
+    **{f"{which} course": f"{which} layer" for which in (
+        "a", "one", "each", "every", "top", "bottom", "upper", "lower", "middle", "first", "second", "third", "last",
+        "lowest", "highest", "topmost", "uppermost", "next", "single", "per")},
     "prior to": "before", "not a single": "no", "not even one": "no", "not even a single": "no",
     **{f"{one} and {the}{two} {what}": f"{one} {what} and {the}{two} {what}" for the in ("", "the ")
        for one, two in (("odd", "even"), ("even", "odd")) for what in ("digits", "numbers")},
+    **{f"{on} the {top} of the table": f"{on} the table" for on in ("on", "onto", "to")
+       for top in ("floor", "top", "surface")},
     "an other": "another", "the both": "both", "both the two": "both",
     **{f"{near} of": near for near in ("behind", "beside", "above", "below", "under", "beneath", "underneath", "near")},
     **{f"upright {to} {who}": "upright" for to in ("for", "to") for who in ("the viewer", "the camera", "me")},

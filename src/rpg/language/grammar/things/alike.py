@@ -63,8 +63,8 @@ def color_named(p: Parser, i: int) -> Results[Clause]:
 
 
 def color_at_last(p: Parser, i: int, before: Clause) -> Results[Clause]:
-    """ "a staircase, three steps, going up to the right, green", "a row of four blocks, brown": a colour at the very end
-    is that of all of it."""
+    """ "a staircase, three steps, going up to the right, green", "a row of four blocks, brown": a colour at the end is
+    that of all of it."""
     shape, start = before.theme, p.one(i, ",")
     if not start or not isinstance(shape, Structure) or before.verb != "build" or shape.traits.colors:
         return

@@ -1,9 +1,11 @@
-"""What brackets behind blocks say of them: how many they are, how large each is, or what they look like."""
+"""What stands behind blocks and says of them how many they are, in brackets or "of the three"; or in brackets what they
+look like."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color, colors
@@ -11,16 +13,18 @@ from rpg.language.grammar.things.labels import label_list
 from rpg.language.meaning import Amount, Noun
 
 _LEADS = ("there are", "there is", "we have", "there are only", "exactly", "all", "you have", "i have", "in total",
-          "together", "altogether", "total", "total :", "just")  # fmt: skip
+          "together", "altogether", "total", "total :", "just", "also", "again", "there are also")  # fmt: skip
 _COUNTED = ("of them", "of those", "of these", "in total", "in all", "altogether", "pieces", "blocks", "cubes",
-            "in number", "all together", "total", "each")  # fmt: skip
+            "in number", "all together", "total", "each", "too", "as well", "also", "again")  # fmt: skip
 _WIDE = ("each", "wide", "edge", "edges", "each side", "a side", "on each side", "on a side", "cubes", "cube", "large",
          "in size", "apiece", "edge length", "side length", "blocks", "block")  # fmt: skip
 
 
 @choice
 def bracketed(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
-    """ "all white blocks (3)", "every red one (there are four)", "the orange block (3 cm)", "two mats (red, blue)"."""
+    """ "all white blocks (3)", "every red one (there are four)", "the orange block (3 cm)", "two mats (red, blue)",
+    "any red block of the three"."""
+    yield from _of_so_many(p, i, j, noun)
     opened = p.one(j, "(")
     if not opened:
         return
@@ -67,8 +71,43 @@ _ONE = frozenset({"a", "an", "one"})
 
 
 def _countable(noun: Noun) -> bool:
-    several = noun.plural or noun.det in ("each", "no")
-    return noun.amount is None and several and noun.part_of is None and noun.head in ("block", "patch", "any")
+    several = noun.plural or noun.det in ("each", "no", "a")
+    one = noun.det == "a" and noun.amount == Amount(1, 1) and noun.head != "patch"  # "on a red block (2)"
+    return (noun.amount is None or one) and several and noun.part_of is None and noun.head in ("block", "patch", "any")
+
+
+_OUT_OF = ("of the", "out of the", "of all", "from the", "of", "out of", "from", "of these", "of those", "of our",
+           "of your", "of my")  # fmt: skip
+_THERE_BE = ("there are", "we have", "you have", "i have", "there", "available")
+_GOES_ON = frozenset({*lexicon.BLOCK, *lexicon.LOOSE_BLOCK, *lexicon.COLOR, *lexicon.COLOR_PLURAL, *lexicon.PATCH,
+    *lexicon.LETTER, *lexicon.DIGIT, *lexicon.SYMBOL, *lexicon.STRUCTURE, *lexicon.SIZE, *lexicon.UNIT,
+    *lexicon.ORDINAL, "ones", "by", "x", "other", "others", "such", "left", "different", "plain", "vowels",
+    "consonants"})  # fmt: skip
+"""What may follow a number and makes it one of something else."""
+
+
+def _of_so_many(p: Parser, i: int, j: int, noun: Noun) -> Results[Noun]:
+    """ "any red block of the three", "two blue ones out of five": how many there are from which they are taken."""
+    of = p.any_of(j, _OUT_OF)
+    looks = noun.traits.colors or noun.traits.kind or noun.traits.labels
+    if not of or noun.part_of is not None or noun.head == "patch" or not looks or len(noun.traits.colors) > 1:
+        return
+    if noun.det not in ("a", "any", "bare", "some", "each", "no") or (noun.amount is None and noun.plural):
+        return
+    least = noun.amount.low if noun.amount is not None else 1
+    for many, k in amounts.count(p, of):
+        end = p.any_of(k, _THERE_BE) or k
+        if many > least and p.words[k - 1] != "one" and not p.stands(k, _GOES_ON) and _word_next(p, end):
+            whole = replace(noun, det="the", plural=True, amount=Amount(many, many), cost=0)
+            one = noun.amount in (None, Amount(1, 1)) and noun.det in ("a", "any", "bare")
+            det = "any" if one else "some" if noun.amount is not None else noun.det
+            amount = Amount(1, 1) if one else noun.amount
+            yield Noun(head=noun.head, det=det, amount=amount, plural=True, part_of=whole, span=p.span(i, end)), end
+
+
+def _word_next(p: Parser, k: int) -> bool:
+    """Whether no symbol or number stands there, of which so many could be."""
+    return k >= p.end or (p.tokens[k].kind in ("word", "punct") and len(p.words[k]) > (p.tokens[k].kind == "word"))
 
 
 def _shows(noun: Noun, labels: tuple[str, ...]) -> bool:
@@ -90,6 +129,8 @@ def _as_many(noun: Noun, many: int) -> bool:
 
 
 def _counted(noun: Noun, amount: Amount, span: tuple[int, int]) -> Noun:
+    if noun.det == "a":  # "each of them on a red block (3)"
+        return replace(noun, part_of=replace(noun, det="bare", plural=True, amount=amount, cost=0), span=span)
     if noun.det in ("each", "no", "any"):
         whole = replace(noun, det="the", plural=True, amount=amount, cost=0)
         return Noun(head=noun.head, det=noun.det, plural=True, part_of=whole, span=span)

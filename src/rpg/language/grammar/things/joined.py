@@ -178,12 +178,10 @@ def apposed(p: Parser, i: int, whole: Meaning, j: int) -> Results[Meaning]:
     for found, k in amounts.quantity(p, j + 1):
         counts = whole.amount is None and whole.det in ("bare", "some") and found.det == "some"
         if found.partitive and not counts and (end := p.any_of(k, ("them", "these", "those", "which"))):
-            yield (
-                Noun(
-                    head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole, span=p.span(i, end)
-                ),
-                end,
-            )
+            more_ = int(found.det == "all")  # "between the two blue ones, all of them on the table": of more than these
+            part = Noun(head=whole.head, det=found.det, amount=found.amount, plural=True, part_of=whole,
+                        span=p.span(i, end), cost=more_)  # fmt: skip
+            yield part, end
     plain = isinstance(whole, Noun) and whole.traits in (Traits(), Traits(kind="plain"))
     if isinstance(whole, Noun) and whole.amount is not None and whole.amount.low > 1 and plain:
         for listed, k in _list_of(p, i, j + 1, whole.amount.low):

@@ -15,7 +15,7 @@ _PRONOUNS = frozenset({"it", "them", "they", "itself", "themselves"})
 _FINITE = frozenset({"should", "must", "may", "can", "is", "are", "shall", "touches", "lies", "stands", "has", "ought",
                      "will", "rests", "sits", "goes", "needs", "touch", "be"})  # fmt: skip
 """What follows "neither" where that is the subject by itself."""
-_NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next"}
+_NONE_THERE = _FINITE | {"on", "in", "off", "inside", "touching", "next", "stacked"}
 _OF_THEM = ("of them", "of these", "of those")
 
 

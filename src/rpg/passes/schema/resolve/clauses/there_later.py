@@ -1,11 +1,12 @@
-"""What is told by "there is" behind a command: where something is at the end, if it is about what the command makes."""
+"""What is told of what there is behind a command: where it is at the end, if it is about what the command makes; which
+blocks there are, if it is how they start."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from typing import TypeGuard
 
-from rpg.language.meaning import Chain, Clause, In, Loc, Meaning, Noun, Pronoun, Structure, parts_of
+from rpg.language.meaning import Chain, Clause, In, Into, Loc, Meaning, Noun, Pronoun, Structure, Traits, parts_of
 
 
 def there_on_it(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
@@ -53,3 +54,38 @@ def there_is(clause: Meaning) -> TypeGuard[Clause]:
     """ "there is ...", with nothing but places."""
     said = isinstance(clause, Clause) and clause.verb == "exist" and clause.mode == "given" and not clause.lemma
     return said and isinstance(clause, Clause) and all(isinstance(a, Loc | In) for a in clause.adjuncts)
+
+
+def they_begin_as(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
+    """ "All blocks must be on the table. They start as a tower of four green ones.": this says which blocks there are,
+    where no other sentence names any besides these."""
+    for n, chain in enumerate(chains):
+        shape = _begun_as(chain.clauses[0]) if len(chain.clauses) == 1 else None
+        if shape is None:
+            continue
+        own = _looks(shape)
+        others = [x for other in (*chains[:n], *chains[n + 1 :]) for x in parts_of(other) if isinstance(x, Noun)]
+        counted = any(x.amount is not None and x.head != "patch" for x in others)
+        if own and not counted and all(_looks(x) <= own for x in others if x.head != "patch"):
+            there = Clause(verb="exist", lemma="begun", theme=shape, mode="given", span=chain.span)
+            chains = (*chains[:n], replace(chain, clauses=(there,)), *chains[n + 1 :])
+    return chains
+
+
+def _begun_as(clause: Meaning) -> Structure | None:
+    """What it is that the blocks start as, whichever these are."""
+    if not isinstance(clause, Clause) or clause.mode != "start" or clause.verb != "be" or len(clause.adjuncts) != 1:
+        return None
+    theme, into = clause.theme, clause.adjuncts[0]
+    all_ = isinstance(theme, Pronoun) and theme.word in ("they", "everything")
+    if isinstance(theme, Noun):
+        plain = (theme.head, theme.traits, theme.amount, theme.part_of) == ("block", Traits(), None, None)
+        all_ = plain and theme.plural and theme.det in ("all", "the")
+    shape = into.structure if isinstance(into, Into) and all_ else None
+    return shape if isinstance(shape, Structure) and shape.members is not None else None
+
+
+def _looks(meaning: Meaning) -> set[str]:
+    """The colours and symbols that are named."""
+    named = [x.traits for x in parts_of(meaning) if isinstance(x, Noun)]
+    return {look for traits in named for look in (*traits.colors, *traits.labels)}

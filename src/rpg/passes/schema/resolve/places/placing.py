@@ -9,19 +9,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
-from rpg.language.meaning import (
-    Amount,
-    At,
-    Clause,
-    Coord,
-    Loc,
-    Manner,
-    Meaning,
-    Noun,
-    Pronoun,
-    Structure,
-    TableTop,
-)
+from rpg.language.meaning import Amount, At, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, Structure, TableTop
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.goals.logic import negation
@@ -150,12 +138,14 @@ def places(ref: Ref, spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goal
 
 
 def _no_chain(spec: Spec) -> None:
-    """ "A left of B left of C", with nothing between: of B, or of A?"""
+    """ "A left of B left of C", with nothing between: of B, or of A? "On B and on the table" is not said of B."""
     for one, two in itertools.pairwise(p for p in spec.places if isinstance(p, Loc)):
-        if one.rel == two.rel and one.rel in CHAINED and 0 <= two.span[0] - one.span[1] <= 1:
-            raise refuse(
-                "misplaced", "it is not clear what this is said of", two.span, "say 'and', or use two sentences"
-            )
+        gap = two.span[0] - one.span[1]
+        if one.rel == two.rel and one.rel in CHAINED and 0 <= gap <= 1:
+            raise refuse("misplaced", "it is not clear what this is said of", two.span, "say 'and', or two sentences")
+        on = one.rel == two.rel == "on" and isinstance(one.landmark, Noun) and one.landmark.head != "patch"
+        if on and isinstance(two.landmark, TableTop) and len(" and") < gap < len(" together with"):
+            raise refuse("contradiction", "what is on a block is not on the table", two.span, "say which one is there")
 
 
 def _merge_sides(spec: Spec) -> None:

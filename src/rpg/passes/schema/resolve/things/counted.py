@@ -13,6 +13,7 @@ _THEM = frozenset({"them", "they", "these", "those"})
 
 def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
     """The sentences with such numbers where the blocks are named."""
+    links, chains = _counted_there(links, chains)
     found = list(chains)
     for n, chain in enumerate(chains):
         for clause in chain.clauses:
@@ -32,6 +33,18 @@ def counted_later(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str
             found = [put(c, lot, _so_many(lot, many)) for c in found]
     kept = [n for n, chain in enumerate(found) if chain.clauses]
     return [links[n] for n in kept], tuple(found[n] for n in kept)
+
+
+def _counted_there(links: list[str], chains: tuple[Chain, ...]) -> tuple[list[str], tuple[Chain, ...]]:
+    """ "(Every blue block) on a red block (3)": there are three of these."""
+    for one in {x: None for chain in chains for x in parts_of(chain) if isinstance(x, Noun) and x.det == "a"}:
+        if not isinstance(one.part_of, Noun) or one.part_of.det != "bare" or one.amount != Amount(1, 1):
+            continue
+        there = Clause(verb="exist", theme=one.part_of, mode="given", span=one.span)
+        chains = tuple(put(chain, one, replace(one, part_of=None)) for chain in chains)
+        chains = (Chain(clauses=(there,), links=("and",), span=one.span), *chains)
+        links = ["and", *links]
+    return links, chains
 
 
 def _without(chain: Chain, clause: Meaning) -> Chain:

@@ -33,5 +33,11 @@ def test_code_that_tells_another_goal_is_run() -> None:
     subject = program(tasks.RED_ON_YELLOW)
     other = subject.code.replace('self.on("red_block", "yellow_block")', 'self.on("yellow_block", "red_block")')
     bench = Bench(subject.model_copy(update={"code": other}), FAST, trusted=True)
-    bench.task.reset(0)
-    assert bench.judge is None
+    assert bench.task and bench.judge is None
+
+
+def test_code_that_does_not_wait_for_rest_is_run() -> None:
+    subject = program(tasks.RED_ON_YELLOW)
+    other = subject.code.replace("red_on_yellow & at_rest", "red_on_yellow")
+    bench = Bench(subject.model_copy(update={"code": other}), FAST, trusted=True)
+    assert bench.task and bench.judge is None

@@ -17,6 +17,9 @@ from rpg.blocks.symmetry import interchangeable
 from rpg.ir import goal as g
 from rpg.ir.walk import instances, transform
 
+Tree = dict[int, "Tree"]
+"""Numbers of parts under many namings, one below the other: namings that begin alike share their beginning."""
+
 
 class Renamed:
     """Parts of a goal under every naming. `goals`: the distinct ones; `namings`: per naming, the index of each part,
@@ -52,9 +55,9 @@ class Judge:
         cheap_first = sorted(conditions(goal), key=lambda part: part.kind not in PREDICATES or part.kind in STRUCTURES)
         renamed = Renamed(goal, cheap_first, world)
         self._goals = tuple(transform(part, _spelt_out) for part in renamed.goals)
-        self._own = renamed.namings[:1]
         self._all = _unlike(renamed.namings)
-        self._changed = _unlike(renamed.namings[1:])
+        self._own, self._any = _tree(renamed.namings[:1]), _tree(self._all)
+        self._changed = _tree(_unlike(renamed.namings[1:]))
 
     def as_named(self, state: BlockState) -> bool:
         """Does the goal hold with its names as they stand?"""
@@ -66,11 +69,11 @@ class Judge:
 
     def any_name(self, state: BlockState) -> bool:
         """Does the goal hold under any naming?"""
-        return self._holds(state, self._all)
+        return self._holds(state, self._any)
 
     def unsettled(self, state: BlockState) -> bool:
         """Does the goal hold under any naming, whatever the blocks rest on?"""
-        return self._arranged(state, self._all)
+        return self._arranged(state, self._any)
 
     def perhaps(self, many: Centres) -> Mask:
         """The states in which the goal may hold under some naming, as far as the centres of blocks tell."""
@@ -82,14 +85,17 @@ class Judge:
                 break
         return found
 
-    def _holds(self, state: BlockState, tried: Sequence[tuple[int, ...]]) -> bool:
-        return self._arranged(state, tried) and rests(state)
+    def _holds(self, state: BlockState, tree: Tree | None) -> bool:
+        return self._arranged(state, tree) and rests(state)
 
-    def _arranged(self, state: BlockState, tried: Sequence[tuple[int, ...]]) -> bool:
-        if len(tried) == 1:
-            return all(satisfied(self._goals[number], state) for number in tried[0])
-        values: dict[int, bool] = {}
-        return any(all(self._part(k, state, values) for k in numbers) for numbers in tried)
+    def _arranged(self, state: BlockState, tree: Tree | None) -> bool:
+        return tree is not None and self._somewhere(tree, state, {})
+
+    def _somewhere(self, tree: Tree, state: BlockState, values: dict[int, bool]) -> bool:
+        """Do all the parts along some way down a tree hold?"""
+        if not tree:
+            return True
+        return any(self._part(k, state, values) and self._somewhere(rest, state, values) for k, rest in tree.items())
 
     def _part(self, number: int, state: BlockState, values: dict[int, bool]) -> bool:
         if number not in values:
@@ -100,3 +106,13 @@ class Judge:
 def _unlike(found: Sequence[tuple[int, ...]]) -> tuple[tuple[int, ...], ...]:
     """Of namings that ask for the same parts, the first."""
     return tuple({frozenset(numbers): numbers for numbers in reversed(found)}.values())[::-1]
+
+
+def _tree(found: Sequence[tuple[int, ...]]) -> Tree | None:
+    """Namings as a tree; None where there is none."""
+    tree: Tree = {}
+    for numbers in found:
+        at = tree
+        for number in numbers:
+            at = at.setdefault(number, {})
+    return tree if found else None

@@ -14,10 +14,18 @@ def run_in_place_of(other: BlockTask, task: BlockTask) -> None:
 
 
 def goal_told(task: BlockTask) -> g.Goal | None:
-    """The goal of a task that has been reset, as its code tells it; None where it does not."""
-    return task._told
+    """What must hold once every block is at rest, as the code of a task tells it; None where it does not, or does not
+    wait for that."""
+    told = task._told
+    return told.goal if told is not None and told.waits else None
 
 
 def judge_by(task: BlockTask, judge: Judge) -> None:
     """Let `judge` say whether the goal of `task` holds: it is one of just that goal, which needs no memory."""
-    task._judge = judge
+    task._judge, task._looks_back = judge, False
+
+
+def same_goal(other: BlockTask, task: BlockTask) -> None:
+    """Let `task`, whose code says the same of every state as that of `other`, share what is known of its calls."""
+    task._calls, task._script, task._distinct = other._calls, other._script, other._distinct
+    task._names_of_conditions, task._looks_back = other._names_of_conditions, other._looks_back

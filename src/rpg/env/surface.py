@@ -69,15 +69,15 @@ class Atoms:
         self._asked, self._naming, self._noted = asked, naming, []
 
     def _atom(self, kind: type[Node], **fields: Any) -> Verdict:
-        if self._now is None:
-            raise RuntimeError("the task has no state yet: call reset() before judging it")
         call = self._call(kind, fields)
-        if self._asked is Asked.ONE_NAMING:
-            verdict = self._judged_atom(call.different[call.numbers[self._naming]], self._now)
+        if self._asked is Asked.TOLD:
+            verdict = cast(Verdict, Told(call.different[0]))
+        elif self._now is None:
+            raise RuntimeError("the task has no state yet: call reset() before judging it")
         elif self._asked is Asked.ALL_NAMINGS:
             verdict = cast(Verdict, self._judged_at_all(call, self._now))
         else:
-            verdict = cast(Verdict, Told(call.different[0]))
+            verdict = self._judged_atom(call.different[call.numbers[self._naming]], self._now)
         self._noted.append((call.node, verdict))
         return verdict
 

@@ -110,7 +110,7 @@ class BlockTask(Relations, Structures, Setup):
             return self._rest
         if self._asked is Asked.ALL_NAMINGS:
             return cast(Verdict, Verdicts.same(self._rest, len(self._namings)))
-        return cast(Verdict, told.Told(g.All(goals=())))
+        return cast(Verdict, told.Told(g.All(goals=()), waits=True))
 
     def count(self, verdicts: Iterable[Verdict], *, at_least: int = 0, at_most: int | None = None) -> Verdict:
         """At least / at most so many of the verdicts hold."""
@@ -267,7 +267,7 @@ class BlockTask(Relations, Structures, Setup):
             if not ahead:
                 return start
             fallback = fallback or start
-            if attempt >= MOST_AHEAD or (self._told is not None and always_ahead(self._told, init)):
+            if attempt >= MOST_AHEAD or (self._told is not None and always_ahead(self._told.goal, init)):
                 break
         if fallback is None:
             raise Refusal([crowded(ATTEMPTS) if narrow else solved_at_start(ATTEMPTS)])
@@ -354,18 +354,18 @@ class BlockTask(Relations, Structures, Setup):
         """Can the goal be reached from `start`, though it fixes where some blocks are at the end?"""
         if not self._fixes or self._told is None:
             return True
-        return leaves_room(self._told, self.world, start, Random(draw))
+        return leaves_room(self._told.goal, self.world, start, Random(draw))
 
     @cached_property
-    def _told(self) -> g.Goal | None:
+    def _told(self) -> told.Told | None:
         """The goal as the code tells it; None where it does not."""
         answer, _ = self._answer(Asked.TOLD)
-        return answer.goal if isinstance(answer, told.Told) else None
+        return answer if isinstance(answer, told.Told) else None
 
     @cached_property
     def _fixes(self) -> bool:
         """Does the goal fix where some blocks are at the end by where they start?"""
-        return self._told is not None and any(atom.kind in FIXING for atom in atoms(self._told))
+        return self._told is not None and any(atom.kind in FIXING for atom in atoms(self._told.goal))
 
     def _remembered(self) -> Memory:
         """What is remembered of the episode under the naming at hand: to each its own."""

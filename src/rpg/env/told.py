@@ -21,26 +21,31 @@ class Asked(Enum):
 
 
 class Told(Closed):
-    """A condition that is told. It combines with others as their verdicts do, and cannot be looked at."""
+    """A condition that is told. It combines with others as their verdicts do, and cannot be looked at.
 
-    __slots__ = ("goal",)
+    `waits`: it also asks that every block is at rest, which only a whole goal may.
+    """
 
-    def __init__(self, goal: g.Goal) -> None:
-        self.goal = goal
+    __slots__ = ("goal", "waits")
+
+    def __init__(self, goal: g.Goal, waits: bool = False) -> None:
+        self.goal, self.waits = goal, waits
 
     def __and__(self, other: object) -> Told:
-        return Told(g.All(goals=(self.goal, goal_of(other))))
+        if not isinstance(other, Told):
+            raise Looked
+        return Told(g.All(goals=(self.goal, other.goal)), self.waits or other.waits)
 
     def __or__(self, other: object) -> Told:
-        return Told(g.Any(goals=(self.goal, goal_of(other))))
+        return Told(g.Any(goals=(goal_of(self), goal_of(other))))
 
     def __invert__(self) -> Told:
-        return Told(g.Not(goal=self.goal))
+        return Told(g.Not(goal=goal_of(self)))
 
 
 def goal_of(told: object) -> g.Goal:
-    """The goal of a condition that was told. Raises Looked where it is a verdict of its own."""
-    if not isinstance(told, Told):
+    """The goal of a condition that was told. Raises Looked where it is a verdict of its own, or waits for rest."""
+    if not isinstance(told, Told) or told.waits:
         raise Looked
     return told.goal
 

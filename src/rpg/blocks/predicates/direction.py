@@ -66,6 +66,13 @@ class DirectionalPredicate(Predicate[Directional]):
             parts.append(at_most(gap, node.gap_edges * edge))
         return every(parts)
 
+    def holds(self, node: Directional, state: BlockState) -> bool:
+        if node.immediate:
+            return self.evaluate(node, state).value
+        left, right = state.resolve(node.a), state.resolve(node.b)
+        cone = not node.somewhere and len(left) == 1 and len(right) == 1
+        return all(self._pair(node, a, b, cone, state).value for a in left for b in right)
+
     def perhaps(self, node: Directional, many: Centres) -> Mask:
         found = many.all()
         if not isinstance(node.a, tuple) or not isinstance(node.b, tuple):

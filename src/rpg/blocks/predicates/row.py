@@ -34,7 +34,7 @@ from rpg.blocks.predicates.reading import apart, legible, unreadable
 from rpg.blocks.predicates.stack import alone
 from rpg.blocks.state import IDENTITY, BlockState, Quat, Vec3, World, yaw_quat
 from rpg.blocks.traits import AWAY, UP, Traits, symbols_shown
-from rpg.blocks.verdict import Verdict, every, holds
+from rpg.blocks.verdict import ROUNDING, Verdict, every, holds
 from rpg.ir.node import Axis
 from rpg.ir.order import Order
 from rpg.ir.structures import Row
@@ -157,7 +157,12 @@ class RowPredicate(Predicate[Row]):
         return _in_order(node, best_line(state, node.blocks), state)
 
     def holds(self, node: Row, state: BlockState) -> bool:
-        return not uneven(state, node.blocks) and self.evaluate(node, state).value
+        if uneven(state, node.blocks):
+            return False
+        line = best_line(state, node.blocks)
+        if straightness(line, state, node.line_edges) < -ROUNDING:
+            return False
+        return self.evaluate(node, state).value
 
     def perhaps(self, node: Row, many: Centres) -> Mask:
         return straight(many, node, node.blocks, axis_of(node))

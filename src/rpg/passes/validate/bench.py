@@ -11,7 +11,7 @@ from rpg.blocks.alike import Judge
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.waypoints import over_time
 from rpg.env import BlockTask
-from rpg.env.bench import goal_told, judge_by, run_in_place_of
+from rpg.env.bench import goal_told, judge_by, run_in_place_of, same_goal
 from rpg.ir.artifact import GateReport, Program
 from rpg.ir.walk import plain
 from rpg.passes.validate.load import load
@@ -51,6 +51,8 @@ class Bench:
     """Is the code our own lowering, word for word?"""
     prints: dict[str, str] = field(default_factory=dict)
     trace: Trace | None = None
+    judge: Judge | None = None
+    """Says whether the goal of the task holds, if it may, which is less work than to run the code for every state."""
     elsewhere: Callable[[], dict[str, str]] | None = None
     """Yields the prints of the same program in a fresh process."""
 
@@ -62,28 +64,29 @@ class Bench:
     @cached_property
     def task(self) -> BlockTask:
         """One instance of the task, reset by every gate that uses it."""
-        return self.classes[0]()
+        made = self.classes[0]()
+        self.judge = self._judge_of(made)
+        if self.judge is not None:
+            judge_by(made, self.judge)
+        return made
 
     @cached_property
     def goal(self) -> BlockTask:
         """One instance of the goal-state task. It simulates where the task did: no gate uses both, and each resets."""
         made = self.classes[1]()
         run_in_place_of(self.task, made)
+        if self.trusted:
+            same_goal(self.task, made)
         return made
 
-    @cached_property
-    def judge(self) -> Judge | None:
-        """Says whether the goal holds for the task, once it has a state, where its code is our own lowering, tells just
-        the goal of the schema, and remembers nothing. That is less work than to run the code for every state."""
+    def _judge_of(self, task: BlockTask) -> Judge | None:
+        """A judge of the schema's goal, where the code is our own lowering and tells just that, and nothing has to be
+        remembered."""
         goal = self.program.task.goal
         if not self.trusted or over_time(goal):
             return None
-        told = goal_told(self.task)
-        if told is None or plain(told) != plain(goal):
-            return None
-        judge = Judge(goal, self.world)
-        judge_by(self.task, judge)
-        return judge
+        told = goal_told(task)
+        return Judge(goal, self.world) if told is not None and plain(told) == plain(goal) else None
 
     @cached_property
     def world(self) -> World:

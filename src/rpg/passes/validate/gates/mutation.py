@@ -52,15 +52,17 @@ class MutationGate:
         history = bench.trace.history
         judge = bench.judge
         misses = near_misses(program.task.goal, goal, rng, judge)
-        survivors = [miss for miss in misses if _survives(miss, bench)]
-        # where stages count, the goal was met before it moves again
-        met = (*history, goal) if history else ()
-        moving = unsettled(goal)
-        survivors += [miss for miss in moving if holds(bench.task, (*met, miss.state))]
+        others, moving = other_goals(program, bench), unsettled(goal)
+        if judge is not None:
+            # the code waits for rest, and others are found by the goal of the schema, which it tells word for word
+            survivors, rejected = [miss for miss in misses if judge.as_named(_begun(miss.state, history))], []
+        else:
+            survivors = [miss for miss in misses if holds(bench.task, (*history, miss.state))]
+            # where stages count, the goal was met before it moves again
+            met = (*history, goal) if history else ()
+            survivors += [miss for miss in moving if holds(bench.task, (*met, miss.state))]
+            rejected = [path[-1] for path in others if not holds(bench.task, path)]
         misses += moving
-        others = other_goals(program, bench)
-        # they were found by the goal of the schema, which where there is a judge the code tells word for word
-        rejected = [] if judge else [path[-1] for path in others if not holds(bench.task, path)]
         found = []
         if survivors:
             found.append(self._vacuous(program, survivors, len(misses)))
@@ -92,13 +94,9 @@ class MutationGate:
         return failure(self.name, "goal-over-tight", "goal", message, span=first.span, **facts)
 
 
-def _survives(miss: NearMiss, bench: Bench) -> bool:
-    """Does the code's goal hold in a near-miss? Those in which it would under other names are no near-misses."""
-    assert bench.trace is not None
-    history = bench.trace.history
-    if bench.judge is None:
-        return holds(bench.task, (*history, miss.state))
-    return bench.judge.as_named(miss.state.since(history[0].since(None)) if history else miss.state)
+def _begun(state: BlockState, history: tuple[BlockState, ...]) -> BlockState:
+    """A state in the episode that passed through `history`."""
+    return state.since(history[0].since(None)) if history else state
 
 
 def holds(task: BlockTask, path: tuple[BlockState, ...]) -> bool:

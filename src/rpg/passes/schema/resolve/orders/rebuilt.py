@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.ir import relations as r
 from rpg.ir.walk import names as names_in
 from rpg.language.meaning import Absolute, At, Chain, Clause, Into, Manner, Meaning, Pronoun, Structure, That
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
@@ -26,20 +27,38 @@ def _the_other_way(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Go
     orders = spec.orders and all(o.by == "reverse" for o in spec.orders)
     backwards = any(m.kind == "backwards" or _over(m) for m in spec.manners)
     known = isinstance(clause.theme, Pronoun) or (isinstance(clause.theme, Structure) and clause.theme.det == "the")
+    over = any(map(_over, spec.manners))
+    wanted = clause.verb == "be" and not (clause.negated or scope.start) and bool(scene.start_goals)
     if (
         not (orders or backwards)
         or not known
         or spec.intos
         or clause.verb not in ("build", "stack", "arrange", "place", "turn", "be")
-        or (clause.verb in ("turn", "be") and not any(map(_over, spec.manners)))
+        or (clause.verb in ("turn", "be") and not (over or wanted))
     ):
         return None
+    if wanted and not over and (pair := _other_pair(clause, spec, scene)) is not None:
+        return pair
     theme = refer(clause.theme, scene, scope) if clause.theme else Ref()
-    if any(map(_over, spec.manners)) and not _plain_tower(theme, scene):
+    if over and not _plain_tower(theme, scene):
         scene.mentions.pop()
         return None
     spec.orders, spec.manners = [], [m for m in spec.manners if m.kind != "backwards" and not _over(m)]
     return [*reverse(theme, scene, clause.span), *places(theme, spec, scene, scope, clause.span)]
+
+
+def _other_pair(clause: Clause, spec: Spec, scene: Scene) -> Goals | None:
+    """ "Red starts on blue. I want it the other way round.": blue on red."""
+    told = [m for m in spec.manners if m.kind == "backwards" and m.value is None]
+    fact = scene.start_goals[-1]
+    if not told or not isinstance(fact, r.On | r.LeftOf | r.RightOf | r.InFrontOf | r.Behind):
+        return None
+    if len(scene.start_goals) > 1:
+        raise refuse("ambiguous", "which of these should be the other way round?", clause.span, "name the blocks")
+    if not (isinstance(fact.a, tuple) and isinstance(fact.b, tuple) and len(fact.a) == len(fact.b) == 1):
+        return None
+    spec.orders, spec.manners = [], [m for m in spec.manners if m not in told]
+    return [fact.model_copy(update={"a": fact.b, "b": fact.a, "span": clause.span})]
 
 
 def _over(manner: Manner) -> bool:

@@ -152,8 +152,9 @@ def _of_a_line(found: Meaning) -> bool:
     return isinstance(found, Spacing) or (isinstance(found, OrderBy) and not found.items and found.by != "attribute")
 
 
-_SORTING = frozenset({"reverse", "reversed", "alphabetical", "alphabetic", "backwards", "backward", "numerical",
-                      "numeric", "descending", "ascending", "abc", "count", "counting"})  # fmt: skip
+_ORDERS = ("reverse reversed alphabetical alphabetic backwards backward numerical numeric descending ascending abc count "
+           "counting biggest largest highest smallest lowest greatest")  # fmt: skip
+_SORTING = frozenset(_ORDERS.split())
 """What a note begins with that gives an order first."""
 
 

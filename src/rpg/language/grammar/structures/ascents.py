@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import OPPOSITE, SIDES
@@ -67,7 +69,10 @@ _EXTREMES = {
     **dict.fromkeys(("smallest", "lowest", "least", "littlest"), False),
     **dict.fromkeys(("biggest", "largest", "highest", "greatest"), True),
 }
-_NUMBERS = frozenset({"number", "digit", "numeral", "value"})
+_SIDES_TOO = frozenset({"highest", "lowest"})
+"""By themselves these are places in a tower."""
+_AN_END = frozenset({"first", "last"})
+_NUMBERS = frozenset({"number", "digit", "numeral", "value", "numbers", "digits"})
 _THINGS = ("block", "cube", "one", "brick", "box")
 _IS = ("is", "being", "goes", "comes", "should be", "must be", "to be", "stands", "sits", "should come", "should go")
 _WHERE = ("with", "where", "and", "so", "so that", "such that")
@@ -77,6 +82,15 @@ _COUNTING = {
     **dict.fromkeys(("count down", "counting down", "counts down", "a countdown", "the countdown", "countdown"), True),
     **dict.fromkeys(("count up", "counting up", "counts up", "count", "counting"), False),
 }
+_GOING = {
+    **dict.fromkeys(("going up", "rising", "increasing", "ascending", "growing", "climbing", "that goes up",
+                     "which goes up", "goes up", "that rises"), False),
+    **dict.fromkeys(("going down", "falling", "decreasing", "descending", "that goes down", "which goes down",
+                     "goes down"), True),
+}  # fmt: skip
+"""What numbers do along a line; down a tower they do it from its top."""
+_NUMERALS = frozenset({"digits", "numbers", "numerals", "number", "digit"})
+_TOWERS = frozenset({"tower", "towers", "stack", "stacks", "stacked", "pile", "piled"})
 
 
 @rule
@@ -96,7 +110,11 @@ def _extreme(p: Parser, i: int) -> Results[Meaning]:
     if down is None:
         return
     number = p.one(j + 1, _NUMBERS)
-    k = p.any_of(number or p.opt(j + 1, *_THINGS), _IS) or number or p.opt(j + 1, *_THINGS)
+    named = number or p.opt(j + 1, *_THINGS)
+    k = p.any_of(named, _IS) or named
+    if (end := p.one(k, _AN_END)) and (p.words[j] not in _SIDES_TOO or named > j + 1 or _numbers(p)):
+        told = OrderBy(by="number" if number else "extreme", values=("end",), span=p.span(i, end))
+        yield replace(told, descending=down == (p.words[k] == "first")), end
     side = p.any_of(k, _AT) or k
     word = p.words[side] if side < p.end else ""
     if word not in _HERE:
@@ -106,6 +124,11 @@ def _extreme(p: Parser, i: int) -> Results[Meaning]:
         return
     by = "number" if number else "extreme"
     yield OrderBy(by=by, first=SIDES[word], descending=down, span=p.span(i, end)), end
+
+
+def _numbers(p: Parser) -> bool:
+    """Whether numbers are spoken of, of which one may be the highest."""
+    return any(token.kind == "number" for token in p.tokens)
 
 
 _ENDS = {"at the": ("bottom", "top", "left", "right"), "on the": ("left", "right"), "on": ("top",), "at": ("top",)}
@@ -119,6 +142,12 @@ def counted(p: Parser, i: int) -> Results[OrderBy]:
             if labels[0].isdigit() and (labels[0] > labels[-1]) == _COUNTING[phrase] and not measures(p, k):
                 yield OrderBy(by="run", items=_items(p, j, k, labels), span=p.span(i, k)), k
         yield from _between_ends(p, i, p.one(j, "from"))
+    for phrase, j in p.standing(i, _GOING):
+        if p.all.isdisjoint(_NUMERALS) or (_GOING[phrase] and not p.all.isdisjoint(_TOWERS)):
+            continue
+        for labels, k in run(p, p.one(j, "from")) if p.stands(j, ("from",)) else ():
+            if labels[0].isdigit() and (labels[0] > labels[-1]) == _GOING[phrase] and not measures(p, k):
+                yield OrderBy(by="run", items=_items(p, j, k, labels), span=p.span(i, k)), k
     yield from _between_ends(p, i, p.one(i, "from"))
 
 

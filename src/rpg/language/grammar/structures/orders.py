@@ -199,6 +199,8 @@ def _grown(p: Parser, i: int) -> Results[Meaning]:
     for patterns, descending in ((_GROWING, False), (_SHRINKING, True)):
         for j in patterns.matches(p, i):
             counted = p.words[j - 1].startswith(("up", "down"))
+            if counted and p.stands(j, ("from",)) and p.tokens[j + 1 : j + 2] and p.tokens[j + 1].kind == "number":
+                continue  # "counting down from 5 to 1" tells them all
             number = counted or p.words[j - 1] in ("number", "numbers", "digit", "digits")
             by = "number" if number else "ascending"
             if counted and descending:

@@ -18,6 +18,7 @@ from rpg.language.grammar.things.adjectives import EMPTY, Marks, adjective, merg
 from rpg.language.grammar.things.amounts import Quantity
 from rpg.language.grammar.things.labels import digits_of, literal
 from rpg.language.grammar.things.lists import listed
+from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import (
     Amount,
     Meaning,
@@ -69,9 +70,31 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
     for dims, j in () if p.anywhere(_GRIDS) else rows_and_columns(p, i):
         yield from _tail(p, i, j, Structure(kind="grid", dims=dims, span=p.span(i, j)))
         return
+    yield from _as_many_symbols(p, i)
     for quantity, j in _quantities(p, i):
         for before, k in _before(p, j):
             yield from _kinds(p, i, k, quantity, before)
+
+
+@rule
+def _as_many_symbols(p: Parser, i: int) -> Results[Structure]:
+    """ "3 by 3 digits 1 to 9", "2x2 of the letters A B C D": a grid, for there is one for each of its places; and so
+    is what blocks stand "in a 2x3"."""
+    begin = p.opt(i, "a")
+    for dims, j in dimensions(p, begin):
+        k = p.any_of(p.opt(j, ":", ","), _SHOWING) or p.opt(j, ":", ",")
+        for shown, end in simple(p, k) if len(dims) == 2 and min(dims) > 1 else ():
+            marks = shown.traits if isinstance(shown, Noun) else Traits()
+            plain = marks == Traits(labels=marks.labels, kind=marks.kind)
+            if plain and len(marks.labels) == dims[0] * dims[1] and marks.labels and not marks.open_ended:
+                yield Structure(kind="grid", dims=dims, members=shown, span=p.span(i, end)), end
+        if len(dims) == 2 and min(dims) > 1 and p.follows(i, _SHAPED) and (j >= p.end or p.words[j] in _CLOSED):
+            yield Structure(kind="grid", dims=dims, span=p.span(i, j)), j
+
+
+_SHAPED = ("in", "as", "into")
+_CLOSED = frozenset({",", ":", "with", "so", "where", "and", "in", "on", "such"})
+_SHOWING = ("with", "of", "with the", "of the", "out of", "made of", "showing")
 
 
 _GRIDS = frozenset({"grid", "grids", "square", "rectangle", "wall", "checkerboard", "arrangement", "matrix"})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, At, Noun, OrderBy
 from rpg.passes.schema.resolve.clauses.spec import Spec
@@ -12,9 +13,12 @@ from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 def sorted_from(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> list[OrderBy]:
     """The order that an extreme at an end stands for; what said so is taken out of `spec`."""
+    told = next((o for o in spec.orders if o.values == ("end",)), None)
+    if told is not None and not any(t.first for t in spec.toward):
+        _not_in_a_stack(kind, told.span)
     found: OrderBy | None = None
     for item in list(spec.absolutes):
-        order = _order(item, names, kind, scene)
+        order = _order(item, spec, names, kind, scene)
         if order is None:
             continue
         spec.absolutes.remove(item)
@@ -27,7 +31,12 @@ def sorted_from(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> 
     return [found]
 
 
-def _order(item: Absolute, names: tuple[str, ...], kind: str, scene: Scene) -> OrderBy | None:
+def _not_in_a_stack(kind: str, span: Span) -> None:
+    if kind == "stack":
+        raise refuse("ambiguous", "the first one may be at the bottom or on top", span, "say '... at the bottom'")
+
+
+def _order(item: Absolute, spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> OrderBy | None:
     theme, place = item.theme, item.adjuncts[0] if len(item.adjuncts) == 1 else None
     if not isinstance(theme, Noun) or theme.traits.rank not in ("smallest", "largest") or theme.traits.colors:
         return None
@@ -36,6 +45,8 @@ def _order(item: Absolute, names: tuple[str, ...], kind: str, scene: Scene) -> O
     kinds = {scene.things[n].kind for n in names}
     if theme.traits.kind == "letter" or "letter" in kinds:
         return None
+    if place.side == "first" and not any(t.first for t in spec.toward):
+        _not_in_a_stack(kind, item.span)
     first = None if place.side == "first" else place.side
     by = "number" if theme.traits.kind == "digit" or kinds == {"digit"} else "size"
     return OrderBy(by=by, first=first, descending=theme.traits.rank == "largest", span=item.span)

@@ -11,6 +11,7 @@ from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import Noun, OrderBy, Toward
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, agreed, one_way
+from rpg.passes.schema.resolve.orders.between_ends import between_ends
 from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.orders.onward import onward
 from rpg.passes.schema.resolve.orders.parts import place_of
@@ -85,7 +86,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
             return _two_orders(span)
         if first is not None and placed.first not in (None, first):
             raise refuse("order-conflict", "the places are counted from two sides", span, "keep one of them")
-        found = Order(by="given", ranks=placed.ranks, first=placed.first)  # type: ignore[arg-type]
+        ranks = placed.ranks if any(o.by == "any" for o in spec.orders) else between_ends(placed.ranks, names, scene)
+        found = Order(by="given", ranks=ranks, first=placed.first)  # type: ignore[arg-type]
     if found.by != "any" and first and found.first is None:
         found = found.model_copy(update={"first": first})
     return _either_way(found, spec, kind, first)
@@ -217,8 +219,9 @@ def _paged(
             raise refuse("ambiguous", "these could be sorted, or stand as they are listed", order.span,
                          "say 'in alphabetical order', or 'in the order' with all of them")  # fmt: skip
         return _in_order(found, things, names, kind, scene, order, first)
-    listed = Order(by="given", ranks=tuple((n,) for n in names), first=_default_side(kind))  # type: ignore[arg-type]
-    return found if found.by != "any" else listed
+    if found.by != "any" or not all(t.label or t.color for t in things):
+        return _in_order(found, things, names, kind, scene, order, first)
+    return Order(by="given", ranks=tuple((n,) for n in names), first=_default_side(kind))  # type: ignore[arg-type]
 
 
 def _counted(order: OrderBy, things: list[Thing], kind: str, scene: Scene, first: str | None) -> Order:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.sorted import ordered
 from rpg.language.grammar.clauses.turned import but_turned
 from rpg.language.grammar.clauses.wheres import is_where
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -15,7 +16,6 @@ from rpg.language.grammar.places.regions import named, named_regions
 from rpg.language.grammar.structures.alternation import alternation_alone
 from rpg.language.grammar.structures.equations import solved
 from rpg.language.grammar.structures.order_told import order_told
-from rpg.language.grammar.structures.orders import order
 from rpg.language.grammar.structures.parted import parted
 from rpg.language.grammar.talk.people import WHO
 from rpg.language.grammar.talk.slots import Patterns
@@ -113,7 +113,7 @@ def terse(p: Parser, i: int, mode: str) -> Results[Meaning]:
     yield from _left_empty(p, i)
     yield from _nobody_there(p, i)
     yield from _all_colored(p, i)
-    yield from _ordered(p, i)
+    yield from ordered(p, i)
     yield from order_told(p, i)
     for found, j in alternation_alone(p, i):
         yield Clause(verb="part", adjuncts=(found,), mode="goal", span=p.span(i, j)), j
@@ -150,32 +150,6 @@ def _of_a_line(found: Meaning) -> bool:
     if isinstance(found, Toward):
         return found.first is not None
     return isinstance(found, Spacing) or (isinstance(found, OrderBy) and not found.items and found.by != "attribute")
-
-
-_ORDERS = ("reverse reversed alphabetical alphabetic backwards backward numerical numeric descending ascending abc count "
-           "counting biggest largest highest smallest lowest greatest")  # fmt: skip
-_SORTING = frozenset(_ORDERS.split())
-"""What a note begins with that gives an order first."""
-
-
-def _ordered(p: Parser, i: int) -> Results[Meaning]:
-    """ "reverse alphabetical order for A, B and C in a row", "count down from 5 to 1"."""
-    if not p.stands(i, _SORTING):
-        return
-    for found, j in ((x, p.opt(k, "order")) for x, k in order(p, i) if isinstance(x, OrderBy)):
-        if found.by == "run":
-            for more, end in adjuncts(p, j):
-                yield Clause(verb="arrange", adjuncts=(found, *more), span=p.span(i, end), cost=1), end
-        for more, k in adjuncts(p, p.opt(j, ",")) if found.by != "run" else ():
-            plain = more and all(isinstance(x, OrderBy | Toward) and not getattr(x, "items", ()) for x in more)
-            for theme, end in noun_phrase(p, p.one(k, ":")) if plain and p.stands(k, (":",)) else ():
-                said = Clause(verb="arrange", theme=theme, adjuncts=(found, *more), span=p.span(i, end), cost=1)
-                yield said, end
-        lead = p.any_of(j, ("for", "of", "with", ":", "with the", "for the", "of the")) if found.by != "run" else 0
-        for theme, k in noun_phrase(p, lead) if lead else ():
-            for more, end in adjuncts(p, k):
-                said = Clause(verb="arrange", theme=theme, adjuncts=(found, *more), span=p.span(i, end), cost=1)
-                yield said, end
 
 
 _ALL = ("all of them", "all of these", "every one of them", "each of them", "both of them", "all", "both", "each")

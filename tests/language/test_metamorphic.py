@@ -67,6 +67,8 @@ def test_other_colors_change_nothing_else(text: str) -> None:
     schema = read(text)
     if schema is None or re.search(r"rainbow|gradient|spectrum|colou?rs? ", text) or _chosen(schema):
         return
+    if any(re.search(rf"\b{color.upper()}\b", text) for color in PLAIN):  # a word that is spelt
+        return
     if not {a.color for a in schema.assets} - {"ivory"} <= set(re.findall(r"\w+", text.lower())):
         return
     other = read(

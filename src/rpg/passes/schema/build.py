@@ -34,6 +34,7 @@ from rpg.language.tokens import Token
 from rpg.passes.schema.ambiguity import TwoReadings, same
 from rpg.passes.schema.evidence import unfounded
 from rpg.passes.schema.feasibility import Feasibility, Repair, Repairable, examine
+from rpg.passes.schema.invented import check_invented
 from rpg.passes.schema.joints import check_joints
 from rpg.passes.schema.names import family_name
 from rpg.passes.schema.patience import FINAL, LOST, patience
@@ -85,6 +86,7 @@ def build(
             if (token := unfounded(words, found.task, found.chosen)) is not None:
                 raise _lost(token)
             check_joints(words, found.task)
+            check_invented(words, found.task)
         except Refusal as refusal:
             code = refusal.diagnostics[0].code
             if code in FINAL and best is None:

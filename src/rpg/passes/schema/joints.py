@@ -38,33 +38,6 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     _in_turn(words, task)
     _letter_a(words, task)
     _left_open(words, task)
-    _as_many_as_said(words, task)
-    _made_up_beside(words, task)
-
-
-def _as_many_as_said(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "two pink ones and two gray ones" as three of one and one of the other: as many as are said are there."""
-    colors = Counter(str(block.color) for block in task.blocks)
-    for number, color, noun in zip(words, words[1:], words[2:], strict=False):
-        many, look = lexicon.NUMBER.get(number.word, 0), lexicon.COLOR.get(color.word)
-        blocks = look is not None and (noun.word in lexicon.BLOCK or noun.word == "ones")
-        if blocks and colors[str(look)] < many:
-            raise refuse("ambiguous", f"it is not clear which the {many} {color.word} ones are", number.span,
-                         "say of all blocks how many there are of each colour")  # fmt: skip
-
-
-def _made_up_beside(words: Sequence[Token], task: TaskSchema) -> None:
-    """Refuse "each colour on its own mat: red on red, blue on blue" as these and a green block that nobody named."""
-    kinds = ("blocks", "digit blocks", "letter blocks")
-    unsaid = any(task.assumed(f"the number of {kind} is not said") for kind in kinds)
-    if not unsaid or not (task.assumed(COLORS_UNSAID) or task.assumed(SYMBOLS_UNSAID)):
-        return
-    shown = {getattr(block, "label", "") for block in task.blocks} - {"", "A", "I"}  # these are words as well
-    said = [t for t in words if t.raw in shown or (lexicon.COLOR.get(t.word) in {b.color for b in task.blocks})]
-    told = [t for t in said if t.raw in shown or not task.assumed(SYMBOLS_UNSAID)]
-    if told:
-        raise refuse("ambiguous", "some blocks are named, and of others neither number nor look is said",
-                     told[0].span, "say of all blocks how many there are, or name them")  # fmt: skip
 
 
 _NO_CHOICE = frozenset({"more", "less", "fewer", "higher", "longer", "farther", "further", "minus", "take", "so"})

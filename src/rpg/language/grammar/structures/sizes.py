@@ -13,7 +13,7 @@ IN_TOTAL = ("in total", "in all", "altogether", "all in all", "total")
 _UNITS = {
     "high": "high", "tall": "high", "in height": "high", "long": "long", "in length": "long", "wide": "wide",
     "in width": "wide", "across": "wide",
-    "deep": "deep", "in a row": "long",
+    "deep": "deep", "in a row": "columns",
 }  # fmt: skip
 _PARTS = {
     "steps": "steps", "step": "steps", "stairs": "steps", "levels": "layers", "layers": "layers", "tiers": "layers",

@@ -14,7 +14,6 @@ from rpg.language.meaning import (
     Chain,
     Clause,
     Coord,
-    In,
     Into,
     Loc,
     Meaning,
@@ -75,9 +74,9 @@ def counted(theme: Meaning, spec: Spec, clause: Clause) -> Meaning:
 def _in_turn(theme: Meaning, spec: Spec, lemma: str) -> Meaning | None:
     """ "red and blue blocks alternating in a stack of four", "like a 4x4 chessboard": as many as it takes."""
     shapes = [i.structure for i in spec.intos if isinstance(i.structure, Structure) and i.structure.members is None]
-    long = [z for z in spec.sizes if z.what == "long"]
+    long = [z for z in spec.sizes if z.what in ("long", "columns")]
     if not spec.intos and len(long) == 1:
-        shapes = [Structure(kind="line", sizes=(long[0],), span=long[0].span)]
+        shapes = [Structure(kind="line" if long[0].what == "long" else "row", sizes=(long[0],), span=long[0].span)]
     if len(shapes) != 1 or len(colors := bare_colors(theme)) != 2:
         return None
     shape = shapes[0]
@@ -263,15 +262,7 @@ def _wants_row(verb: str, spec: Spec, theme: Ref) -> bool:
     runs = [o for o in spec.orders if o.by == "run" and verb == "place"]
     if len(spec.orders) > len(runs) or spec.toward or any(sp.kind == "even" for sp in spec.spacings):
         return True
-    if len(theme.names) > 2 and any(map(place_of, spec.absolutes)) and any(map(_in_line, spec.places)):
-        return True
-    return (
-        verb == "arrange"
-        and not [p for p in spec.places if not isinstance(p, In)]
-        and not spec.thats
-        and not spec.ats
-        and len(theme.names) > 1
-    )
+    return len(theme.names) > 2 and any(map(place_of, spec.absolutes)) and any(map(_in_line, spec.places))
 
 
 def _in_line(place: Meaning) -> bool:

@@ -88,11 +88,15 @@ def _contrast(chains: Sequence[Chain]) -> None:
 
 
 def check_besides(scene: Scene) -> None:
-    """Refuse "another" and "the other" where there is nothing that they could be besides."""
+    """Refuse "another" where there is nothing that it could be besides, or where more came than it was said of."""
     for traits, ref, span in scene.besides:
         if all(t.name in ref.names for t in matching(replace(traits, scheme=None), scene, ref.patch)):
             what = "patch" if ref.patch else "block"
             raise refuse("no-referent", f"there is no {what} besides which this is another", span, "say 'a' instead")
+    for traits, names, span in scene.surveyed:
+        if any(t.name not in names and not t.extra for t in matching(traits, scene, False)):
+            raise refuse("ambiguous", "more blocks are named behind this: are these meant as well?", span,
+                         "say before it which blocks there are")  # fmt: skip
 
 
 def _idle(said: str, told: bool, span: Span, scene: Scene) -> None:

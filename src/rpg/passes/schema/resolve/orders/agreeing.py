@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
+from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.things.world import Scene, Thing
 
 OPPOSITE = {"left": "right", "front": "back", "bottom": "top"}
@@ -113,7 +114,7 @@ def in_place(
         for at, name in places.items():
             found = _split(found, at if side == sides[0] else len(names) - 1 - at, name, scene) if found else None
         if found is not None:
-            known = {"ranks": found} if order.by == "given" else {}
+            known = {"ranks": by_symbols(found, names, scene)} if order.by == "given" else {}
             return order.model_copy(update={**known, "first": side})
     return None
 

@@ -145,13 +145,15 @@ def _gapless(spec: Spec) -> None:
 
 
 def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate) -> Atoms | None:
-    """ "no blue block touches another block": no blue block and any block besides it that there is."""
+    """ "no blue block touches another block", "red is not on another one": nor any block besides it that there is."""
     if (alone := _touching_none(theme, loc, scene, span, relate)) is not None:
         return alone
-    mark, denied = loc.landmark, theme.quant is not None and theme.quant.high == 0
+    mark, none = loc.landmark, theme.quant is not None and theme.quant.high == 0
+    denied = none or ((loc.negated or scene.denying) and theme.quant is None)
     if not denied or not isinstance(mark, Noun) or mark.det not in ("another", "other") or mark.head == "patch":
         return None
     there = [thing.name for thing in matching(mark.traits, scene, False) if not thing.extra]
+    scene.surveyed.append((mark.traits, (*theme.names, *there), mark.span))
     pairs = dict.fromkeys((a, b) for a in theme.names for b in there if a != b)
     both_ways = loc.rel in ("on", "above", "under", *DIRECTIONS)
     kept = [(a, b) for a, b in pairs if both_ways or a < b or (b, a) not in pairs]

@@ -112,26 +112,30 @@ def _region(theme: Ref, region: str, span: Span) -> g.Goal:
     return spread(theme, one, span, together=True)
 
 
-def _another(theme: Ref, mark: Meaning, scene: Scene) -> bool:
+def _another(theme: Ref, mark: Meaning, scene: Scene, denied: bool) -> bool:
     """ "any of the others", and "another block" behind all of the blocks, or "another red one" behind all red ones."""
     if isinstance(mark, Pronoun):
         return mark.word in ("another", "any other", "any other one", "any of the others")
     if not isinstance(mark, Noun) or mark.det not in ("another", "any", "other") or mark.head == "patch":
         return False
     such = all(fits(scene.things[name], mark.traits) for name in theme.names)
-    return (theme.everything or theme.each) and such
+    if not (theme.everything or theme.each) or not such:
+        return False
+    scene.surveyed.append((mark.traits, theme.names, mark.span))
+    return all(t.name in theme.names or t.extra for t in matching(mark.traits, scene, False)) or not denied
 
 
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
     check_bodies(theme, loc, scene)
-    if len(theme.names) > 1 and _another(theme, loc.landmark, scene):
-        denied = loc.negated or scene.denying
+    denied = loc.negated or scene.denying
+    none = theme.quant is not None and theme.quant.high == 0
+    if len(theme.names) > 1 and _another(theme, loc.landmark, scene, denied or none):
         mutual = denied or theme.quant is not None
         return reciprocal(theme, loc, span, denied=denied) if mutual else some_other(theme, loc, span)
-    if (none := none_another(theme, loc, scene, span, _relate)) is not None:
-        return none
+    if (apart_from := none_another(theme, loc, scene, span, _relate)) is not None:
+        return apart_from
     like = scope.like_patch or (loc.rel in ("on", "in") and like_the_last(loc, scene))
     if (apart := on_separate_patches(theme, loc, scene, scope, span)) is not None:
         return apart
@@ -146,8 +150,7 @@ def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
         return [
             conj([disj([_relate(one, Ref(names=(m,)), loc, scene, span) for m in found], span) for one in units], span)
         ]
-    nowhere = theme.quant is not None and theme.quant.high == 0
-    rel = f"not {loc.rel}" if nowhere or loc.negated or scene.denying else loc.rel
+    rel = f"not {loc.rel}" if none or denied else loc.rel
     like = like and loc.rel in ("on", "in")
     there = replace(scope, role="landmark", like_patch=like, pool=(), need=None, rel=rel)
     mark = off_what(theme, loc, scene) or refer(loc.landmark, scene, there)

@@ -15,6 +15,7 @@ from rpg.ir.walk import atoms, transform
 from rpg.language.meaning import At, Meaning
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
+from rpg.passes.schema.resolve.orders.between_ends import by_symbols
 from rpg.passes.schema.resolve.orders.positions import SIDES, alternatives, places_of, ranks_from
 from rpg.passes.schema.resolve.structures.structures import either, stack_built
 from rpg.passes.schema.resolve.things.operands import UPRIGHT, foot
@@ -299,9 +300,10 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
             raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], hint)
         return transform(goal, lambda x: node.model_copy(update={"order": settled}) if x == node else x)
     bunches = [ref.names for ref, _, _ in loose if len(ref.names) > 1]
-    ranks = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
+    told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
+    ranks = by_symbols(tuple(told), node.blocks, scene)
     first = "bottom" if kind == "stack" else "left"
-    order = Order(by="given", ranks=tuple(ranks), first=first)  # type: ignore[arg-type]
+    order = Order(by="given", ranks=ranks, first=first)  # type: ignore[arg-type]
     if isinstance(node, s.Row):
         either_way = all(at_.side == "middle" for _, at_, _ in loose if isinstance(at_, At))
         if node.axis == "x" or either_way:

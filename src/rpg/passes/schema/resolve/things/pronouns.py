@@ -271,15 +271,10 @@ def others(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "another" and (more := further(matching(noun.traits, scene, patch), count or 1, scene)):
         left = more
     elif noun.det == "another" or not left:
-        if not left and noun.head == "any" and not noun.traits.colors and noun.det != "another" and not scene.mentions:
-            raise refuse("no-referent", "there is no other block that this could be", noun.span, "name the blocks")
-        if (
-            noun.det == "other"
-            and not left
-            and any(t.declared for t in scene.things.values())
-            and not noun.traits.colors
-        ):
-            raise refuse("no-referent", "every block is spoken for already", noun.span, "name the block, or add one")
+        if noun.det == "other" and not left and not noun.traits.colors:
+            known = any(t.declared for t in scene.things.values())
+            told = "every block is spoken for already" if known else "it is not said which other block"
+            raise refuse("no-referent", told, noun.span, "name the block, or add one")
         _some_other(noun, count, scene, patch)
         scene.new_batch()
         made = [create(noun.traits, scene, patch) for _ in range(count or (2 if noun.plural else 1))]

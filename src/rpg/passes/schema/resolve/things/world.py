@@ -137,6 +137,7 @@ class Scene:
     `vague`: blocks of which neither look nor number was said, though they have been given a colour.
     `lenient`: of two orders for the same blocks the first is taken, to see what the task would be.
     `besides`: what "another" and "the other" stand for, each with its words.
+    `surveyed`: all blocks of some look that there were when something was said of whichever there are.
     `describing`: whether the clause says how something is to be, and nothing of how it comes to be so.
     `kept`: what the verb "keep" asks for, each with what it says of the start.
     `ignored`: blocks that are said to be distractors, each with the words that say so.
@@ -196,6 +197,7 @@ class Scene:
     unstacked: set[str] = field(default_factory=set)
     lenient: bool = False
     besides: list[tuple[Traits, Ref, Span]] = field(default_factory=list)
+    surveyed: list[tuple[Traits, tuple[str, ...], Span]] = field(default_factory=list)
     kept: list[tuple[Goal, list[Goal]]] = field(default_factory=list)
     sized: tuple[Traits, Span] | None = None
     ignored: dict[str, Span] = field(default_factory=dict)

@@ -1,0 +1,66 @@
+"""Blocks that nobody named: what a task adds to the words must have been left open by them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from itertools import pairwise
+
+from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+from rpg.passes.schema.resolve.things.world import refuse
+
+_OPEN = frozenset({"anything", "everything", "all", "each", "any", "rest", "them", "one", "ones", "other", "others",
+                   "another", "distractor", "distractors", "piece", "pieces", "letter", "letters", "digit", "digits",
+                   *lexicon.BLOCK, *lexicon.STRUCTURE})  # fmt: skip
+"""What may speak of blocks without saying how they look."""
+_NUMBERED = frozenset({"step", "stage", "task", "number"})
+"""What stands before a number that counts nothing: "step two green on red"."""
+
+
+def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse blocks of which nothing was said, and fewer or more of a colour than were counted."""
+    _as_many_as_said(words, task)
+    _made_up_beside(words, task)
+    if task.assumed(COLORS_UNSAID):
+        _spoken_of(words, task)
+
+
+def _as_many_as_said(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "two pink ones and two gray ones" as three of one and one of the other, and "checkerboard, 2 red and 2
+    black" as these and others that are red."""
+    blocks = Counter(str(block.color) for block in task.blocks)
+    patches = Counter(str(patch.color) for patch in task.patches)
+    made_up = any(note.startswith("the colours are not said") for note in task.assumptions)
+    for index, (number, color) in enumerate(pairwise(words)):
+        look = lexicon.COLOR.get(color.word) or lexicon.COLOR_PLURAL.get(color.word)
+        many = lexicon.NUMBER.get(number.word, 0) if number.kind == "word" else number.value
+        labels = index and words[index - 1].word in _NUMBERED
+        if look is None or labels or not isinstance(many, int | float) or many < 2:
+            continue
+        if max(blocks[look], patches[look]) < many or (made_up and blocks[look] > many):
+            raise refuse("ambiguous", f"it is not clear which the {many:g} {color.word} ones are", number.span,
+                         "say of all blocks how many there are of each colour")  # fmt: skip
+
+
+def _made_up_beside(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "each colour on its own mat: red on red, blue on blue" as these and a green block that nobody named."""
+    kinds = ("blocks", "digit blocks", "letter blocks")
+    unsaid = any(task.assumed(f"the number of {kind} is not said") for kind in kinds)
+    if not unsaid or not (task.assumed(COLORS_UNSAID) or task.assumed(SYMBOLS_UNSAID)):
+        return
+    shown = {getattr(block, "label", "") for block in task.blocks} - {"", "A", "I"}  # these are words as well
+    said = [t for t in words if t.raw in shown or (lexicon.COLOR.get(t.word) in {b.color for b in task.blocks})]
+    told = [t for t in said if t.raw in shown or not task.assumed(SYMBOLS_UNSAID)]
+    if told:
+        raise refuse("ambiguous", "some blocks are named, and of others neither number nor look is said",
+                     told[0].span, "say of all blocks how many there are, or name them")  # fmt: skip
+
+
+def _spoken_of(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse a block without a colour where a colour stands before every word for a block."""
+    nouns = [(before, t) for before, t in pairwise(words) if t.word in _OPEN]
+    colored = [t for before, t in nouns if before.word in lexicon.COLOR]
+    if colored and len(colored) == len(nouns) and words[0].word not in _OPEN:
+        raise refuse("ambiguous", "it is not said of which block this is to be so", colored[0].span, "name the block")

@@ -28,6 +28,10 @@ _PHRASES = {
     **{f"{which} course": f"{which} layer" for which in (
         "a", "one", "each", "every", "top", "bottom", "upper", "lower", "middle", "first", "second", "third", "last",
         "lowest", "highest", "topmost", "uppermost", "next", "single", "per")},
+    **{f"{far} from": "far from" for far in ("far enough", "well away", "far enough away", "sufficiently far",
+                                            "a safe distance", "at a safe distance")},
+    "far enough apart": "far apart", "a safe distance apart": "far apart", "not too close together": "far apart",
+    "not too close to": "far from", "not too near": "far from",
     "prior to": "before", "not a single": "no", "not even one": "no", "not even a single": "no",
     **{f"{one} and {the}{two} {what}": f"{one} {what} and {the}{two} {what}" for the in ("", "the ")
        for one, two in (("odd", "even"), ("even", "odd")) for what in ("digits", "numbers")},
@@ -83,7 +87,7 @@ _PHRASES = {
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
     phrases = by_first(tuple(_PHRASES))
-    tokens = _grouped(tokens)
+    tokens = _was_so(_grouped(tokens))
     out: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -111,6 +115,29 @@ def rephrased(tokens: list[Token]) -> list[Token]:
         out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
         at += len(said)
     return out
+
+
+_LINES = frozenset({"tower", "stack", "row", "line", "column", "pile"})
+_ENDS = frozenset({".", "!", "?", ";"})
+
+
+def _was_so(tokens: list[Token]) -> list[Token]:
+    """ "The tower was red, blue, white from bottom to top.": it is so at the start."""
+    words = [token.word for token in tokens]
+    for at in range(len(words) - 3, 0, -1):
+        told = words[at - 1] == "the" and words[at] in _LINES and words[at + 1] == "was"
+        listed = words[at + 2] in lexicon.COLOR or tokens[at + 2].kind in ("number", "literal")
+        if not told or not (listed or (len(words[at + 2]) == 1 and words[at + 3 : at + 4] == [","])):
+            continue
+        begin = next((n + 1 for n in range(at - 1, -1, -1) if words[n] in _ENDS), 0)
+        end = next((n for n in range(at, len(words)) if words[n] in _ENDS), len(words))
+        if {"start", "initially", "beginning", "first"} & {*words[begin:end]}:
+            continue
+        begun = [Token("word", word, word, tokens[at + 1].span) for word in ("at", "the", "start")]
+        comma = replace(begun[0], kind="punct", word=",", raw=",")
+        so = replace(tokens[at + 1], word="is")
+        tokens = [*tokens[:begin], *begun, comma, *tokens[begin : at + 1], so, *tokens[at + 2 :]]
+    return tokens
 
 
 _FURTHER_VERBS = frozenset({"show", "display", "make", "have", "let", "do", "leave", "see"})

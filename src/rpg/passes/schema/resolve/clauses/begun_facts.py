@@ -2,10 +2,25 @@
 
 from __future__ import annotations
 
+import itertools
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, Quality, Traits, parts_of
+from rpg.language.meaning import (
+    At,
+    Chain,
+    Clause,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    OrderBy,
+    Quality,
+    Structure,
+    Traits,
+    parts_of,
+)
 
 
 def cleared_of(chains: tuple[Chain, ...], links: Sequence[str] | None = None) -> tuple[Chain, ...]:
@@ -70,3 +85,46 @@ def all_begun(chain: Chain) -> Chain:
 
 
 _TIMES = ("start", "finally", "time")
+
+
+_IS_SO = re.compile(r"\b(?:is|consists|reads)\b", re.IGNORECASE)
+_WANTED = re.compile(
+    r"\b(?:must|should|shall|has to|needs? to|will|can|want|end|finally|final|goal|target|then|after\w*)\b",
+    re.IGNORECASE,
+)
+
+
+def lined_up_first(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
+    """ "The tower is red, blue, white from bottom to top. Move the red block to the top.": so it is at the start, for
+    the next sentence changes it."""
+    for n, (chain, after) in enumerate(itertools.pairwise(chains)):
+        line, order = chain.clauses[0], after.clauses[0]
+        before = text[chains[n - 1].span[1] if n else 0 : chain.span[1]]
+        if len(chain.clauses) > 1 or not isinstance(line, Clause) or not isinstance(order, Clause):
+            continue
+        plain = _IS_SO.search(before) is not None and _WANTED.search(before) is None
+        if plain and line.mode == "goal" and (listed := _listed_in(line)) and _moves_one(order, listed):
+            begun = replace(chain, clauses=(replace(line, mode="start"),))
+            chains = (*chains[:n], begun, *chains[n + 1 :])
+    return chains
+
+
+def _listed_in(line: Clause) -> list[Traits]:
+    """The looks of the blocks in the order of "the tower", "the row"."""
+    shape = line.theme if isinstance(line.theme, Structure) and line.verb in ("build", "part") else None
+    if shape is None or shape.det != "the" or shape.plural:
+        return []
+    orders = [x for x in parts_of(line) if isinstance(x, OrderBy) and x.by == "named"]
+    return [x.traits for x in orders[0].items if isinstance(x, Noun)] if len(orders) == 1 else []
+
+
+def _moves_one(order: Clause, listed: list[Traits]) -> bool:
+    """ "Move the red block to the top", "put A at the right end", "swap 1 and 3", said of those that are listed."""
+    theme, at_ = order.theme, order.adjuncts
+    if order.verb in ("swap", "reverse", "unstack") and order.mode == "command" and not order.negated:
+        named = [x.traits for x in parts_of(theme) if isinstance(x, Noun)]
+        looks = {look for x in listed for look in (*x.colors, *x.labels)}
+        return not named or not all(looks.isdisjoint((*x.colors, *x.labels)) for x in named)
+    one = isinstance(theme, Noun) and not theme.plural and listed.count(theme.traits) == 1
+    told = (order.mode, order.verb) == ("command", "place") and not order.negated
+    return one and told and len(at_) == 1 and isinstance(at_[0], At)

@@ -13,11 +13,11 @@ from random import Random
 
 from rpg.blocks.state import BlockState, Vec3, World
 from rpg.core.diagnostics import Diagnostic
+from rpg.env.bench import judge_each
 from rpg.ir.artifact import GateReport, Program
 from rpg.loading import lowered
 from rpg.passes.repair.placing import state_of
 from rpg.passes.validate import admitted, render_log
-from rpg.passes.validate.gates.mutation import holds
 from rpg.passes.validate.load import load
 from rpg.pipeline import load_program, validate_program
 from rpg.store import Version
@@ -63,7 +63,8 @@ def verdicts(program: Program) -> str:
     task = load(program.code, program.goal_code)[0]()
     world = World(program.task.assets)
     history = tuple(state_of(scene, world) for scene in program.path[:-1])
-    return "".join("1" if holds(task, (*history, state)) else "0" for _, state in bank(program))
+    judged = judge_each(task, history, [state for _, state in bank(program)])
+    return "".join("1" if judgement.success else "0" for judgement in judged)
 
 
 def recorded(version: Version) -> str:

@@ -180,6 +180,13 @@ def body_gap(state: BlockState, a: str, b: str) -> float:
     return _box_gap(state, a, b)
 
 
+def plainly_apart(state: BlockState, a: str, b: str, distance: float) -> bool:
+    """Is the gap between two blocks more than `distance`, whichever way they are turned? A cube fits into a ball less
+    than 1.7321 as wide as its edge."""
+    reach = 1.7321 * (state.world.edge[a] + state.world.edge[b]) / 2
+    return math.dist(state.position[a], state.position[b]) > reach + distance + OVERLAP_EPS
+
+
 def _box_gap(state: BlockState, a: str, b: str) -> float:
     """Distance between two turned cubes: separating axes, then corners to boxes and edges to edges."""
     separation = _box_separation(state, a, b)

@@ -8,6 +8,7 @@ from itertools import islice
 from random import Random
 
 from rpg.blocks.arrange import CHANGES, Impossible, arrange
+from rpg.blocks.arrange.explain import explain
 from rpg.blocks.arrange.solve import AT_A_GLANCE, Solver
 from rpg.blocks.evaluate import evaluate
 from rpg.blocks.initial import sample_start
@@ -42,14 +43,20 @@ def waypoints(
         return arrange(goal, world, rng=rng)[:1]
     compares = any(atom.kind in CHANGES for atom in atoms(goal))
     starts = [start] if start is not None else islice(_starts(goal, init, world), LIKELY if compares else 1)
-    reasons = []
+    failed: tuple[g.Goal, BlockState] | None = None
     for begin in starts:
-        try:
-            scenes = [arrange(moment, world, rng=rng, start=begin)[0] for moment in _moments(goal)]
-            return [begin, *(replace(scene, start=begin) for scene in scenes)]
-        except Impossible as reason:
-            reasons.append(reason)
-    raise reasons[0]
+        scenes = [begin]
+        for moment in _moments(goal):
+            scene = Solver(moment, world, begin).solve(rng)
+            if scene is None:
+                failed = failed or (moment, begin)
+                break
+            scenes.append(replace(scene, start=begin))
+        else:
+            return scenes
+    assert failed is not None
+    moment, begin = failed
+    raise Impossible(explain(moment, world, begin))
 
 
 def leaves_room(goal: g.Goal, world: World, start: BlockState, rng: Random) -> bool:

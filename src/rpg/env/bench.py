@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
 from rpg.blocks.alike import Judge
+from rpg.blocks.judgement import Judgement
+from rpg.blocks.state import BlockState
 from rpg.env.task import BlockTask
 from rpg.ir import goal as g
 
@@ -29,3 +33,19 @@ def same_goal(other: BlockTask, task: BlockTask) -> None:
     """Let `task`, whose code says the same of every state as that of `other`, share what is known of its calls."""
     task._calls, task._script, task._distinct = other._calls, other._script, other._distinct
     task._names_of_conditions, task._looks_back = other._names_of_conditions, other._looks_back
+
+
+def judge_each(task: BlockTask, past: Sequence[BlockState], states: Iterable[BlockState]) -> list[Judgement]:
+    """Judge each of some states, without physics, as what comes next in one and the same episode, of which `past` are
+    the scenes so far. Where there are none, each is a start."""
+    if not past:
+        return [task.judge_states((state,))[-1] for state in states]
+    begun = past[0].since(None)
+    task.judge_states((begun, *past[1:]))
+    remembered, found = task._memories, []
+    for state in states:
+        task._memories = [memory.copy() for memory in remembered]
+        task._observe(state.since(begun))
+        found.append(task.judge())
+    task._state = task._judgement = None
+    return found

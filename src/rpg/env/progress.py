@@ -28,6 +28,12 @@ class Stages:
         self.met = self.met if self.broken else met
         self._before = values
 
+    def copy(self) -> Stages:
+        """The same, to go on from."""
+        made = Stages()
+        made.met, made.broken, made._before = self.met, self.broken, self._before
+        return made
+
     @property
     def ahead(self) -> bool:
         """Does the goal of a later stage hold already?"""
@@ -70,6 +76,12 @@ class Memory:
         lapsed = self.lapses[self._always]
         self._always += 1
         return FALSE if lapsed else condition
+
+    def copy(self) -> Memory:
+        """The same, to go on from."""
+        made = Memory()
+        made.sequences, made.lapses = [stages.copy() for stages in self.sequences], list(self.lapses)
+        return made
 
     @property
     def stage(self) -> int:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from random import Random
 from typing import Any
 
-from rpg.blocks.geometry import body_gap, carried, footprint_gap, plane_distance, reach, rests_on, riders
+from rpg.blocks.geometry import body_gap, carried, footprint_gap, plainly_apart, plane_distance, reach, rests_on, riders
 from rpg.blocks.predicate import NearMiss, Predicate
 from rpg.blocks.predicates.common import PAST, place_beside, set_aside, shift, stand_on
 from rpg.blocks.predicates.direction import edge_between
@@ -95,6 +95,12 @@ class TouchingPredicate(Predicate[Touching]):
 
     def evaluate(self, node: Touching, state: BlockState) -> Verdict:
         return some([at_most(max(body_gap(state, a, b), 0.0), node.gap) for a, b in pairs(node, state)])
+
+    def holds(self, node: Touching, state: BlockState) -> bool:
+        return any(
+            not plainly_apart(state, a, b, node.gap) and at_most(max(body_gap(state, a, b), 0.0), node.gap).value
+            for a, b in pairs(node, state)
+        )
 
     def propose(self, node: Touching, block: str, state: BlockState, rng: Random) -> Iterator[tuple[float, float]]:
         for x, y, other in _others(node, block, state):

@@ -14,6 +14,7 @@ from rpg.blocks.predicate import NearMiss
 from rpg.blocks.state import BlockState, Quat
 from rpg.core.diagnostics import Diagnostic
 from rpg.env import BlockTask
+from rpg.env.bench import judge_each
 from rpg.ir.artifact import GateReport, Program
 from rpg.passes.validate.bench import Bench
 from rpg.passes.validate.findings import failure, poses, told
@@ -57,11 +58,11 @@ class MutationGate:
             # the code waits for rest, and others are found by the goal of the schema, which it tells word for word
             survivors, rejected = [miss for miss in misses if judge.as_named(_begun(miss.state, history))], []
         else:
-            survivors = [miss for miss in misses if holds(bench.task, (*history, miss.state))]
+            survivors = surviving(bench.task, history, misses)
             # where stages count, the goal was met before it moves again
-            met = (*history, goal) if history else ()
-            survivors += [miss for miss in moving if holds(bench.task, (*met, miss.state))]
-            rejected = [path[-1] for path in others if not holds(bench.task, path)]
+            survivors += surviving(bench.task, (*history, goal) if history else (), moving)
+            judged = zip(others, judge_each(bench.task, history, others), strict=True)
+            rejected = [state for state, judgement in judged if not judgement.success]
         misses += moving
         found = []
         if survivors:
@@ -99,11 +100,10 @@ def _begun(state: BlockState, history: tuple[BlockState, ...]) -> BlockState:
     return state.since(history[0].since(None)) if history else state
 
 
-def holds(task: BlockTask, path: tuple[BlockState, ...]) -> bool:
-    """Does the code's goal hold at the end of an episode that passes through these scenes? The first is its start."""
-    if len(path) == 1:
-        return bool(task.judge_states(path)[-1].success)
-    return bool(task.judge_states(path[1:], path[0].since(None))[-1].success)
+def surviving(task: BlockTask, past: tuple[BlockState, ...], misses: list[NearMiss]) -> list[NearMiss]:
+    """The near-misses in which the code's goal holds at the end of an episode that passed through these scenes."""
+    judged = judge_each(task, past, [miss.state for miss in misses])
+    return [miss for miss, judgement in zip(misses, judged, strict=True) if judgement.success]
 
 
 def unsettled(goal: BlockState) -> list[NearMiss]:
@@ -118,15 +118,15 @@ def unsettled(goal: BlockState) -> list[NearMiss]:
     ]
 
 
-def other_goals(program: Program, bench: Bench) -> list[tuple[BlockState, ...]]:
-    """Paths to further goal states: the program's own a little shaken, and others, as they are and shaken."""
+def other_goals(program: Program, bench: Bench) -> list[BlockState]:
+    """Further goal states: the program's own a little shaken, and others, as they are and shaken."""
     assert bench.trace is not None
     history, rng = bench.trace.history, Random(f"other goals of {program.task.name}")
     solver = Solver(program.task.goal, bench.world, history[0] if history else None, TRIES)
     drawn = [solver.solve(rng, vary=True) for _ in range(bench.measures.other_goals)]
     others = [state for state in drawn if state is not None]
     shaken = [shake(program, state, rng) for state in (bench.trace.authored, *others)]
-    return [(*history, state) for state in (*others, *shaken) if state is not None]
+    return [state for state in (*others, *shaken) if state is not None]
 
 
 def shake(program: Program, state: BlockState, rng: Random) -> BlockState | None:

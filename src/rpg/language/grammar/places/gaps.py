@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
+from typing import Any, cast
 
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.places.measures import bounds, room, their_ends
+from rpg.language.grammar.places.measures import bounds, measured_so, room, their_ends
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That, Traits
@@ -29,6 +30,14 @@ _IS = (
     *(f"{must} {be}" for must in ("should", "must", "has to", "shall", "ought to", "needs to", "is to", "will")
       for be in ("be", "come to", "amount to", "measure")),
 )  # fmt: skip
+_ENDS_OF = {
+    f"{the}{end} of": measure
+    for the in ("the ", "")
+    for ends, measure in ((("center", "middle", "midpoint"), "centres"), (("edge", "side", "face"), "faces"))
+    for end in ends
+}
+"""What of a block a distance is measured from."""
+_LIES = ("is", "should be", "must be", "has to be", "shall be", "is to be", "lies", "needs to be", "being", "sits")
 _ARE = ("are", "should be", "must be", "have to be", "are to be", "shall be", "lie", "stay", "being")
 
 
@@ -41,7 +50,23 @@ def gap(p: Parser, i: int) -> Results[Clause]:
         for (low, high), k in bounds(p, are) if are else ():
             if end := p.any_of(k, ("apart", "from each other", "apart from each other", "away from each other")):
                 yield _far_apart(p, i, end, them, low, high, measure), end
+    for one, measure, j in _end_of(p, i):
+        at_ = p.any_of(j, _LIES)
+        for (low, high), k in bounds(p, at_) if at_ else ():
+            away = p.any_of(k, ("from", "away from", "apart from"))
+            for two, same, end in _end_of(p, away) if away else ():
+                both = Coord(op="and", items=(one, two), span=p.span(i, end))
+                if same == measure:
+                    yield _far_apart(p, i, end, both, low, high, measure), end
     yield from _left_between(p, i)
+
+
+def _end_of(p: Parser, i: int) -> Iterator[tuple[Noun, str, int]]:
+    """ "the middle of the red block", "the edge of A": a block, and what of it a distance is measured from."""
+    for phrase, j in p.standing(i, _ENDS_OF):
+        for block, k in simple(p, j):
+            if isinstance(block, Noun) and block.head != "patch":
+                yield block, _ENDS_OF[phrase], k
 
 
 def _left_between(p: Parser, i: int) -> Results[Clause]:
@@ -66,16 +91,25 @@ def _left_between(p: Parser, i: int) -> Results[Clause]:
     spans += [(b, e, "faces") for b, e in wide]
     if k := p.any_of(j, ("room for", "space for", "gap of", "space of", "enough room for", "enough space for")):
         spans += [(b, e, "faces") for b, e in room(p, k)]
+    for (low, high), k, _ in spans:
+        for one, measure, m in _end_of(p, k + 1) if p.one(k, "from") else ():
+            for two, same, end in _end_of(p, m + 1) if p.one(m, "to") else ():
+                if same == measure:
+                    both = Coord(op="and", items=(one, two), span=p.span(k, end))
+                    yield _far_apart(p, i, end, both, low, high, measure), end
     for (low, high), k, measure in spans:
         if m := p.one(k, "between"):
             if centres := p.any_of(m, ("the centers of", "centers of", "the middles of")):
                 m, measure = centres, "centres"
             if faces := p.any_of(m, ("the faces of", "faces of", "the sides of")):
                 m, measure = faces, "faces"
+            for ends, end in their_ends(p, m):
+                yield _far_apart(p, i, end, Pronoun(word="them", span=p.span(m, end)), low, high, ends), end
             for told, end in noun_phrase(p, m):
                 theme = _its_own(told) if p.words[i] == "leaving" else told
                 apart = _far_apart(p, i, end, theme, low, high, measure)
-                yield apart, end
+                for far, last in measured_so(p, cast(Loc, apart.adjuncts[0]), i, end):
+                    yield replace(apart, adjuncts=(far,), span=p.span(i, last)), last
                 yield from _with_side(p, i, end, apart)
 
 

@@ -42,6 +42,11 @@ _LIMITS = {
 """What a length that follows bounds."""
 
 
+_OR_MORE = ("or more", "or farther", "or further", "and more", "at least", "at the least", "minimum", "at minimum")
+_OR_LESS = ("or less", "or closer", "or nearer", "at most", "at the most", "maximum", "at maximum")
+"""What bounds a length in front of it."""
+
+
 def _at_most(p: Parser, i: int) -> Results[float]:
     """ "at least 5 cm but at most 10 cm": the other end of the range."""
     j = p.any_of(p.opt(i, ","), ("but", "and"))
@@ -79,9 +84,9 @@ def bounds(p: Parser, i: int) -> Results[tuple[float | None, float | None]]:
             for metres, k in length(p, after + 1) if p.one(after, "and") else ():
                 yield (least, metres), k
     for metres, k in length(p, i):
-        if end := p.any_of(k, ("or more", "or farther", "or further", "and more")):
+        if end := p.any_of(k, _OR_MORE):
             yield (metres, None), end
-        if end := p.any_of(k, ("or less", "or closer", "or nearer")):
+        if end := p.any_of(k, _OR_LESS):
             yield (None, metres), end
         for slack, end in _tolerance(p, k):
             yield (round(max(0.0, metres - slack), 6), round(metres + slack, 6)), end
@@ -111,12 +116,14 @@ _ENDS = {"center to center": "centres", "from center to center": "centres", "bet
             for measured in ("", "measured ") for between in ("between", "from") for the in ("", "the ", "their ")
             for ends, way in (("faces", "faces"), ("sides", "faces"), ("edges", "faces"), ("centers", "centres"),
                               ("middles", "centres"))},
-         "edge to edge": "faces", "from edge to edge": "faces", "measured from face to face": "faces",
+         "edge to edge": "faces", "middle to middle": "centres", "from middle to middle": "centres",
+         "measured from middle to middle": "centres", "measured middle to middle": "centres",
+         "from edge to edge": "faces", "measured from face to face": "faces",
          "measured from edge to edge": "faces"}  # fmt: skip
 """Between what a distance is measured."""
 
 
-def _measured_so(p: Parser, far: Loc, i: int, j: int) -> Results[Loc]:
+def measured_so(p: Parser, far: Loc, i: int, j: int) -> Results[Loc]:
     """The distance, with what is said behind it of how it is measured: ", centre to centre, tolerance 5 mm"."""
     yield far, j
     ways = [(replace(far, measure=_ENDS[phrase]), k) for phrase, k in p.standing(p.opt(j, ",", "("), _ENDS)]
@@ -145,7 +152,7 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
         if k := to or p.any_of(j, ("away from", "from", "of", "apart from", "far from", "distance from")):
             for landmark, end in noun_phrase(p, k):
                 far = Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, end))
-                yield from _measured_so(p, far, i, end)
+                yield from measured_so(p, far, i, end)
                 for most, last in _at_most(p, end) if low is not None and high is None else ():
                     yield replace(far, high=most, span=p.span(i, last)), last
         for (name, mods), k in relation(p, j):
@@ -153,7 +160,7 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
                 continue
             for landmark, end in noun_phrase(p, k):
                 far = Loc(rel=name, landmark=landmark, mods=mods, low=low, high=high, span=p.span(i, end))
-                yield from _measured_so(p, far, i, end)
+                yield from measured_so(p, far, i, end)
                 for most, last in _at_most(p, end) if low is not None and high is None else ():
                     yield replace(far, high=most, span=p.span(i, last)), last
     if j := p.any_of(i, ("with a gap of", "leaving a gap of", "a gap of")):
@@ -269,7 +276,7 @@ def measured_bare(p: Parser, i: int) -> Results[Meaning]:
         if not end and (j >= p.end or p.words[j] in (",", "and")) and (p.words[i] == "at" or p.any_of(i, _NEARER)):
             end, measure = (j if start > i or p.words[i] != "at" else 0), "centres"
         if end:
-            yield from _measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
+            yield from measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
     noted = p.any_of(i, _NOTED)
     for (low, high), j in bounds(p, p.opt(noted, "of", ":")) if noted else ():
         end = p.opt(j, "gap", "gaps")
@@ -311,14 +318,14 @@ def _spaced(p: Parser, i: int) -> Results[Meaning]:
             if gap := p.any_of(k, _ROOM):
                 end = p.any_of(gap, _AMONG) or gap
                 measure = "centres" if p.words[gap - 1] in ("spacing", "distance") else "faces"
-                yield from _measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
+                yield from measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
             if end := p.any_of(k, _OF_CENTERS):
                 yield _each_other(p, i, end, low, high, "centres"), end
     if j := p.any_of(i, _GAPS_OF):
         measure = "centres" if _BY_FACES.isdisjoint(p.words[i:j]) else "faces"
         for (low, high), k in [*bounds(p, j), *(room(p, j) if measure == "faces" else ())]:
             end = p.any_of(k, _BETWEEN_FACES) or k
-            yield from _measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
+            yield from measured_so(p, _each_other(p, i, end, low, high, measure), i, end)
     if j := p.any_of(i, _ROOM_FOR):
         for (low, high), k in room(p, j):
             end = p.any_of(k, _BETWEEN_FACES) or k

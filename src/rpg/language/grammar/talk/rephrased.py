@@ -28,10 +28,10 @@ _PHRASES = {
     **{f"{which} course": f"{which} layer" for which in (
         "a", "one", "each", "every", "top", "bottom", "upper", "lower", "middle", "first", "second", "third", "last",
         "lowest", "highest", "topmost", "uppermost", "next", "single", "per")},
-    **{f"{far} from": "far from" for far in ("far enough", "well away", "far enough away", "sufficiently far",
+    **{f"{far} from": "away from" for far in ("far enough", "far enough away", "sufficiently far",
                                             "a safe distance", "at a safe distance")},
     "far enough apart": "far apart", "a safe distance apart": "far apart", "not too close together": "far apart",
-    "not too close to": "far from", "not too near": "far from",
+    "not too close to": "away from", "not too near": "away from",
     "prior to": "before", "not a single": "no", "not even one": "no", "not even a single": "no",
     **{f"{one} and {the}{two} {what}": f"{one} {what} and {the}{two} {what}" for the in ("", "the ")
        for one, two in (("odd", "even"), ("even", "odd")) for what in ("digits", "numbers")},
@@ -131,12 +131,11 @@ def _was_so(tokens: list[Token]) -> list[Token]:
             continue
         begin = next((n + 1 for n in range(at - 1, -1, -1) if words[n] in _ENDS), 0)
         end = next((n for n in range(at, len(words)) if words[n] in _ENDS), len(words))
-        if {"start", "initially", "beginning", "first"} & {*words[begin:end]}:
-            continue
+        said = bool({"start", "initially", "beginning", "first"} & {*words[begin:end]})
         begun = [Token("word", word, word, tokens[at + 1].span) for word in ("at", "the", "start")]
-        comma = replace(begun[0], kind="punct", word=",", raw=",")
+        begun = [] if said else [*begun, replace(begun[0], kind="punct", word=",", raw=",")]
         so = replace(tokens[at + 1], word="is")
-        tokens = [*tokens[:begin], *begun, comma, *tokens[begin : at + 1], so, *tokens[at + 2 :]]
+        tokens = [*tokens[:begin], *begun, *tokens[begin : at + 1], so, *tokens[at + 2 :]]
     return tokens
 
 

@@ -31,7 +31,7 @@ from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.denials import denied, denied_once
 from rpg.passes.schema.resolve.clauses.leftovers import nothing_left
 from rpg.passes.schema.resolve.clauses.one_or_all import place_of_which, with_its_noun
-from rpg.passes.schema.resolve.clauses.shaped import shaped
+from rpg.passes.schema.resolve.clauses.shaped import all_it_has, shaped
 from rpg.passes.schema.resolve.clauses.sorting import by_kinds, in_sequence, sort
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spelled import spell
@@ -158,6 +158,7 @@ def _is_off(place: Meaning) -> TypeGuard[Loc]:
 def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     place_of_which(clause, clause.lemma in LEAVING)
     by_centring(clause, spec)
+    _at_a_distance(spec)
     clause = heaped_up(clause, spec)
     clause = by_kinds(told_alone(by_likeness(clause, spec, scene) or clause, spec), spec)
     if clause.lemma in LEAVING and clause.verb in ("place", "use") and not clause.negated:
@@ -196,6 +197,8 @@ def _dispatch(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return line
     if is_shape(clause.theme) or (clause.theme is None and spec.intos):
         return shaped(clause, spec, scene, scope)
+    if all_it_has(clause.theme, spec, scene):
+        return shaped(replace(clause, theme=None), spec, scene, scope)
     if clause.theme is None or ahead(clause.theme, clause.verb, spec, scene):
         return _themeless(clause, spec, scene, scope)
     if any(m.kind in ("facing", "turn", "by", "by?") for m in spec.manners) and not spec.intos:
@@ -225,7 +228,6 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
     if clause.lemma == "move" and clause.theme and [getattr(a, "kind", "") for a in clause.adjuncts] == ["only"]:
         refer(clause.theme, scene, scope)  # "Only move the red block. It goes ...": nothing of where it goes
         return []
-    _at_a_distance(spec)
     moved = [p for p in spec.places if isinstance(p, Loc) and p.rel == "moved"]
     if clause.verb == "place" and clause.negated and moved and "here" in moved[0].mods and len(spec.places) == 1:
         spec.places = []

@@ -56,6 +56,7 @@ _BOUND = frozenset({"goes", "go", "belongs", "belong", "comes", "come", "end", "
 """Words of where things are to be, not of where they are."""
 
 
+_LASTING = frozenset({"stays", "stay", "remains", "remain"})
 _BE = frozenset({"is", "are", "be", "being", "been", "was", "were"})
 
 
@@ -379,15 +380,17 @@ def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Mean
 
 @rule
 def carried_on(p: Parser, i: int, before: Clause) -> Results[Meaning]:
-    """ "the red block must not be on the mat but must be next to it": a further predicate of the same subject."""
+    """ "the red block must not be on the mat but must be next to it", "it starts on the red mat and ends on the blue
+    one": a further predicate of the same subject."""
     if before.theme is None or before.verb != "be" or not before.adjuncts:
         return
     k, words = _auxiliaries(p, i)
-    if k == i and p.words[i : i + 1] not in (["is"], ["are"]):
+    later = before.mode == "start" and p.words[k] in _BOUND | _LASTING
+    if k == i and not later and p.words[i : i + 1] not in (["is"], ["are"]):
         return
     both = "both" in words or p.words[i - 1] == "both"
     same = Pronoun(word="both the same" if both else "same", span=before.theme.span)
-    mode = "goal" if words & (_MODALS | _ENDS) else before.mode
+    mode = "goal" if later or words & (_MODALS | _ENDS) else before.mode
     for found, j in _predicate_after_be(p, i, k, same, mode, bool(words & _NOT)):
         if isinstance(found, Clause):
             yield replace(found, cost=found.cost + 1), j

@@ -40,6 +40,7 @@ def shaped(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
     if (goals := _remade(clause, spec, scene, scope)) is not None:
         return goals
     _of_them_all(clause, spec)
+    spec.usings = [using for using in spec.usings if not _first_named(using.members, clause.theme, scene)]
     if clause.lemma == "line" and not spec.intos and getattr(clause.theme, "kind", "") == "stack":
         spec.intos.append(Into(structure=Structure(kind="line", span=clause.span), span=clause.span))
     elif clause.lemma == "line" and isinstance(clause.theme, Coord) and not spec.toward:
@@ -156,6 +157,18 @@ def _where_all_of_it_is(clause: Clause, spec: Spec, scope: Scope) -> Clause:
     kept = replace(last, conditions=())
     members = replace(shape.members, items=(*items[:-1], kept)) if isinstance(shape.members, Coord) else kept
     return replace(clause, theme=replace(shape, members=members))
+
+
+def all_it_has(theme: Meaning | None, spec: Spec, scene: Scene) -> bool:
+    """ "The blocks start as a tower of red and blue": of blocks that the structure itself is the first to name."""
+    return len(spec.intos) == 1 and _first_named(theme, spec.intos[0].structure, scene)
+
+
+def _first_named(blocks: Meaning | None, shape: Meaning | None, scene: Scene) -> bool:
+    if not isinstance(blocks, Noun) or blocks.det not in ("the", "all") or scene.things:
+        return False
+    plain = blocks == Noun(head="block", det=blocks.det, plural=True, span=blocks.span)
+    return plain and isinstance(shape, Structure) and shape.members is not None
 
 
 def _of_them_all(clause: Clause, spec: Spec) -> None:

@@ -85,6 +85,10 @@ class Physics:
         self.model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         self.model.opt.sleep_tolerance = below
 
+    def asleep(self) -> bool:
+        """Do all blocks sleep, so that no further step would move anything?"""
+        return int(self.data.ntree_awake) == 0
+
     def step(self, control_steps: int = 1) -> None:
         """Advance by control steps of 1/20 s."""
         mujoco.mj_step(self.model, self.data, SUBSTEPS * control_steps)

@@ -347,8 +347,11 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
 
 
 def _told_one_by_one(theme: Meaning | None) -> bool:
-    """ "Two stacks of two, a red one and a blue one": these are the stacks, and hardly further blocks."""
+    """ "Two stacks of two, a red one and a blue one", "a red tower and a blue tower, the red one": the stacks."""
     first, *more = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
+    last = more[-1] if more else None
+    if isinstance(first, Structure) and isinstance(last, Noun) and (last.head, last.det) == ("any", "the"):
+        return bool(last.traits.colors) and not last.plural and isinstance(more[0], Structure)
     many = first.amount.low if isinstance(first, Structure) and first.plural and first.amount is not None else 0
     ones = all(isinstance(x, Noun) and (x.head, x.det) == ("any", "a") for x in more)
     return many > 1 and ones and len(more) == many

@@ -299,7 +299,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
             goals += loose_ats(theme, inner, scene, item.span)
         for adjunct in inner.places:
             mark = getattr(adjunct, "landmark", None)
-            if isinstance(mark, Pronoun) and mark.word in _POINTED and isinstance(adjunct, Loc):
+            pointed = isinstance(adjunct, Loc) and not _off_it(adjunct, scene)
+            if isinstance(mark, Pronoun) and mark.word in _POINTED and pointed and isinstance(adjunct, Loc):
                 of_a_part(ref, theme, mark, adjunct, spec.absolutes)
                 nothing = theme.everything and theme.quant is not None
                 if nothing and any(m.role == "landmark" and m.clause == scene.clause for m in scene.mentions):
@@ -314,6 +315,11 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         last = theme
     spec.absolutes = []
     return goals
+
+
+def _off_it(place: Loc, scene: Scene) -> bool:
+    """ "the red one on the mat and the blue one off it": off the mat."""
+    return place.rel == "off" and any(m.ref.patch and m.clause == scene.clause for m in scene.mentions)
 
 
 def _at_its_ends(theme: Ref, ref: Ref, inner: Spec, scene: Scene, span: Span) -> Goals:

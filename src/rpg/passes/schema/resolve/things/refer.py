@@ -14,6 +14,7 @@ from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed
 from rpg.passes.schema.resolve.things.pronouns import others, pronoun
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
+from rpg.passes.schema.resolve.things.spoken import one_built
 from rpg.passes.schema.resolve.things.theirs import THEIRS, in_their_colors, its_own
 from rpg.passes.schema.resolve.things.them import of_whom, sorted_out
 from rpg.passes.schema.resolve.things.things import alike, compared, create, looks_said, matching, note_premises
@@ -209,7 +210,7 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         from rpg.passes.schema.resolve.orders.ranks import ranked
 
         return ranked(noun, scene, scope)
-    if (told := _structure_like(noun, scene, scope)) is not None:
+    if (told := one_built(noun, scene, scope)) is not None:
         return told
     bare = (noun.head, noun.det, noun.amount, noun.plural, noun.traits) == ("any", "bare", None, False, Traits())
     if bare and not noun.conditions:
@@ -226,36 +227,6 @@ def _described(noun: Noun, scene: Scene, scope: Scope) -> Ref:
     if noun.det in ("other", "another"):
         return _besides(noun, scene, scope, patch)
     return _plain(noun, scene, scope, patch)
-
-
-def _structure_like(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
-    """ "the blue one" beside the red tower: of several structures of one kind, the one whose blocks all look so."""
-    marks = noun.traits
-    if scope.role == "theme" and (lot := _group_of(noun, scene)) is not None:
-        return lot
-    if noun.det == "the" and marks == Traits(labels=marks.labels) and not matching(marks, scene, False):
-        drawn = [b for b in scene.built if (b.kind,) == marks.labels]  # "an L of five blocks ... the L"
-        return Ref(names=drawn[0].members, built=(drawn[0],)) if len(drawn) == 1 else None
-    if scope.role != "landmark" or noun.head != "any" or noun.det != "the" or noun.plural or noun.amount is not None:
-        return None
-    if len(marks.colors) != 1 or marks != Traits(colors=marks.colors) or len(matching(marks, scene, False)) < 2:
-        return None
-    like = [b for b in scene.built if {scene.things[n].color for n in b.members} == set(marks.colors)]
-    if len(like) != 1 or len({b.kind for b in scene.built}) > 1 or len(scene.built) < 2:
-        return None
-    now = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme" and m.ref.built]
-    return Ref(names=like[0].members, built=(like[0],)) if now else None
-
-
-def _group_of(noun: Noun, scene: Scene) -> Ref | None:
-    """ "Sort the blocks into two groups. Gray goes on the left": the group of all the gray ones."""
-    marks, plain = noun.traits, noun.amount is None and noun.det in ("bare", "the") and noun.head == "any"
-    if not plain or marks != Traits(colors=marks.colors) or len(marks.colors) != 1:
-        return None
-    names = {t.name for t in matching(marks, scene, False)}
-    lot = next((b for b in scene.built if b.kind == "pile" and {*b.members} == names), None)
-    several = sum(b.kind == "pile" for b in scene.built) > 1
-    return Ref(names=lot.members, built=(lot,), plural=True) if lot is not None and several and len(names) > 1 else None
 
 
 def _of_them(noun: Noun, scene: Scene, scope: Scope) -> Ref:

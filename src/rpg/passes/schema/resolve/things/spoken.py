@@ -9,7 +9,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits
 from rpg.passes.schema.resolve.things.things import matching
-from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Thing, refuse
+from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 
 SPOKEN_OF = ("the", "its", "each", "all", "both", "bare")
 """Determiners of structures that may have been spoken of before."""
@@ -106,6 +106,40 @@ def _with_its_color(shape: Structure, scene: Scene) -> list[Built]:
     if there and len(found) != 1:
         raise refuse("ambiguous", "it is not clear which of those spoken of this is", shape.span, "name its blocks")
     return found
+
+
+def one_built(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
+    """ "a red tower of two and a blue one of three, the red one on the mat": of several structures of one kind, the one
+    of all blocks that look so."""
+    marks = noun.traits
+    if scope.role == "theme" and (lot := _group_of(noun, scene)) is not None:
+        return lot
+    if noun.det == "the" and marks == Traits(labels=marks.labels) and not matching(marks, scene, False):
+        drawn = [b for b in scene.built if (b.kind,) == marks.labels]  # "an L of five blocks ... the L"
+        return Ref(names=drawn[0].members, built=(drawn[0],)) if len(drawn) == 1 else None
+    if noun.head != "any" or noun.det != "the" or noun.plural or noun.amount is not None or scope.pool:
+        return None
+    if len(marks.colors) != 1 or marks != Traits(colors=marks.colors) or len(scene.built) < 2:
+        return None
+    names = {t.name for t in matching(marks, scene, False)}
+    like = [b for b in scene.built if {scene.things[n].color for n in b.members} == {*marks.colors}]
+    if len(names) < 2 or len(like) != 1 or len({b.kind for b in scene.built}) > 1:
+        return None
+    now = [m for m in scene.mentions if m.clause == scene.clause and m.role == "theme" and m.ref.built]
+    alone = names == {*like[0].members} and like[0].kind in ("stack", "row", "column", "line")
+    there = scope.role == "theme" or now if alone else scope.role == "landmark" and now
+    return Ref(names=like[0].members, built=(like[0],)) if there else None
+
+
+def _group_of(noun: Noun, scene: Scene) -> Ref | None:
+    """ "Sort the blocks into two groups. Gray goes on the left": the group of all the gray ones."""
+    marks, plain = noun.traits, noun.amount is None and noun.det in ("bare", "the") and noun.head == "any"
+    if not plain or marks != Traits(colors=marks.colors) or len(marks.colors) != 1:
+        return None
+    names = {t.name for t in matching(marks, scene, False)}
+    lot = next((b for b in scene.built if b.kind == "pile" and {*b.members} == names), None)
+    several = sum(b.kind == "pile" for b in scene.built) > 1
+    return Ref(names=lot.members, built=(lot,), plural=True) if lot is not None and several and len(names) > 1 else None
 
 
 def _ranked(shape: Structure, found: list[Built], scene: Scene) -> list[Built]:

@@ -117,7 +117,8 @@ def adjunct(p: Parser, i: int) -> Results[Meaning]:
     yield from _that(p, i)
     yield from _not_there(p, i)
     yield from ((how, k) for how, k in manner(p, i) if not _bare_distractors(p, i, how))
-    yield from size_phrase(p, i)
+    if not p.follows(i, ("rectangle",)):  # the noun takes it
+        yield from size_phrase(p, i)
     yield from rising_steps(p, i)
     for letter in LIMBED if p.anywhere(LIMBS) else ():
         yield from limb(p, i, letter)

@@ -11,7 +11,7 @@ from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.retold import universal
-from rpg.language.meaning import Clause, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, TableTop, Using
+from rpg.language.meaning import Clause, Into, Loc, Meaning, Noun, OrderBy, PartOf, Pronoun, Structure, TableTop, Using
 
 _NEW_ORDER = ("the order to", "its order to", "their order to", "the order into", "the order of the blocks to")
 _ORDER_OF = ("the order of the blocks in", "the order of the cubes in", "the order of", "order of")
@@ -134,6 +134,9 @@ def _clause(p: Parser, i: int, j: int, verb: str, theme: Meaning, found: tuple[M
     return Clause(verb=verb, lemma=verb, theme=theme, adjuncts=found, span=p.span(i, j), word=p.span(i, i + 1))
 
 
+_OUT_OF = ("out of", "from", "from out of", "away from", "out from", "from within", "from inside", "out from")
+_GOING_ON = frozenset({",", "and", "then"})
+"""What follows where it is also said where it goes."""
 _OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there", "down",
         "down again", "down from there", "back down", "back off", "away again", "out of there")  # fmt: skip
 """Where something is taken from that was said to be somewhere."""
@@ -141,7 +144,16 @@ _CLOSED = frozenset({",", ";", "and", "then", "."})
 
 
 def taken_off(p: Parser, i: int, k: int, theme: Meaning) -> Results[Clause]:
-    """ "Take it off": from where it was said to be. "Remove everything from the mat": it is cleared."""
+    """ "Take it off": from where it was said to be. "Remove everything from the mat": it is cleared. "Pull the red
+    block out of the tower (and put it on top)": where it is at the start."""
+    lemma = p.words[i]
+    for whole, end in noun_phrase(p, out) if (out := p.any_of(k, _OUT_OF)) else ():
+        inside = whole.whole if isinstance(whole, PartOf) else whole
+        known = isinstance(inside, Structure) and inside.det in ("the", "its") and not inside.plural
+        if (known or isinstance(inside, Pronoun)) and p.stands(end, _GOING_ON):
+            source = Using(members=whole, lead="out of", span=p.span(k, end))
+            span, word = p.span(i, end), p.span(i, i + 1)
+            yield Clause(verb="pick", lemma=lemma, theme=theme, adjuncts=(source,), span=span, word=word), end
     start = p.any_of(k, ("from", "off", "off of", "out of")) if universal(theme) else 0
     for patch, end in simple(p, start) if start else ():
         if isinstance(patch, Noun) and patch.head == "patch":

@@ -42,7 +42,8 @@ def outside(p: Parser, i: int) -> Results[Meaning]:
         patch = isinstance(mark, Noun) and mark.head == "patch"
         if patch or (isinstance(mark, Pronoun) and mark.word in ("it", "them", "there")):
             mods = () if patch else ("outside",)
-            yield Loc(rel="off", landmark=mark, mods=mods, span=p.span(i, k)), k
+            taken = int(not patch and p.stands(k, ("and",)))  # "take it out of it and put it ..."
+            yield Loc(rel="off", landmark=mark, mods=mods, span=p.span(i, k), cost=taken), k
     for region, k in named_regions(p, p.opt(j, "the")):
         yield In(region=region, negated=True, span=p.span(i, k)), k
 

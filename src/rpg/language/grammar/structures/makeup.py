@@ -242,10 +242,18 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         if size.what == "columns" and p.words[k - 1] == "each" and not base.plural and base.kind in _LINES:
             continue
         k = (p.any_of(k, _EACH) or k) if base.plural else k
-        changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k))
+        lines = (
+            size.what == "dims"
+            and base.kind == "rectangle"
+            and base.filled is not False
+            and _LINE_WORDS & {*p.words[j:k]}
+        )
+        changed = replace(base, sizes=(*base.sizes, size), span=p.span(i, k), kind="grid" if lines else base.kind)
         yield from _sized(p, i, k, changed)
 
 
+_LINE_WORDS = frozenset({"row", "rows", "column", "columns"})
+"""What tells how a rectangle lies: it is a grid."""
 _LINED = ("grid", "square", "rectangle", "wall")
 _ONE = frozenset({"one", "other", "another"})
 _FLAT = ("grid", "square", "rectangle", "wall", "pyramid", "circle", "plus", "staircase", "cube")

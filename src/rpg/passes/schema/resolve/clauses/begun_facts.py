@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import re
 from collections.abc import Sequence
 from dataclasses import replace
@@ -19,6 +18,7 @@ from rpg.language.meaning import (
     Quality,
     Structure,
     Traits,
+    Using,
     parts_of,
 )
 
@@ -87,7 +87,7 @@ def all_begun(chain: Chain) -> Chain:
 _TIMES = ("start", "finally", "time")
 
 
-_IS_SO = re.compile(r"\b(?:is|consists|reads)\b", re.IGNORECASE)
+_IS_SO = re.compile(r"\b(?:is|consists|reads)\b|:", re.IGNORECASE)
 _WANTED = re.compile(
     r"\b(?:must|should|shall|has to|needs? to|will|can|want|end|finally|final|goal|target|then|after\w*)\b",
     re.IGNORECASE,
@@ -97,16 +97,21 @@ _WANTED = re.compile(
 def lined_up_first(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     """ "The tower is red, blue, white from bottom to top. Move the red block to the top.": so it is at the start, for
     the next sentence changes it."""
-    for n, (chain, after) in enumerate(itertools.pairwise(chains)):
-        line, order = chain.clauses[0], after.clauses[0]
+    for n, chain in enumerate(chains):
+        line, order = chain.clauses[0], chains[n + 1].clauses[0] if n + 1 < len(chains) else None
         before = text[chains[n - 1].span[1] if n else 0 : chain.span[1]]
-        if len(chain.clauses) > 1 or not isinstance(line, Clause) or not isinstance(order, Clause):
+        if len(chain.clauses) > 1 or not isinstance(line, Clause) or line.mode != "goal":
             continue
         plain = _IS_SO.search(before) is not None and _WANTED.search(before) is None
-        if plain and line.mode == "goal" and (listed := _listed_in(line)) and _moves_one(order, listed):
-            begun = replace(chain, clauses=(replace(line, mode="start"),))
-            chains = (*chains[:n], begun, *chains[n + 1 :])
+        changed = _takes_out(chains[:n]) or (isinstance(order, Clause) and _moves_one(order, _listed_in(line)))
+        if plain and changed and _listed_in(line):
+            chains = (*chains[:n], replace(chain, clauses=(replace(line, mode="start"),)), *chains[n + 1 :])
     return chains
+
+
+def _takes_out(chains: tuple[Chain, ...]) -> bool:
+    """ "Pull the red block out of the tower and put it ...": the tower that is told of behind it is that."""
+    return any(isinstance(x, Using) and x.lead == "out of" for chain in chains for x in parts_of(chain))
 
 
 def _listed_in(line: Clause) -> list[Traits]:
@@ -126,5 +131,9 @@ def _moves_one(order: Clause, listed: list[Traits]) -> bool:
         looks = {look for x in listed for look in (*x.colors, *x.labels)}
         return not named or not all(looks.isdisjoint((*x.colors, *x.labels)) for x in named)
     one = isinstance(theme, Noun) and not theme.plural and listed.count(theme.traits) == 1
+    ranked = isinstance(theme, Noun) and theme.det == "the" and not theme.plural and theme.traits.rank is not None
+    one = one or (ranked and isinstance(theme, Noun) and theme.traits == Traits(rank=theme.traits.rank))
+    if one and (order.mode, order.verb) == ("command", "pick") and not order.negated:
+        return True
     told = (order.mode, order.verb) == ("command", "place") and not order.negated
     return one and told and len(at_) == 1 and isinstance(at_[0], At)

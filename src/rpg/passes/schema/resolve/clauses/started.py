@@ -6,8 +6,10 @@ from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, TableTop
+from rpg.ir.walk import names as names_in
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, PartOf, TableTop
 from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.orders.reordered import FIRST, LAST
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse
 
@@ -64,3 +66,23 @@ def partly(clause: Clause, scene: Scene, scope: Scope) -> list[g.Goal]:
         raise refuse("misplaced", "only a start can be partial", clause.span, "say which block goes on which")
     scene.assume("partially stacked at the start: one block lies on another")
     return [r.On(a=(pairs[0][0],), b=(pairs[0][1],), span=clause.span)]
+
+
+def taken_out(theme: Ref, source: Meaning, scene: Scene, scope: Scope) -> None:
+    """ "Pull the red block out of the bottom of the tower": it is there at the start, as was told."""
+    part = source.part if isinstance(source, PartOf) else None
+    whole = source.whole if isinstance(source, PartOf) and source.whole is not None else source
+    home = refer(whole, scene, replace(scope, role="landmark"))
+    scene.mentions.pop()
+    begun = {name for goal in scene.start_goals for name in names_in(goal)} | {n for heap in scene.heaps for n in heap}
+    if not home.built or not set(theme.names) < set(home.names) <= begun:
+        raise refuse("no-referent", "it is not said that this is in there at the start", source.span,
+                     "say for example 'there is a tower: red, blue, white from the bottom'")  # fmt: skip
+    built = home.built[-1]
+    if part is None or (part == "middle" and not {*theme.names} & {built.members[0], built.members[-1]}):
+        return
+    first = built.side or FIRST.get(built.kind, "")
+    ends = {first: built.members[:1], LAST.get(first, ""): built.members[-1:]}
+    if not built.ordered or ends.get(part) != theme.names:
+        raise refuse("contradiction", f"this is not said to be at the {part} at the start", source.span,
+                     "name the block that is there")  # fmt: skip

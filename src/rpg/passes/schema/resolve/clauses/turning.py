@@ -23,6 +23,7 @@ from rpg.language.meaning import (
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.clauses.spun import spun
+from rpg.passes.schema.resolve.clauses.started import taken_out
 from rpg.passes.schema.resolve.clauses.throughout import held_throughout
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.placing import absolutes
@@ -151,6 +152,8 @@ def pick(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         return goals
     scene.picked = clause.span
     scene.held.update(dict.fromkeys(theme.names, clause.span))
+    if len(spec.usings) == 1 and spec.usings[0].lead == "out of":
+        taken_out(theme, spec.usings.pop(0).members, scene, scope)
     if len(spec.usings) == 1 and spec.usings[0].lead == "from":
         picked_from(theme, spec.usings.pop(0), scene, scope, clause.span)
     return []

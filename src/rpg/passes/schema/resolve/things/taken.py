@@ -33,7 +33,12 @@ def _another(chain: Chain) -> Chain:
 def _taken(chain: Chain) -> Chain:
     """ "Take two of the four red blocks and stack them": stack two of the four."""
     for n, (first, second) in enumerate(pairwise(chain.clauses)):
-        if not isinstance(first, Clause) or not isinstance(second, Clause) or first.verb not in _TAKES:
+        if not isinstance(first, Clause) or not isinstance(second, Clause):
+            continue
+        if _only_moved(first, second) and chain.links[n + 1] in ("and", "then"):
+            clauses = (*chain.clauses[:n], replace(first, verb="pick"), *chain.clauses[n + 1 :])
+            return replace(chain, clauses=clauses)
+        if first.verb not in _TAKES:
             continue
         if not isinstance(first.theme, Noun) or not isinstance(second.theme, Pronoun) or second.negated:
             continue
@@ -44,6 +49,13 @@ def _taken(chain: Chain) -> Chain:
             clauses = (*chain.clauses[:n], told, *chain.clauses[n + 2 :])
             return replace(chain, clauses=clauses, links=(*chain.links[: n + 1], *chain.links[n + 2 :]))
     return chain
+
+
+def _only_moved(first: Clause, second: Clause) -> bool:
+    """ "Remove the top block and put it on the mat": where it goes is said by the second."""
+    it = second.theme if isinstance(second.theme, Pronoun) and second.verb == "place" else None
+    taken = first.lemma == "remove" and not first.adjuncts and isinstance(first.theme, Noun)
+    return taken and it is not None and it.word in ("it", "them") and not (first.negated or second.negated)
 
 
 def _listed_apart(chain: Chain) -> Chain:

@@ -64,6 +64,16 @@ class _Layout:
     obstacles: list[_Obstacle] = field(default_factory=list)
     heaps: list[Heap] = field(default_factory=list)
 
+    def put_flat(self, name: str, x: float, y: float, yaw: float) -> None:
+        """A block on the table, turned by `yaw`."""
+        size = self.world.edge[name]
+        self.position[name], self.orientation[name] = (x, y, TABLE_Z + size / 2), yaw_quat(yaw)
+        self.reserve(x, y, yaw, size)
+
+    def reserve(self, x: float, y: float, yaw: float, size: float) -> None:
+        """The place of a block of edge `size` on the table, which others keep clear of."""
+        self.obstacles.append(_Obstacle(_outline(x, y, yaw, size), size / math.sqrt(2), size / 2))
+
     def put(self, name: str, position: Vec3, orientation: Quat) -> None:
         self.position[name], self.orientation[name] = position, orientation
         outline = footprint(BlockState(self.world, self.position, self.orientation), name)
@@ -154,25 +164,26 @@ def _compose(init: InitialState, world: World, draw: str) -> _Layout | None:
         for origin, size in vacant.get(name, ()):
             place = _place(layout, size, Random(f"{draw}/{origin}"))
             if place is not None:
-                layout.obstacles.append(_Obstacle(_outline(*place, size), size / math.sqrt(2), size / 2))
+                layout.reserve(*place, size)
         if name is not None and name in world.blocks and name not in layout.position:
             block = world.blocks[name]
             place = _place(layout, block.size, Random(f"{draw}/{block.origin or name}"))
             if place is None:
                 return None
-            x, y, yaw = place
-            layout.put(name, (x, y, TABLE_Z + block.size / 2), yaw_quat(yaw))
+            layout.put_flat(name, *place)
     return layout
 
 
 def _place(layout: _Layout, size: float, rng: Random) -> tuple[float, float, float] | None:
     """A free place (x, y, yaw) for a block of edge `size`: with room around it, else wherever it fits."""
     radius = size / math.sqrt(2)
-    drawn = _proposals(rng, FEW)
-    for place in drawn:
+    drawn = []
+    for _ in range(FEW):
+        place = _proposal(rng)
         if layout.free(place[0], place[1], radius, CLEARANCE):
             return place
-    drawn += _proposals(rng, PROPOSALS - FEW)
+        drawn.append(place)
+    drawn += [_proposal(rng) for _ in range(PROPOSALS - FEW)]
     others = np.array([(other.x, other.y, other.radius, other.within) for other in layout.obstacles])
     middles = np.array(drawn)
     dx, dy = (np.subtract.outer(middles[:, k], others[:, k]) for k in (0, 1))
@@ -185,10 +196,10 @@ def _place(layout: _Layout, size: float, rng: Random) -> tuple[float, float, flo
     return next((place for place in candidates if layout.fits(_outline(*place, size), TIGHT)), None)
 
 
-def _proposals(rng: Random, count: int) -> list[tuple[float, float, float]]:
-    """So many (x, y, yaw) drawn from the workspace."""
+def _proposal(rng: Random) -> tuple[float, float, float]:
+    """An (x, y, yaw) drawn from the workspace."""
     draw = rng.random
-    return [(LEAST_X + SPAN_X * draw(), LEAST_Y + SPAN_Y * draw(), -math.pi + TURN * draw()) for _ in range(count)]
+    return LEAST_X + SPAN_X * draw(), LEAST_Y + SPAN_Y * draw(), -math.pi + TURN * draw()
 
 
 def _outline(x: float, y: float, yaw: float, size: float) -> Polygon:
@@ -202,7 +213,7 @@ def _put_poses(init: InitialState, layout: _Layout, draw: str) -> None:
         block = layout.world.blocks[start.block]
         rng = Random(f"{draw}/{block.origin or block.name}")
         x, y = (value + rng.uniform(-start.jitter, start.jitter) for value in start.position)
-        layout.put(block.name, (x, y, TABLE_Z + block.size / 2), yaw_quat(start.yaw))
+        layout.put_flat(block.name, x, y, start.yaw)
 
 
 def _put_arranged(init: InitialState, layout: _Layout, draw: str) -> bool:

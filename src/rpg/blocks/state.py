@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from rpg.blocks.constants import TABLE_Z
 from rpg.ir.assets import Asset, Block, GoalPatch
@@ -27,7 +28,11 @@ class World:
         self.blocks: dict[str, Block] = {n: a for n, a in self.assets.items() if not isinstance(a, GoalPatch)}
         self.patches: dict[str, GoalPatch] = {n: a for n, a in self.assets.items() if isinstance(a, GoalPatch)}
         self.edge: dict[str, float] = {name: block.size for name, block in self.blocks.items()}
-        self.look: dict[str, Look] = {name: look_of(block) for name, block in self.blocks.items()}
+
+    @cached_property
+    def look(self) -> dict[str, Look]:
+        """What every block looks like; many a world is made that nobody looks at."""
+        return {name: look_of(block) for name, block in self.blocks.items()}
 
 
 def look_of(block: Block) -> Look:

@@ -64,14 +64,17 @@ def _beside_a_tower(found: Clause) -> Clause | None:
     theme, places = found.theme, [x for x in found.adjuncts if isinstance(x, Loc) and not x.negated]
     below = [x for x in places if _lies_on(x) and not x.mods and isinstance(x.landmark, Noun) and single(x.landmark)]
     side = [x for x in places if x.rel in _BESIDE]
-    if not isinstance(theme, Noun) or not single(theme) or found.negated or found.verb not in ("be", "place"):
+    if not isinstance(theme, Noun) or not single(theme) or found.negated or found.verb not in ("be", "place", "stack"):
         return None
-    if len(below) != 1 or len(side) != 1 or len(found.adjuncts) != 2 or side[0].span[0] > below[0].span[0]:
+    if len(below) != 1 or len(side) != 1 or len(found.adjuncts) != 2:
         return None
     mark = side[0].landmark
+    them = isinstance(mark, Pronoun) and mark.word == "them"  # "put green on yellow to the right of them"
+    if side[0].span[0] > below[0].span[0] and not them:
+        return None
     tower = isinstance(mark, Structure) and mark.kind == "stack" and mark.det == "the" and not mark.members
     first = side[0].span[0] < theme.span[0] and isinstance(mark, Pronoun) and mark.word in ("it", "that", "them")
-    if not (tower or first):
+    if not (tower or first or them):
         return None
     items = (theme, *(x.landmark for x in below if x.landmark))
     order = OrderBy(by="named", items=items, first="top", span=found.span)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import NoReturn
 
 from rpg.language.meaning import Meaning, Noun, Pronoun, Traits
+from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Built, Mention, Ref, Scene, Scope, refuse
 
@@ -23,9 +24,10 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
     if scope.rel == "between" and (ends := _two_ends(word, own, scene)) is not None:
         return ends
     before = any(m not in own and len(m.ref.names) > 1 for m in scene.mentions)
+    earlier = any(m.clause < scene.clause and m.ref.names for m in scene.mentions)
     for mention in reversed(scene.mentions):
-        if before and mention in own:
-            continue
+        if mention in own and (before or (earlier and mention.ref.span[1] >= word.span[1])):
+            continue  # "to the right of them put green on yellow" is not of these two
         if len(mention.ref.names) > 1:
             ref = mention.ref
             if word.word in ("both", "both of them") and len(ref.names) != 2:
@@ -57,6 +59,9 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=tuple(dict.fromkeys(last)), plural=True) if last else _nobody(word)
     if len(set(last)) == 2:
         _no_pairs(word, set(last), scene)
+    lowest = [n for n in last if scene.on_top.get(n) not in last] if scope.rel in DIRECTIONS else last
+    if scope.role == "landmark" and len(lowest) == 1:  # "red is on blue. To the right of them ...": of that tower
+        last = lowest
     if last:
         return Ref(names=tuple(last), plural=len(last) > 1)
     return _nobody(word)

@@ -24,12 +24,14 @@ from rpg.language.meaning import (
     At,
     Clause,
     Coord,
+    Loc,
     Manner,
     Meaning,
     Noun,
     Pronoun,
     Quality,
     Structure,
+    TableTop,
     Traits,
     Using,
 )
@@ -232,6 +234,10 @@ def _predicate_after_be(
             if p.words[j] in ("currently", "already", "initially", "originally"):
                 mode = "start"
             j = n
+        j += p.words[j] == "to" and p.words[j + 1] in lexicon.POSTURE
+        told = p.any_of(j, ("supposed to", "meant to"))
+        told = told or (p.any_of(j, ("allowed to", "permitted to")) if none_of(theme) else 0)
+        j = p.opt(told, "be") or j
         j += p.words[j] == "left" and p.words[j + 1] in ("on", "in", "there")
         readings = list(_predicate(p, i, j, theme, mode, negated))
         return [(ever(c, lasting) if isinstance(c, Clause) else c, e) for c, e in readings]
@@ -278,19 +284,9 @@ def _predicate(p: Parser, i: int, j: int, theme: Meaning, mode: str, negated: bo
                         or (lemma == "line" and p.words[at_ - 1] == "up")
                         or (negated and lemma in ("move", "touch", "disturb", "shift"))
                     ):
-                        yield (
-                            Clause(
-                                verb=sense,
-                                lemma=lemma,
-                                theme=theme,
-                                adjuncts=found,
-                                negated=negated,
-                                mode=mode,
-                                span=p.span(i, k),
-                                word=p.span(j, j + 1),
-                            ),
-                            k,
-                        )
+                        done = Clause(verb=sense, lemma=lemma, theme=theme, adjuncts=found, negated=negated, mode=mode,
+                                      span=p.span(i, k))  # fmt: skip
+                        yield replace(done, word=p.span(j, j + 1)), k
     start = j
     if j < p.end and p.words[j] in lexicon.POSTURE:
         start = p.reach(j + 1)
@@ -359,23 +355,27 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
 
 
 def _reads(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:
-    using = Using(members=theme, span=theme.span)
+    """ "The cubes read CAT": of them; "the mat should read CAT": on it; "the table reads CAT": wherever."""
+    using: tuple[Meaning, ...] = (Using(members=theme, span=theme.span),)
+    if isinstance(theme, Noun) and theme.head == "patch" and not theme.plural:
+        using = (Loc(rel="on", landmark=theme, span=theme.span),)
+    using = () if isinstance(theme, TableTop) else using
     text = literal(p, j) or digits_of(p, j)
     if text is not None and len(text) > 1:
         word = Structure(kind="word", det="the", letter=text, span=p.span(j, j + 1))
         apart = [x for x in adjuncts(p, j + 2) if x[0]] if p.one(j + 1, ",") else []
         for found, end in [*adjuncts(p, j + 1), *apart]:
-            yield Clause(verb="spell", theme=word, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+            yield Clause(verb="spell", theme=word, adjuncts=(*using, *found), mode=mode, span=p.span(i, end)), end
     for (labels, more), k in label_list(p, j, True):
         named = Noun(
             head="block", plural=len(labels) > 1, traits=Traits(labels=labels, open_ended=more), span=p.span(j, k)
         )
         for found, end in adjuncts(p, k):
-            yield Clause(verb="read", theme=named, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+            yield Clause(verb="read", theme=named, adjuncts=(*using, *found), mode=mode, span=p.span(i, end)), end
     for other, k in noun_phrase(p, j):
         if isinstance(other, Structure) and other.kind in ("word", "equation"):
             for found, end in adjuncts(p, k):
-                yield Clause(verb="spell", theme=other, adjuncts=(using, *found), mode=mode, span=p.span(i, end)), end
+                yield Clause(verb="spell", theme=other, adjuncts=(*using, *found), mode=mode, span=p.span(i, end)), end
 
 
 @rule

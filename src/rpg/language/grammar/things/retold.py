@@ -24,9 +24,11 @@ def retold(items: tuple[Meaning, ...]) -> bool:
     whole, last = items[0], items[-1]
     if isinstance(last, Noun) and last.head == "any" and last.det == "the" and last.plural and last.traits.colors:
         return any(isinstance(x, Noun) and x.amount and x.traits.colors == last.traits.colors for x in items[:-1])
-    if not isinstance(whole, Noun) or whole.traits != Traits() or whole.amount is None:
+    if not isinstance(whole, Noun) or whole.traits != Traits(kind=whole.traits.kind) or whole.amount is None:
         return False
     mere = isinstance(last, Noun) and bare_color(last) and last.det == "bare"
+    if whole.traits.kind is not None:
+        return len(items) == 2 and mere
     return tally(items[1:]) > 1 or (len(items) == 2 and mere)
 
 

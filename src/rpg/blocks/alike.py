@@ -86,7 +86,8 @@ class Judge:
         return found
 
     def _holds(self, state: BlockState, tree: Tree | None) -> bool:
-        return self._arranged(state, tree) and rests(state)
+        # what floats is seen at a glance
+        return tree is not None and rests(state) and self._arranged(state, tree)
 
     def _arranged(self, state: BlockState, tree: Tree | None) -> bool:
         return tree is not None and self._somewhere(tree, state, {})

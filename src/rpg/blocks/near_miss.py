@@ -35,12 +35,17 @@ GONE = (1.3, 0.0)
 """A place on the floor beside the table."""
 
 
-def near_misses(goal: g.Goal, state: BlockState, rng: Random, judge: Judge | None = None) -> list[NearMiss]:
-    """States close to `state` (in which `goal` holds) in which it must not hold; `judge` is one of that goal."""
-    judge = judge or Judge(goal, state.world)
-    found = [miss for miss in _of_conditions(goal, state, rng) if not judge.renamed(miss.state)]
-    found += [miss for miss in _generic(goal, state, rng) if not judge.any_name(miss.state)]
-    return found
+def near_misses(goal: g.Goal, state: BlockState, rng: Random) -> list[NearMiss]:
+    """States close to `state` (in which `goal` holds) in which it must not hold."""
+    of_conditions, generic = both_kinds(goal, state, rng, Judge(goal, state.world))
+    return of_conditions + generic
+
+
+def both_kinds(goal: g.Goal, state: BlockState, rng: Random, judge: Judge) -> tuple[list[NearMiss], list[NearMiss]]:
+    """Near-misses of single conditions, in which the goal does not hold under other names, and is not to hold with its
+    own; and those of any structure, in which it holds under no names, as is known of them."""
+    of_conditions = [miss for miss in _of_conditions(goal, state, rng) if not judge.renamed(miss.state)]
+    return of_conditions, [miss for miss in _generic(goal, state, rng) if not judge.any_name(miss.state)]
 
 
 def _of_conditions(goal: g.Goal, state: BlockState, rng: Random) -> Iterator[NearMiss]:

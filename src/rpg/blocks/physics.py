@@ -42,7 +42,8 @@ class Physics:
         self._read = np.zeros(7 * self.count)
         self._reach = tuple(world.edge[name] * math.sqrt(3) / 2 for name in self.names)
         for index, name in enumerate(self.names):
-            if self.model.joint(name).qposadr[0] != 7 * index:
+            joint = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_JOINT, name)
+            if self.model.jnt_qposadr[joint] != 7 * index:
                 raise ValueError(f"the model does not have block {name!r} in place {index} of its coordinates")
 
     def write(self, state: BlockState) -> None:

@@ -68,11 +68,12 @@ class _Checker:
     def members(self) -> Iterator[Diagnostic]:
         """Attributes that do not exist, or that lead out of the task."""
         own = {node.attr for node in self.attribute_nodes if isinstance(node.ctx, ast.Store) and _is_self(node.value)}
+        of_task = attributes() | own | self.constants
         for node in self.attribute_nodes:
             if _is_super(node.value):
                 allowed: Iterable[str] = grammar.HOOKS
             elif _is_self(node.value):
-                allowed = attributes() | own | self.constants
+                allowed = of_task
             else:
                 allowed = grammar.ORDINARY_ATTRIBUTES
             writes = isinstance(node.ctx, ast.Store) and (not _is_self(node.value) or node.attr in attributes())

@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from random import Random
 from typing import Any
 
+from rpg.blocks.alike import Judge
 from rpg.blocks.arrange.solve import Solver
 from rpg.blocks.evaluate import evaluate, settled
-from rpg.blocks.near_miss import near_misses
+from rpg.blocks.near_miss import both_kinds
 from rpg.blocks.predicate import NearMiss
 from rpg.blocks.state import BlockState, Quat
 from rpg.core.diagnostics import Diagnostic
@@ -52,11 +53,12 @@ class MutationGate:
         goal = bench.trace.authored
         history = bench.trace.history
         judge = bench.judge
-        misses = near_misses(program.task.goal, goal, rng, judge)
+        doubtful, known = both_kinds(program.task.goal, goal, rng, judge or Judge(program.task.goal, bench.world))
+        misses = doubtful + known
         others, moving = other_goals(program, bench), unsettled(goal)
         if judge is not None:
-            # the code waits for rest, and others are found by the goal of the schema, which it tells word for word
-            survivors, rejected = [miss for miss in misses if judge.as_named(_begun(miss.state, history))], []
+            # the code waits for rest; the others are found by the goal of the schema, which it tells word for word
+            survivors, rejected = [miss for miss in doubtful if judge.as_named(_begun(miss.state, history))], []
         else:
             survivors = surviving(bench.task, history, misses)
             # where stages count, the goal was met before it moves again

@@ -84,7 +84,7 @@ VERBS = {
     "place": "put place add move set position lay bring transfer relocate drop push slide shift carry get deliver "
     "locate seat rest insert nudge drag pull deposit return hide balance tuck perch settle stick sandwich "
     "stand mount shove scoot whack chuck slap stash pose plop plant pop stow park sit load lower dump bung "
-    "heave hoist install wedge fit slot squeeze center",
+    "heave hoist install wedge fit slot squeeze center pack",
     "pick": "pick grab grasp lift take find",
     "stack": "stack pile heap restack",
     "build": "build make create construct form assemble erect produce compose draw rebuild shape",

@@ -272,6 +272,16 @@ def _toward_list(p: Parser, i: int) -> Results[Meaning]:
             yield OrderBy(by="given", items=items, first=found.first, span=p.span(i, last)), last
 
 
+_SHOWN = Patterns(
+    "by|according_to|based_on what is printed|written|shown|painted|marked? on|upon them|it|each|top|each_of_them|"
+    "each_one|each_block|each_cube|the_blocks|the_cubes",
+    "by|according_to|based_on what they|each_one|each_of_them|each_block|each_cube show|shows|say|says|display",
+    "by|according_to|based_on the|their symbol|letter|number|label|digit|glyph on_them|on_it|they_show|they_have|"
+    "they_display|they_bear|printed_on_them|shown_on_them|written_on_them|on_each|that_they_show",
+)
+"""What tells blocks apart by their symbols."""
+
+
 @choice
 def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
     """ "by colour", "according to size", "by even and odd", "into vowels and consonants"."""
@@ -280,6 +290,8 @@ def _by_attribute(p: Parser, i: int, led: bool) -> Results[Meaning]:
     j = p.any_of(i, ("by", "according to", "based on", "by their", "according to their", "by the", "depending on",
         "by whether they are", "according to whether they are", "on the basis of", "based on their",
                      "by same", "by different", "by block"))  # fmt: skip
+    for k in _SHOWN.matches(p, i):
+        yield OrderBy(by="attribute", attribute="label", span=p.span(i, k)), k
     if j:
         word = p.words[j] if j < p.end else ""
         if word in _ATTRIBUTES:

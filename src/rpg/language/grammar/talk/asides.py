@@ -29,6 +29,7 @@ _ANYWHERE = (
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
     "kinda", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
+    "at the same time", "simultaneously",
     "my dear", "dear", "sweetheart", "darling", "honey",
     "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",

@@ -184,6 +184,7 @@ STATES = Patterns(
     "wanted|desired|required|needed :",
     "arrange|see_to_it for",
     "please? make|do|see|arrange|care|manage|achieve|cause|provide|take_care|look|act it? so? that",
+    "arrange|set_up|set|do|fix|organize|lay|place it|things|everything|them|this up|out? so|such that?",
     "success|done|finished|win|victory|completion means? that? :",
     "what should|must|has_to|will come_out|result|be_there|be_seen|stand_there|appear in_the_end|at_the_end? is|:",
     f"the|our|my end|final|desired|target|goal? {_RESULT} "
@@ -241,6 +242,9 @@ TAGS = Patterns(
     "is|would that|this|it be? possible|okay|ok|doable|feasible|alright|clear|all_right for_you?",
     "can|could that|this|it be? done|possible|arranged|work",
     "does|would that|this|it work for_you?",
+    "nothing|anything else really? matters",
+    "other_than|apart_from|besides|beyond that ,? i|we do not care|mind",
+    "other_than|apart_from|besides|beyond that ,? nothing|anything is? asked_for|wanted|required|matters",
     classes=WISHING,
 )
 """What an instruction may end with."""

@@ -50,9 +50,19 @@ def _without(meaning: Meaning, extras: list[Noun]) -> Meaning:
 
 def ignore(clause: Clause, scene: Scene, scope: Scope) -> list[g.Goal]:
     """ "ignore the green block", "two black ones serve as a distraction"."""
-    if clause.theme is not None:
+    first = clause.theme is not None and clause.theme.span[0] == clause.span[0]  # not "ignore the rest"
+    left_open = first and _of_no_others(clause.theme, scene)
+    if clause.theme is not None and not left_open:
         pass_over(refer(clause.theme, scene, scope), scene)
     return []
+
+
+def _of_no_others(theme: Meaning | None, scene: Scene) -> bool:
+    """ "the rest does not matter", where all blocks there are were spoken of: it asks for nothing."""
+    if getattr(theme, "word", "") not in ("the rest", "everything else"):
+        return False
+    placed = {name for m in scene.mentions if m.role != "given" for name in m.ref.names}
+    return bool(placed) and all(t.extra or t.name in placed for t in scene.blocks())
 
 
 def pass_over(ref: Ref, scene: Scene) -> None:

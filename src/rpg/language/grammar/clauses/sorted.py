@@ -26,11 +26,12 @@ def ordered(p: Parser, i: int) -> Results[Meaning]:
                 yield Clause(verb="arrange", adjuncts=(found, *more), span=p.span(i, end), cost=1), end
         for more, k in adjuncts(p, p.opt(j, ",")) if found.by != "run" else ():
             plain = more and all(isinstance(x, OrderBy | Toward) and not getattr(x, "items", ()) for x in more)
-            for theme, end in noun_phrase(p, p.one(k, ":")) if plain and p.stands(k, (":",)) else ():
+            colon = p.any_of(p.opt(k, ","), (":", "for", "of", "with")) if plain else 0
+            for theme, end in noun_phrase(p, colon) if colon else ():
                 said = Clause(verb="arrange", theme=theme, adjuncts=(found, *more), span=p.span(i, end), cost=1)
                 yield said, end
-        lead = p.any_of(j, ("for", "of", "with", ":", "with the", "for the", "of the")) if found.by != "run" else 0
+        lead = p.any_of(j, ("for", "of", "with", ":", "with the", "for the", "of the", ",")) if found.by != "run" else 0
         for theme, k in noun_phrase(p, lead) if lead else ():
-            for more, end in adjuncts(p, k):
+            for more, end in (*adjuncts(p, k), *(adjuncts(p, k + 1) if p.stands(k, (",",)) else ())):
                 said = Clause(verb="arrange", theme=theme, adjuncts=(found, *more), span=p.span(i, end), cost=1)
                 yield said, end

@@ -87,7 +87,7 @@ _PHRASES = {
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
     phrases = by_first(tuple(_PHRASES))
-    tokens = _was_so(_grouped(tokens))
+    tokens = _was_so(_grouped(_so_many_colors(tokens)))
     out: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -115,6 +115,27 @@ def rephrased(tokens: list[Token]) -> list[Token]:
         out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
         at += len(said)
     return out
+
+
+_SHARES = frozenset({"half", "third", "row", "column", "layer", "rest", "others"})
+_BY_TURNS = frozenset({"alternating", "alternate", "alternately", "checkerboard"})
+_IN = frozenset({",", "in", "with", "of", "-", "has"})
+
+
+def _so_many_colors(tokens: list[Token]) -> list[Token]:
+    """ "A tower of four, two colours: the bottom two gray, the top two orange": that there are two is told by them,
+    where it is also told how many blocks have each."""
+    words = [token.word for token in tokens]
+    for at in range(len(words) - 3, 1, -1):
+        many = lexicon.NUMBER.get(words[at - 1]) or (int(words[at - 1]) if words[at - 1].isdigit() else 0)
+        if words[at] != "colors" or words[at + 1] not in (":", ",") or words[at - 2] not in _IN or many < 2:
+            continue
+        end = next((n for n in range(at, len(words)) if words[n] in _ENDS), len(words))
+        named = len({lexicon.COLOR[word] for word in words[at:end] if word in lexicon.COLOR}) == many
+        told = sum(word in lexicon.NUMBER or word in _SHARES or word.isdigit() for word in words[at:end]) >= many
+        if named and (told or not _BY_TURNS.isdisjoint(words[at:end])):
+            tokens = [*tokens[: at - 2], *tokens[at + 1 :]]
+    return tokens
 
 
 _LINES = frozenset({"tower", "stack", "row", "line", "column", "pile"})

@@ -244,6 +244,9 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     two = tokens[index - 2].word if index > 1 else ""
     if before == "either" and index > 1:  # "spell either DOG or GOD"
         before, two = two, tokens[index - 3].word if index > 2 else ""
+    if before == ":" and two in _WORD_LEADS | _SPELLERS:  # "word: robot", and no more
+        alone = index + 1 == len(tokens) or tokens[index + 1].kind == "punct"
+        return alone and word not in _NOT_LITERAL
     if before in _WORD_LEADS and two in ("the", "spell", "spells", "a", "out"):
         goes_on = index + 1 < len(tokens) and tokens[index + 1].kind == "word" and not tokens[index].raw.isupper()
         told = index > 2 and tokens[index - 3].word in _MAKERS

@@ -9,6 +9,7 @@ from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
 from rpg.language.grammar.talk.asides import without_asides
 from rpg.language.grammar.talk.shape_last import shape_ahead
+from rpg.language.grammar.talk.written_rows import rows_in_words
 from rpg.language.spelling import read_words
 from rpg.language.titles import title, untitled
 from rpg.language.tokens import tokenize
@@ -60,7 +61,7 @@ class BuiltinFrontEnd:
         words, notes, wrong = read_words(untitled(tokens[over:]))
         if wrong or strays:
             return None, (*wrong, *(_stray(s.text, s.span) for s in strays))
-        words = without_asides(words)
+        words = rows_in_words(without_asides(words))
         try:
             found = build(words, text, notes, name=name, seed=seed, author=author)
         except Refusal:

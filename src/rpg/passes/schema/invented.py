@@ -6,7 +6,10 @@ from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 
+from rpg.ir.assets import FACES, SemanticCube
 from rpg.ir.schema import COLORS_UNSAID, SYMBOLS_UNSAID, TaskSchema
+from rpg.ir.structures import Spells
+from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
 from rpg.language.tokens import Token
 from rpg.passes.schema.resolve.things.world import refuse
@@ -23,8 +26,27 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     """Refuse blocks of which nothing was said, and fewer or more of a colour than were counted."""
     _as_many_as_said(words, task)
     _made_up_beside(words, task)
+    _one_word(task)
+    _counts_with_a_slash(words, task)
     if task.assumed(COLORS_UNSAID):
         _spoken_of(words, task)
+
+
+def _one_word(task: TaskSchema) -> None:
+    """Refuse "a word down a stack: SUN" as some word and the word SUN."""
+    spelt = [atom for atom in atoms(task.goal) if isinstance(atom, Spells)]
+    if len(spelt) > 1 and task.assumed("the word is not said"):
+        raise refuse("ambiguous", "is this the word, or one more?", spelt[-1].span, "say 'the word' in front of it")
+
+
+def _counts_with_a_slash(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "each white block on a black one (3/3)" with the cubes 3, / and 3 beside them."""
+    spoken_of = set(names(task.goal))
+    idle = [b for b in task.blocks if isinstance(b, SemanticCube) and b.name not in spoken_of]
+    slash = next((token for token in words if token.word == "/"), None)
+    if slash is not None and any("/" in map(block.symbol, FACES) for block in idle):
+        raise refuse("ambiguous", "so many of each, or cubes that show these numbers?", slash.span,
+                     "say 'three of each'")  # fmt: skip
 
 
 def _as_many_as_said(words: Sequence[Token], task: TaskSchema) -> None:

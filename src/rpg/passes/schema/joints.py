@@ -248,12 +248,14 @@ def _list(words: Sequence[Token], begin: int) -> list[Token]:
 def _listed(token: Token) -> bool:
     said = token.word in lexicon.COLOR or token.word in lexicon.BLOCK or token.word in lexicon.NUMBER
     symbol = token.kind == "number" or (token.kind == "word" and len(token.raw) == 1 and token.raw.isupper())
-    return said or symbol or token.word in (",", "and", "to", "a", "one", "ones", "blocks", "cubes")
+    return said or symbol or token.word in (",", "/", "and", "to", "a", "one", "ones", "blocks", "cubes")
 
 
 def _parted(lot: list[Token], counts: set[int | None]) -> bool:
     """Whether "and" stands between lists, or as many lots are listed as there are towers, each with its number."""
     here = [token.word for token in lot]
+    if "/" in here:
+        return True
     joints = [n for n, word in enumerate(here) if word == "and"]
     if any("," in here[n + 1 :] or "and" in here[n + 1 :] for n in joints):
         return True

@@ -380,8 +380,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 timed = isinstance(found[0], Manner) and found[0].kind in ("time", "by", "by?")
                 beside = before.verb in ("stack", "arrange") and (timed or isinstance(found[0], At))
                 beside = beside or (timed and before.verb == "place")
-                cost += 2 if _bare_count(theme) or beside else 0
-                cost += 1 if isinstance(before.adjuncts[-1], That) else 0
+                cost += (2 if _bare_count(theme) or beside else 0) + isinstance(before.adjuncts[-1], That)
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
     for theme, j in noun_phrase(p, i) if before.verb == "be" and before.adjuncts else ():
         k = p.any_of(p.opt(j, "all"), _SO_ARE)
@@ -394,7 +393,8 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                           adjuncts=kept, span=p.span(i, k), cost=1), k  # fmt: skip
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):
+            if not before.adjuncts and found and getattr(getattr(found[0], "landmark", None), "word", "") == "it":
+                continue  # "a tower and, left of it, ...": of what is named next
             if found and (isinstance(found[0], Loc | In) or (isinstance(found[0], Manner) and found[0].kind == "stay")):
-                it = Pronoun(word="same", span=before.theme.span)
                 verb = "be" if before.verb in ("build", "arrange", "stack") else before.verb
-                yield replace(before, verb=verb, theme=it, adjuncts=found, span=p.span(i, k), cost=1), k
+                yield replace(before, verb=verb, theme=_same(before), adjuncts=found, span=p.span(i, k), cost=1), k

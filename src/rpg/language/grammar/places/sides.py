@@ -224,7 +224,7 @@ def _inside(p: Parser, i: int, j: int) -> Results[Meaning]:
         for noun, whole in _FLAT if side in ("left", "right", "front", "back") else _WHOLES:
             if end := p.any_of(k, _WHOLE_OF[noun]):
                 yield At(side=side, whole=whole, span=p.span(i, end)), end
-        if p.words[k - 1] == "block" and p.words[i] == "on":
+        if p.words[i] == "on" and (p.words[k - 1] == "block" or side == "middle"):  # on top of what is there
             return
         of_it = p.seq(k, "of it") if side in ("top", "bottom", "middle") else 0
         yield At(side=side, span=p.span(i, k)), of_it or k

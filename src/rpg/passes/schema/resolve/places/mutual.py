@@ -12,11 +12,11 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
-from rpg.language.meaning import Amount, Loc, Noun, Pronoun, Structure
+from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL, foot
-from rpg.passes.schema.resolve.things.things import create, matching
+from rpg.passes.schema.resolve.things.things import create, fits, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 Relate = Callable[[Ref, Ref, Loc, Scene, Span], g.Goal]
@@ -144,13 +144,35 @@ def _gapless(spec: Spec) -> None:
         spec.places.append(Loc(rel="touching", landmark=each, span=tight.span))
 
 
+def among_themselves(theme: Ref, mark: Meaning, scene: Scene, denied: bool) -> bool:
+    """ "any of the others", and "another block" behind all of the blocks, or "another red one" behind all red ones."""
+    if isinstance(mark, Pronoun):
+        return mark.word in ("another", "any other", "any other one", "any of the others")
+    if not isinstance(mark, Noun) or mark.det not in ("another", "any", "other"):
+        return False
+    if mark.head == "patch" or _that_other(mark):
+        return False
+    such = all(fits(scene.things[name], mark.traits) for name in theme.names)
+    if not (theme.everything or theme.each) or not such:
+        return False
+    scene.surveyed.append((mark.traits, theme.names, mark.span))
+    return all(t.name in theme.names or t.extra for t in matching(mark.traits, scene, False)) or not denied
+
+
+def _that_other(mark: Noun) -> bool:
+    """ "nothing is on the other": on that one, and not on whichever other there is."""
+    return mark.det == "other" and mark.head == "any" and not mark.plural
+
+
 def none_another(theme: Ref, loc: Loc, scene: Scene, span: Span, relate: Relate) -> Atoms | None:
     """ "no blue block touches another block", "red is not on another one": nor any block besides it that there is."""
     if (alone := _touching_none(theme, loc, scene, span, relate)) is not None:
         return alone
     mark, none = loc.landmark, theme.quant is not None and theme.quant.high == 0
     denied = none or ((loc.negated or scene.denying) and theme.quant is None)
-    if not denied or not isinstance(mark, Noun) or mark.det not in ("another", "other") or mark.head == "patch":
+    if not denied or not isinstance(mark, Noun) or mark.det not in ("another", "other"):
+        return None
+    if mark.head == "patch" or _that_other(mark):
         return None
     there = [thing.name for thing in matching(mark.traits, scene, False) if not thing.extra]
     scene.surveyed.append((mark.traits, (*theme.names, *there), mark.span))

@@ -17,7 +17,14 @@ from rpg.passes.schema.resolve.places.between import between
 from rpg.passes.schema.resolve.places.corners import corners, of_something_else, the_other_half
 from rpg.passes.schema.resolve.places.flanks import flanked
 from rpg.passes.schema.resolve.places.moved import off_what, taken_off
-from rpg.passes.schema.resolve.places.mutual import none_another, of_the_towers, one_for_each, reciprocal, some_other
+from rpg.passes.schema.resolve.places.mutual import (
+    among_themselves,
+    none_another,
+    of_the_towers,
+    one_for_each,
+    reciprocal,
+    some_other,
+)
 from rpg.passes.schema.resolve.places.patches import (
     any_of_the_rest,
     each_its_own,
@@ -44,7 +51,7 @@ from rpg.passes.schema.resolve.things.operands import (
     spread,
 )
 from rpg.passes.schema.resolve.things.refer import refer
-from rpg.passes.schema.resolve.things.things import compared, fits, matching
+from rpg.passes.schema.resolve.things.things import compared, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, wholes
 
 PATCH_MIDDLE = 0.02
@@ -112,26 +119,13 @@ def _region(theme: Ref, region: str, span: Span) -> g.Goal:
     return spread(theme, one, span, together=True)
 
 
-def _another(theme: Ref, mark: Meaning, scene: Scene, denied: bool) -> bool:
-    """ "any of the others", and "another block" behind all of the blocks, or "another red one" behind all red ones."""
-    if isinstance(mark, Pronoun):
-        return mark.word in ("another", "any other", "any other one", "any of the others")
-    if not isinstance(mark, Noun) or mark.det not in ("another", "any", "other") or mark.head == "patch":
-        return False
-    such = all(fits(scene.things[name], mark.traits) for name in theme.names)
-    if not (theme.everything or theme.each) or not such:
-        return False
-    scene.surveyed.append((mark.traits, theme.names, mark.span))
-    return all(t.name in theme.names or t.extra for t in matching(mark.traits, scene, False)) or not denied
-
-
 def _loc(theme: Ref, loc: Loc, scene: Scene, scope: Scope, span: Span) -> Atoms:
     if loc.landmark is None:
         raise refuse("misplaced", "it is not said of what", loc.span)
     check_bodies(theme, loc, scene)
     denied = loc.negated or scene.denying
     none = theme.quant is not None and theme.quant.high == 0
-    if len(theme.names) > 1 and _another(theme, loc.landmark, scene, denied or none):
+    if len(theme.names) > 1 and among_themselves(theme, loc.landmark, scene, denied or none):
         mutual = denied or theme.quant is not None
         return reciprocal(theme, loc, span, denied=denied) if mutual else some_other(theme, loc, span)
     if (apart_from := none_another(theme, loc, scene, span, _relate)) is not None:

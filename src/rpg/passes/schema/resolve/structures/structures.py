@@ -228,7 +228,7 @@ def _stack(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope:
     if order.by != "any":
         spec.toward = [t for t in spec.toward if t.axis != "z"]
     counted = (
-        need is not None
+        bool(need is not None or scene.excepted)  # "all but the red one": nor is that on top
         or (source is None and theme is None and not named)
         or (isinstance(source, Noun) and source.det in ("bare", "a", "some") and not _one_by_one(source))
     )

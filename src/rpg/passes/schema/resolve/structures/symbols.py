@@ -28,7 +28,7 @@ def word(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     """ "the word CAT", in a row or down a tower."""
     text = shape.letter
     if text is None:
-        if shape.det == "the" or (scope.role == "landmark" and shape.det == "bare"):
+        if shape.det in ("the", "bare"):
             raise refuse("ambiguous", "it is not said which word this is", shape.span, "name it: the word CAT")
         text = DEFAULT_WORD
         scene.assume(f"the word is not said: {DEFAULT_WORD}")

@@ -125,6 +125,7 @@ def certain(ref: Ref, scene: Scene) -> Ref:
     """The very blocks that are meant: of look-alikes as many as are asked for; else the phrase must say which."""
     if ref.op in ("or", "nor", "xor", "except", "only"):
         if ref.op == "except":
+            scene.excepted |= {name for part in ref.parts[1:] for name in part.names}
             return ref.parts[0]
         raise refuse("ambiguous", "it is not said which of the blocks", ref.span, "name the blocks")
     if ref.mixed:

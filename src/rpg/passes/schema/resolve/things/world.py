@@ -139,6 +139,7 @@ class Scene:
     `besides`: what "another" and "the other" stand for, each with its words.
     `surveyed`: all blocks of some look that there were when something was said of whichever there are.
     `describing`: whether the clause says how something is to be, and nothing of how it comes to be so.
+    `excepted`: blocks that are left out of what all others form.
     `kept`: what the verb "keep" asks for, each with what it says of the start.
     `ignored`: blocks that are said to be distractors, each with the words that say so.
     `stocked`: blocks of which it is said that there are such, so that not all need be used.
@@ -195,6 +196,7 @@ class Scene:
     exclusive: list[Exclusive] = field(default_factory=list)
     returned: set[str] = field(default_factory=set)
     unstacked: set[str] = field(default_factory=set)
+    excepted: set[str] = field(default_factory=set)
     lenient: bool = False
     besides: list[tuple[Traits, Ref, Span]] = field(default_factory=list)
     surveyed: list[tuple[Traits, tuple[str, ...], Span]] = field(default_factory=list)

@@ -10,7 +10,7 @@ from rpg.blocks.arrange.builds import STRUCTURES
 from rpg.blocks.arrange.explain import conditions
 from rpg.blocks.centres import Centres, Mask
 from rpg.blocks.evaluate import perhaps, rests, satisfied
-from rpg.blocks.namings import all_namings
+from rpg.blocks.namings import Namings, all_namings
 from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable
@@ -22,12 +22,11 @@ Tree = dict[int, "Tree"]
 
 
 class Renamed:
-    """Parts of a goal under every naming. `goals`: the distinct ones; `namings`: per naming, the index of each part,
-    the names as they stand first."""
+    """Parts of a goal under every naming that is `found` for it. `goals`: the distinct ones; `namings`: per naming, the
+    index of each part, the names as they stand first."""
 
-    def __init__(self, goal: g.Goal, parts: Sequence[g.Goal], world: World) -> None:
+    def __init__(self, parts: Sequence[g.Goal], found: Namings) -> None:
         numbers: dict[g.Goal, int] = {}
-        found = all_namings(interchangeable(goal, world))
         columns = []
         for part in parts:
             different, which = found.spread(transform(part, _without_span))
@@ -49,11 +48,14 @@ def _spelt_out(node: g.Goal) -> g.Goal:
 
 
 class Judge:
-    """Whether a goal holds under some naming of its look-alikes, every block being at rest and supported."""
+    """Whether a goal holds under some naming of its look-alikes, every block being at rest and supported.
 
-    def __init__(self, goal: g.Goal, world: World) -> None:
+    `namings`: what they are, where that is known.
+    """
+
+    def __init__(self, goal: g.Goal, world: World, namings: Namings | None = None) -> None:
         cheap_first = sorted(conditions(goal), key=lambda part: part.kind not in PREDICATES or part.kind in STRUCTURES)
-        renamed = Renamed(goal, cheap_first, world)
+        renamed = Renamed(cheap_first, all_namings(interchangeable(goal, world)) if namings is None else namings)
         self._goals = tuple(transform(part, _spelt_out) for part in renamed.goals)
         self._all = _unlike(renamed.namings)
         self._own, self._any = _tree(renamed.namings[:1]), _tree(self._all)

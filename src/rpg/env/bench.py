@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from rpg.blocks.alike import Judge
 from rpg.blocks.judgement import Judgement
+from rpg.blocks.namings import Namings
 from rpg.blocks.state import BlockState
 from rpg.env.task import BlockTask
 from rpg.ir import goal as g
@@ -22,6 +23,11 @@ def goal_told(task: BlockTask) -> g.Goal | None:
     wait for that."""
     told = task._told
     return told.goal if told is not None and told.waits else None
+
+
+def namings_of(task: BlockTask) -> Namings:
+    """Every naming of look-alikes under which a task judges its goal."""
+    return task._namings
 
 
 def judge_by(task: BlockTask, judge: Judge) -> None:

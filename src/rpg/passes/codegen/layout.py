@@ -124,6 +124,8 @@ def _wrapped(expr: Infix, depth: int, end: str) -> list[str]:
 def quoted(text: str) -> str:
     """`text` as a Python string, in the quotes that need fewer escapes; whatever does not print is escaped."""
     quote = "'" if text.count('"') > text.count("'") else '"'
+    if text.isprintable() and quote not in text and "\\" not in text:
+        return quote + text + quote
     return quote + "".join(_escaped(char, quote) for char in text) + quote
 
 

@@ -50,7 +50,7 @@ def _said(expr: Expr) -> str:
 
 def _plain(text: str) -> str:
     """Nothing in a docstring may end it or be read as an escape."""
-    shown = "".join(char if char.isprintable() else " " for char in text)
+    shown = text if text.isprintable() else "".join(char if char.isprintable() else " " for char in text)
     return shown.replace("\\", "/").replace('"', "'")
 
 

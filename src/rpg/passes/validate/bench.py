@@ -11,7 +11,7 @@ from rpg.blocks.alike import Judge
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.waypoints import over_time
 from rpg.env import BlockTask
-from rpg.env.bench import goal_told, judge_by, run_in_place_of, same_goal
+from rpg.env.bench import goal_told, judge_by, namings_of, run_in_place_of, same_goal
 from rpg.ir.artifact import GateReport, Program
 from rpg.ir.walk import plain
 from rpg.passes.validate.load import load
@@ -86,7 +86,9 @@ class Bench:
         if not self.trusted or over_time(goal):
             return None
         told = goal_told(task)
-        return Judge(goal, self.world) if told is not None and plain(told) == plain(goal) else None
+        if told is None or plain(told) != plain(goal):
+            return None
+        return Judge(goal, self.world, namings_of(task))
 
     @cached_property
     def world(self) -> World:

@@ -9,7 +9,9 @@ from typing import Any
 from rpg.blocks.alike import Renamed
 from rpg.blocks.english import clause
 from rpg.blocks.evaluate import satisfied
+from rpg.blocks.namings import all_namings
 from rpg.blocks.state import BlockState, World
+from rpg.blocks.symmetry import interchangeable
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir.schema import TaskSchema
@@ -49,7 +51,7 @@ def subgoals(task: TaskSchema, state: BlockState) -> Subgoals:
     """Judge every conjunct of the schema's goal on `state`."""
     world = World(task.assets)
     parts = tuple(conjuncts(task.goal))
-    renamed = Renamed(task.goal, parts, world)
+    renamed = Renamed(parts, all_namings(interchangeable(task.goal, world)))
     values = [satisfied(goal, state) for goal in renamed.goals]
     best = max(renamed.namings, key=lambda numbers: sum(values[k] for k in numbers))
     return Subgoals(tuple((part, clause(part, world), values[k]) for part, k in zip(parts, best, strict=True)))

@@ -158,7 +158,7 @@ FIRST = Patterns(
     "like this",
     "as follows",
     "put|arrange it|everything all? like this",
-    "do this|the_following :|,?",
+    "do this|the_following",
     "it goes like this",
     "make it so that?",
 )

@@ -11,7 +11,7 @@ from rpg.passes.schema.resolve.clauses.alls import note_all
 from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
 from rpg.passes.schema.resolve.things.extras import extras
 from rpg.passes.schema.resolve.things.listing import bounded, fewer_than, listed, lot, one_more, quantified, repeats
-from rpg.passes.schema.resolve.things.pronouns import others, pronoun
+from rpg.passes.schema.resolve.things.pronouns import PAIR, others, pronoun
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.shares import SHARES, share_of
 from rpg.passes.schema.resolve.things.spoken import one_built
@@ -256,6 +256,8 @@ def _plain(noun: Noun, scene: Scene, scope: Scope, patch: bool) -> Ref:
     if noun.det == "no" and noun.traits == Traits() and noun.head == "block":
         names = scope.pool or tuple(t.name for t in scene.blocks() if not t.extra)
         det = "no" if noun.amount is None else "no two"
+        if noun.amount is not None and noun.amount.low > PAIR:
+            raise refuse("misplaced", "this is told of any two of them alone", noun.span, "say 'no two'")
         return Ref(names=names, quant=Amount(0, 0, True), plural=True, everything=True, det=det)
     if noun.traits.either:
         return _alternatives(noun, scene, scope, patch)

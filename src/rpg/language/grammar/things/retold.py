@@ -24,6 +24,10 @@ def retold(items: tuple[Meaning, ...]) -> bool:
     whole, last = items[0], items[-1]
     if isinstance(last, Noun) and last.head == "any" and last.det == "the" and last.plural and last.traits.colors:
         return any(isinstance(x, Noun) and x.amount and x.traits.colors == last.traits.colors for x in items[:-1])
+    if isinstance(last, Noun) and bare_color(last) and last.det == "bare" and last.amount is None and len(items) > 2:
+        counts = [x.amount for x in items[:-1] if isinstance(x, Noun) and x.traits.colors == last.traits.colors]
+        if any(x is not None and x.low > 1 for x in counts):  # "two red and two blue blocks, red (first)"
+            return True
     if not isinstance(whole, Noun) or whole.traits != Traits(kind=whole.traits.kind) or whole.amount is None:
         return False
     mere = isinstance(last, Noun) and bare_color(last) and last.det == "bare"
@@ -50,8 +54,11 @@ def universal(item: Meaning) -> bool:
 
 
 def restates(before: Meaning, item: Meaning) -> bool:
-    """ "a square of red blocks, three rows of three": with neither "and" nor blocks of its own, it tells of it."""
+    """ "a square of red blocks, three rows of three": with neither "and" nor blocks of its own, it tells of it; but
+    "a red tower of two, a blue tower of three" are two."""
     if not (isinstance(before, Structure) and isinstance(item, Structure)):
+        return False
+    if before.traits.colors and item.traits.colors and not {*before.traits.colors} & {*item.traits.colors}:
         return False
     return item.members is None or (isinstance(item.members, Noun) and item.members.head == "any")
 

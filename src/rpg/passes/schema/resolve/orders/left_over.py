@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from rpg.blocks.figures import Cell
-from rpg.language.meaning import At, Places
-from rpg.passes.schema.resolve.things.world import refuse
+from rpg.language.meaning import Absolute, Amount, At, Noun, Places
+from rpg.passes.schema.resolve.clauses.spec import Spec
+from rpg.passes.schema.resolve.things.things import fits
+from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 
 def all_left(place: At | Places | None, left: Sequence[int], told: Sequence[int]) -> None:
@@ -30,3 +33,26 @@ def lines_left(place: Places, left: Sequence[Cell], told: Sequence[Cell], stands
     if here & there or place.several not in (None, len(here)):
         raise refuse("count-mismatch", f"{len(here - there)} {place.unit}s are left for this", place.span,
                      "say 'everything else'")  # fmt: skip
+
+
+def one_or_all(spec: Spec, names: tuple[str, ...], scene: Scene) -> None:
+    """ "Two green and two pink blocks in a row, green first": one of them at that end, or all? All of them where all
+    blocks are told of, "green on the left and pink on the right"."""
+    if spec.orders or spec.patterns:  # "alternating, red at the bottom"
+        return
+    bare: list[tuple[Absolute, Noun]] = []
+    for item in spec.absolutes:
+        theme, place = item.theme, item.adjuncts[0] if len(item.adjuncts) == 1 else None
+        plain = isinstance(place, At) and place.side != "next" and isinstance(theme, Noun) and theme.det == "bare"
+        if plain and isinstance(theme, Noun) and theme.traits.colors and not (theme.amount or theme.plural):
+            bare.append((item, theme))
+    lots = [tuple(n for n in names if fits(scene.things[n], theme.traits)) for _, theme in bare]
+    told = sorted(name for lot in lots for name in lot)
+    for (item, theme), lot in zip(bare, lots, strict=True):
+        if len(lot) <= sum(other.traits == theme.traits for _, other in bare) or len(lot) == len(names):
+            continue
+        if told != sorted(names):
+            raise refuse("ambiguous", "one of these blocks there, or all of them?", theme.span,
+                         f"say 'a {theme.traits.colors[0]} one', or 'the {theme.traits.colors[0]} ones'")  # fmt: skip
+        all_ = replace(theme, det="the", plural=True, amount=Amount(len(lot), len(lot)))
+        spec.absolutes[spec.absolutes.index(item)] = replace(item, theme=all_)

@@ -9,7 +9,7 @@ from itertools import combinations
 from rpg.ir.order import Order
 from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Pronoun, Size, Structure
 from rpg.passes.schema.resolve.clauses.spec import Spec
-from rpg.passes.schema.resolve.orders.left_over import all_left
+from rpg.passes.schema.resolve.orders.left_over import all_left, one_or_all
 from rpg.passes.schema.resolve.orders.mirrored import mirrored
 from rpg.passes.schema.resolve.orders.parts import Groups, chosen, counted, place_of, so_many, standing
 from rpg.passes.schema.resolve.things.refer import refer
@@ -75,6 +75,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     bunches: list[tuple[str, ...]] = []
     last: int | None = None
     way = 1
+    one_or_all(spec, names, scene)
     sides = [place.side for item in spec.absolutes if (place := place_of(item)) is not None]
     ends = "rest" not in sides and ("ends" in sides or "outer" in sides)
     for item in list(spec.absolutes):
@@ -158,9 +159,7 @@ def _put(
         raise refuse("contradiction", "so many blocks have no room there", item.span, "name fewer blocks", blocks=total)
     for index, name in zip(indices, found, strict=True):
         if index in held and held[index] != (name,):
-            raise refuse(
-                "contradiction", "two blocks are given the same place", item.span, "give each a place of its own"
-            )
+            raise refuse("contradiction", "two blocks are given the same place", item.span, "give each one of its own")
         held[index] = (name,)
     return found, max(indices)
 

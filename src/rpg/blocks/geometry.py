@@ -60,11 +60,16 @@ def patch_outline(patch: GoalPatch) -> Polygon:
     """The outline of a patch that has its position."""
     if patch.position is None:
         raise ValueError(f"the patch {patch.name!r} has no position yet")
-    x, y = patch.position
-    hx, hy = patch.size[0] / 2, patch.size[1] / 2
-    if patch.shape == "circle":
-        turns = [2 * math.pi * k / 24 for k in range(24)]
-        return tuple((x + hx * math.cos(t), y + hy * math.sin(t)) for t in turns)
+    if patch.shape != "circle":
+        return rectangle(patch.position, patch.size)
+    (x, y), radius = patch.position, patch.size[0] / 2
+    turns = [2 * math.pi * k / 24 for k in range(24)]
+    return tuple((x + radius * math.cos(t), y + radius * math.sin(t)) for t in turns)
+
+
+def rectangle(middle: Point, size: Point) -> Polygon:
+    """The outline of a rectangle along the axes, counter-clockwise."""
+    (x, y), hx, hy = middle, size[0] / 2, size[1] / 2
     return (x + hx, y + hy), (x - hx, y + hy), (x - hx, y - hy), (x + hx, y - hy)
 
 

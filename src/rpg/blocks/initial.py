@@ -15,7 +15,7 @@ import numpy as np
 
 from rpg.blocks.arrange import arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.geometry import Polygon, footprint, patch_outline, polygon_gap
+from rpg.blocks.geometry import Polygon, footprint, polygon_gap, rectangle
 from rpg.blocks.heaps import Heap, above, dropped, in_one_piece, shaft
 from rpg.blocks.physics import settled_state
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
@@ -150,7 +150,7 @@ def _compose(init: InitialState, world: World, draw: str) -> _Layout | None:
     for patch in world.patches.values():
         if patch.position is not None:
             # Of a circle too: a patch of another shape must leave the blocks where they start.
-            layout.keep_clear(patch_outline(patch.model_copy(update={"shape": "rectangle"})))
+            layout.keep_clear(rectangle(patch.position, patch.size))
     if init.arranged and not _put_arranged(init, layout, draw):
         return None
     _put_poses(init, layout, draw)

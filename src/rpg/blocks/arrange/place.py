@@ -213,6 +213,8 @@ class Search:
         begun = [r for r in self._begun(piece) if r not in due]
         telling = [r for r in due if r.holds] + begun
         due += [r for r in (self._so_far(rule, piece) for rule in begun) if r is not None]
+        # structures take longest to judge, and need not be where something else rules a place out
+        due.sort(key=lambda rule: rule.open_ended)
         scored = []
         for origin, worth in self._candidates(piece, telling).items():
             self.budget.spend()

@@ -30,9 +30,10 @@ WORDS = {"left_of": "left of", "right_of": "right of", "in_front_of": "in front 
 
 def edge_between(state: BlockState, a: str, b: str) -> float:
     """The larger edge of the blocks among the two, the measure of relative distances."""
-    edge = state.world.edge
-    found = [edge[name] for name in (a, b) if name in edge]
-    return max(found) if found else 0.04
+    one, other = state.world.edge.get(a), state.world.edge.get(b)
+    if one is None or other is None:
+        return one or other or 0.04
+    return max(one, other)
 
 
 def offsets(kind: str, a: str, b: str, state: BlockState) -> tuple[float, float]:
@@ -46,9 +47,11 @@ def offsets(kind: str, a: str, b: str, state: BlockState) -> tuple[float, float]
 
 def least_offset(node: Directional, a: str, b: str, state: BlockState) -> float:
     """The least offset along the axis: so many edges, and for a patch at least to its outline."""
+    patches, asked = state.world.patches, node.min_edges * edge_between(state, a, b)
+    if a not in patches and b not in patches:
+        return asked
     k = 0 if DIRECTIONS[str(node.kind)][0] else 1  # type: ignore[attr-defined]
-    outlines = sum(state.world.patches[n].size[k] / 2 for n in (a, b) if n in state.world.patches)
-    return max(node.min_edges * edge_between(state, a, b), outlines)
+    return max(asked, sum(patches[n].size[k] / 2 for n in (a, b) if n in patches))
 
 
 class DirectionalPredicate(Predicate[Directional]):

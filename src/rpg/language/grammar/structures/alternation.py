@@ -6,7 +6,7 @@ from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.lists import listed
-from rpg.language.meaning import Meaning, Noun, OrderBy, Traits
+from rpg.language.meaning import Meaning, Noun, OrderBy, Traits, parts_of
 
 _TURNS = Patterns(
     "so|so_that|such_that|where|in_which|while|and? the|their|its? color|colors|blocks|cubes "
@@ -98,7 +98,9 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
         set_off = p.one(j, frozenset({",", ":"})) if p.follows(j, ("colors",)) else 0
-        yield from _two(p, i, set_off) if set_off else ()
+        for two, k in _two(p, i, set_off) if set_off else ():  # ", 3 black and 3 yellow" is what there is
+            if not any(isinstance(x, Noun) and x.amount for x in parts_of(two)):
+                yield two, k
     for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):
         for items, k in listed(p, j):
             if end := p.any_of(k, _AFTER):

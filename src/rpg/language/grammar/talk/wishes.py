@@ -9,7 +9,7 @@ from rpg.language.grammar.talk.people import EVENTS, FINE, PEOPLE, WISHING
 from rpg.language.grammar.talk.slots import Patterns
 
 _BEGINNING = "initial|starting|start|original|opening"
-_STATES = "state|configuration|setup|situation|scene|arrangement|layout|picture|position"
+_STATES = "state|condition|conditions|configuration|setup|situation|scene|arrangement|layout|picture|position"
 STARTS = Patterns(
     "starting|start|starts|begin|beginning with|from",
     "on|at? reset|initialization :",
@@ -57,7 +57,7 @@ DENIALS = Patterns(
     classes=WISHING,
 )
 """What is said after these must not be."""
-_RESULT = "result|outcome|state|scene|configuration|arrangement|layout|picture|setup|situation"
+_RESULT = "result|outcome|state|condition|conditions|scene|configuration|arrangement|layout|picture|setup|situation"
 _QUEST = (
     "task|job|goal|episode|mission|game|puzzle|exercise|level|challenge|run|attempt|trial|test|work|objective|aim|"
     "problem|assignment|round|demo|experiment"

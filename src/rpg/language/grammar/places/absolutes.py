@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
+from rpg.language.grammar.places.formed import formed
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.places.sides import SIDES, at
 from rpg.language.grammar.structures.apposed import AMID
@@ -168,12 +169,11 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
             continue
         if p.stands(k, ("left", "right")) and (not p.stands(k + 1, ("of",)) or p.stands(k + 2, _MARKS)):
             yield from ((Absolute(theme=theme, adjuncts=x, span=p.span(j, end)), end) for x, end in _places(p, k))
-        for shape, end in _formed(p, k, theme):
+        for shape, end in formed(p, k, theme):
             spots = [(x, e) for x, e in _places(p, end) if isinstance(x[0], Loc)]
             yield from ((Absolute(theme=shape, adjuncts=x, span=p.span(j, e)), e) for x, e in spots)
-        k = p.opt(k, "is", "are", "being", "goes", "should", "lying", "standing", "left")
-        k = p.opt(k, "be")
-        k = p.opt(k, "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
+        k = p.opt(_again(p, k), "is", "are", "being", "goes", "should", "lying", "standing", "left")
+        k = p.opt(p.opt(k, "be"), "placed", "sitting", "standing", "resting", "positioned", "located", "put", "lying")
         for found, end in _places(p, k):
             if not (isinstance(found[0], At) and begins_anew(theme)):
                 yield Absolute(theme=theme, adjuncts=found, span=p.span(j, end)), end
@@ -190,17 +190,6 @@ def _one_absolute(p: Parser, j: int, unit: str = "") -> Results[Absolute]:
             if isinstance(theme, Noun):
                 place = At(side=side, own=the > j, span=p.span(j, k))
                 yield Absolute(theme=theme, adjuncts=(place,), span=p.span(j, end), cost=1), end
-
-
-_SHAPES = {"in a row": "row", "in a line": "line", "stacked": "stack", "in a stack": "stack", "in a tower": "stack",
-           "stacked up": "stack", "lined up": "line", "piled up": "stack", "in one row": "row"}  # fmt: skip
-
-
-def _formed(p: Parser, k: int, theme: Meaning) -> Results[Structure]:
-    """ "(a mat with) three white blocks in a row (on it)": a row of them."""
-    counted = isinstance(theme, Noun) and theme.head != "patch" and theme.amount is not None and theme.amount.low > 1
-    for phrase, end in p.standing(k, _SHAPES) if counted else ():
-        yield Structure(kind=_SHAPES[phrase], members=theme, span=(theme.span[0], p.span(k, end)[1])), end
 
 
 def _absolute_more(p: Parser, i: int, at_: int, had: tuple[Meaning, ...]) -> Results[Meaning]:
@@ -266,7 +255,12 @@ def _past_it(p: Parser, i: int, had: tuple[Meaning, ...]) -> int:
     """ "red on top, then yellow below it": the words after what comes next, where they say no more than that."""
     first = had[0].adjuncts[0] if isinstance(had[0], Absolute) else None
     side = first.side if isinstance(first, At) else ""
-    return p.any_of(i, _ONWARD.get(side, ())) or i
+    return p.any_of(i, _ONWARD.get(side, ())) or _again(p, i)
+
+
+def _again(p: Parser, i: int) -> int:
+    """ "black, then white, then black again": behind a look that was named before."""
+    return p.opt(i, "again") if p.words[i - 1] in p.words[: i - 1] else i
 
 
 def _relative_to_it(part: Absolute) -> bool:

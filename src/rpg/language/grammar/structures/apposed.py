@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.structures.each_line import EACH
 from rpg.language.grammar.things.adjectives import color, colors
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Absolute, Amount, Coord, Noun, Places, Size, Traits
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Size, Structure, Traits
 
 _LINED = ("grid", "row", "line", "column", "stack", "square", "circle", "rectangle", "wall", "checkerboard")
 
@@ -47,6 +49,24 @@ def apposed_blocks(p: Parser, j: int, alone: bool = False) -> Results[Noun]:
         if end and not either and len(named) == 1 and (end >= p.end or p.words[end] == ","):
             look = Traits(colors=named)
             yield Noun(head="block", amount=amount, plural=True, traits=look, span=p.span(start, end)), end
+
+
+def of_all_of_them(base: Structure, detail: Meaning) -> Structure | None:
+    """ "(a row) with two green blocks and a red one in the middle": made of all of these, and the red one is there."""
+    theme, place = (detail.theme, detail.adjuncts[0]) if isinstance(detail, Absolute) else (None, None)
+    items = theme.items if isinstance(theme, Coord) and theme.op == "and" else ()
+    plain = base.members is None and not (base.sizes or base.dims or base.plural or base.traits.colors)
+    if not plain or base.kind not in ("row", "line", "column", "stack") or not isinstance(place, At) or place.index:
+        return None
+    counts = [x.amount.low if isinstance(x, Noun) and x.amount and x.part_of is None else 0 for x in items]
+    last = items[-1] if items else None
+    if not counts or 0 in counts or counts[-1] > 1 or max(counts) < 2 or not isinstance(last, Noun):
+        return None
+    if place.side == "middle" and sum(counts) % 2 == 0:
+        return None
+    alone = replace(last, det="the", amount=None, plural=False)
+    told = Absolute(theme=alone, adjuncts=(place,), span=detail.span)
+    return replace(base, members=theme, details=(*base.details, told))
 
 
 @rule

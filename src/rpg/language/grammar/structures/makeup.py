@@ -7,33 +7,36 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
-from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.structures.along import listed_again, listed_along, listed_in_turn
-from rpg.language.grammar.structures.apposed import a_lot_each, apposed_blocks, colored_ones, layers_told, symbols_told
+from rpg.language.grammar.structures.apposed import (
+    a_lot_each,
+    apposed_blocks,
+    colored_ones,
+    layers_told,
+    of_all_of_them,
+    symbols_told,
+)
 from rpg.language.grammar.structures.ascents import measures
 from rpg.language.grammar.structures.each_line import one_line_each
 from rpg.language.grammar.structures.gradients import gradient
+from rpg.language.grammar.structures.hues import in_colors, members_amount
 from rpg.language.grammar.structures.limbs import LIMBED, arms_told, limb
 from rpg.language.grammar.structures.sizes import AS_HIGH, IN_TOTAL, each_told, ends_in_lines, lines_of, size_phrase
 from rpg.language.grammar.structures.steps import steps_told
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import colors
 from rpg.language.grammar.things.labels import run
-from rpg.language.grammar.things.lists import listed
 from rpg.language.meaning import (
     Absolute,
-    Amount,
     Coord,
     Into,
     Meaning,
     Noun,
-    OrderBy,
     Pattern,
     Places,
     Pronoun,
     Size,
     Structure,
-    Toward,
     Traits,
 )
 
@@ -64,7 +67,7 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
             for lot, last in each_of(p, end) if base.plural else ():
                 yield replace(whole, details=(*whole.details, lot), span=p.span(i, last)), last
             yield from _sided(p, i, end, whole)
-            yield from _in_colors(p, i, end, whole)
+            yield from in_colors(p, i, end, whole)
             for along, last in listed_again(p, end, _of_so_many(whole)):
                 yield replace(whole, details=(*whole.details, along), span=p.span(i, last)), last
             yield from ((more, e) for more, e in _sized(p, i, end, whole) if e > end)
@@ -72,59 +75,16 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
         for lot, end in each_of(p, k) if base.plural else ():
             yield replace(sized, details=(*sized.details, lot), span=p.span(i, end)), end
         yield from _piled(p, i, k, sized)
-        yield from _in_colors(p, i, k, sized)
+        yield from in_colors(p, i, k, sized)
         if base.kind in ("stack", "row", "line", "column"):
             for along, end in [*listed_in_turn(p, k), *listed_along(p, k)]:
                 yield replace(sized, details=(*sized.details, along), span=p.span(i, end), cost=sized.cost + 1), end
-
-
-_COLORS = tuple(
-    f"{lead}{word}{of}"
-    for lead in (
-        "in ", "in the ", "with ", "with the ", "of ", "of the ", ", ", "", "whose ", "where the ", "with its ",
-        "using the ",
-    )
-    for word in ("colors", "color", "colored", "painted")
-    for of in ("", " :", " are", " are :", " being", " of")
-)  # fmt: skip
-"""What the colours of a line's blocks are listed after."""
-
-
-def _in_colors(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
-    """ "a row in the colours red, white and blue", "a tower of three blocks coloured red, white and blue"."""
-    members = base.members
-    lead = p.any_of(k, _COLORS) if base.kind in ("stack", "row", "line", "column") and not base.plural else 0
-    if not lead or base.traits.colors or not (members is None or _uncoloured(members)):
-        return
-    size = base.size or members_amount(members) if members is not None else base.size
-    for way, k in toward(p, lead):
-        for items, end in listed(p, p.opt(p.any_of(k, ("are", "being", "is")) or k, ":", ",")):
-            if isinstance(way, Toward) and _as_many_colors(items, size):
-                whole = Coord(op="and", items=items, span=p.span(lead, end))
-                given = OrderBy(by="named", items=items, first=way.first, span=p.span(lead, end))
-                told = (*base.details, given)
-                yield replace(base, members=whole, sizes=(), details=told, span=p.span(i, end)), end
-    for items, end in listed(p, lead):
-        if _as_many_colors(items, size):
-            whole = Coord(op="and", items=items, span=p.span(lead, end))
-            yield replace(base, members=whole, sizes=(), span=p.span(i, end)), end
 
 
 def _of_so_many(base: Structure) -> int:
     """ "a row of five", of which no more is said; 0 for others."""
     line = base.members is None and base.kind in ("stack", "row", "line", "column")
     return base.size.low if line and base.size is not None else 0
-
-
-def _as_many_colors(items: tuple[Meaning, ...], size: Amount | None) -> bool:
-    """One colour for each block."""
-    colored = all(isinstance(x, Noun) and x.traits == Traits(colors=x.traits.colors[:1]) for x in items)
-    return colored and (size is None or size.low == size.high == len(items))
-
-
-def _uncoloured(members: Meaning) -> bool:
-    """Blocks of which no look is said."""
-    return isinstance(members, Noun) and members.traits == Traits() and members.head == "block" and not members.part_of
 
 
 def _piled(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
@@ -150,7 +110,8 @@ def _sided(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
 
     if k < p.end and p.words[k] in _DETAILED:
         for detail, end in sided(p, k):
-            yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
+            whole = of_all_of_them(base, detail) or replace(base, details=(*base.details, detail))
+            yield replace(whole, span=p.span(i, end)), end
     if base.sizes and p.one(k, "and"):
         for detail, end in one_more(p, k + 1):
             yield replace(base, details=(*base.details, detail), span=p.span(i, end)), end
@@ -392,8 +353,3 @@ def _number_of_each(p: Parser, j: int, k: int, base: Structure, members: Meaning
 def _mere_number(item: Meaning) -> bool:
     """ "towers of two and three red blocks": so many of each, no members."""
     return isinstance(item, Noun) and item.head == "any" and item.traits == Traits() and item.amount is not None
-
-
-def members_amount(members: Meaning) -> Amount | None:
-    """The number that a members phrase gives."""
-    return getattr(members, "amount", None)

@@ -148,6 +148,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         (by_first(_ANYWHERE), lambda first, last: True),
         (by_first(_EMPHASIS), lambda first, last: _emphatic(words, last)),
         (by_first(_FREE), lambda first, last: _set_off(words, first, last)),
+        (by_first(_DO_THIS), lambda first, last: last < len(words) and words[last] in _COMMANDS),
         (by_first(_BUILT), lambda first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
         (by_first(("only", "single", "sole")), lambda first, last: _the_only(words, first, last)),
         (by_first(_FILLERS), lambda first, last: _filling(words, first, last)),
@@ -265,6 +266,14 @@ def _same_view(words: list[str], at: int, end: int) -> bool:
 _DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})
 _BUILT = ("finished", "completed", "resulting", "finalized")
 """What carries nothing in front of what is built."""
+_DO_THIS = tuple(
+    f"{who} {want} you to do {this} :"
+    for who in ("i", "we")
+    for want in ("want", "need", "would like", "ask")
+    for this in ("this", "the following")
+)
+"""What carries nothing in front of a command."""
+_COMMANDS = frozenset(word for word, forms in lexicon.VERB.items() if any(form == "base" for _, _, form in forms))
 _AT_ALL = ("at all", "whatsoever")
 _FILLERS = ("like", "sort of", "kind of", "i think", "i believe")
 _COUNTING = frozenset({"with", "of", "and", "then", "have", "make", "use", "be", "is", "are"})

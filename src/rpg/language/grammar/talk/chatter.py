@@ -65,8 +65,6 @@ CHATTER = Patterns(
     "do not worry|hurry|rush about_it|anything?",
     "and|now|please? spell|write it|that|this out? please|now?",
     "take your time",
-    "i|we want|need|would_like|ask you to do this|the_following|this_for_me",
-    "please? do this|the_following|this_for_me",
     "do_you_think? can|could|will|would you do|manage|handle|arrange it|this|that for_me|for_us|please?",
     "is|would that|this|it be? possible|okay|ok|doable|feasible for_you?",
     "any|whatever|whichever orientation|rotation is|will|would fine|ok|okay|do|be_fine|allowed",

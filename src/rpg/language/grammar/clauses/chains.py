@@ -8,10 +8,11 @@ from dataclasses import replace
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.clauses import clause
 from rpg.language.grammar.clauses.dealt import counted_ahead
-from rpg.language.grammar.clauses.done_there import afterthought, done_there, likewise
+from rpg.language.grammar.clauses.done_there import afterthought, done_there
 from rpg.language.grammar.clauses.links import emphasised, linked
 from rpg.language.grammar.clauses.starts import begun_of, begun_with, still_begun
 from rpg.language.grammar.clauses.states import carried_on
+from rpg.language.grammar.clauses.there import there_too
 from rpg.language.grammar.clauses.verbs import gapped, gerund_clause, gerund_single
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.absolutes import STARTING
@@ -117,7 +118,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             *clause(p, j),
             *(carried_on(p, j, previous) if previous is not None else ()),
             *(gerund_single(p, j) if link in ("before", "after") else ()),
-            *(_there_too(p, j, previous) if previous is not None and link == "and" else ()),
+            *(there_too(p, j, previous) if previous is not None and link == "and" else ()),
         ]
         bare = previous is not None and not previous.adjuncts
         bare = bare and (link == "then" or (link == "and" and p.words[j - 1] in (",", ";")))
@@ -171,17 +172,6 @@ def _so_far(p: Parser, at: tuple[int, int, int], told: tuple[Meaning, ...], link
 
 _WHOLE_ALONE = ("swap", "stack", "sort", "reverse", "unstack")
 """Verbs that need no more than their blocks."""
-
-
-def _there_too(p: Parser, i: int, before: Clause) -> Results[Clause]:
-    """ "there are red and blue blocks, two of each, and a white mat": a further thing there is."""
-    yield from likewise(p, i, before)
-    if before.verb != "exist" or before.mode != "given" or before.negated or not before.adjuncts:
-        return
-    for theme, j in noun_phrase(p, i):
-        told = isinstance(theme, Noun) and theme.det in ("a", "bare", "some") and theme.part_of is None
-        if told and isinstance(theme, Noun) and (theme.head == "patch" or theme.traits.colors or theme.traits.labels):
-            yield replace(before, theme=theme, adjuncts=(), span=p.span(i, j), cost=1), j
 
 
 def _told_of_it(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:

@@ -5,12 +5,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import never_there
 from rpg.language.grammar.clauses.adjuncts import adjuncts
+from rpg.language.grammar.clauses.done_there import likewise
 from rpg.language.grammar.clauses.having import topped, with_more
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.framing import WHEN_DONE, past
 from rpg.language.grammar.talk.slots import Patterns
+from rpg.language.grammar.things.amounts import count
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.meaning import (
@@ -25,6 +28,8 @@ from rpg.language.meaning import (
     Pronoun,
     Structure,
     Toward,
+    Traits,
+    parts_of,
 )
 from rpg.language.phrases import Classes
 
@@ -207,3 +212,40 @@ def _each_with(p: Parser, i: int, mode: str) -> Results[Clause]:
 
 
 _EACH = frozenset({"each", "every"})
+
+
+def there_too(p: Parser, i: int, before: Clause) -> Results[Clause]:
+    """ "there are red and blue blocks, two of each, and a white mat": a further thing there is."""
+    yield from likewise(p, i, before)
+    if before.verb != "exist" or before.mode != "given" or before.negated:
+        return
+    mats = [x for x in parts_of(before.theme) if isinstance(x, Noun) and x.head == "patch"]
+    mats = mats if len(mats) == sum(isinstance(x, Noun) for x in parts_of(before.theme)) else []
+    yield from _of_their_colors(p, i, before, mats)
+    for theme, j in noun_phrase(p, i) if before.adjuncts or mats else ():
+        told = isinstance(theme, Noun) and theme.det in ("a", "bare", "some") and theme.part_of is None
+        if not told or not isinstance(theme, Noun) or (mats and theme.head != "block"):
+            continue
+        if theme.head == "patch" or theme.traits.colors or theme.traits.labels:
+            yield replace(before, theme=theme, adjuncts=(), span=p.span(i, j), cost=1), j
+
+
+_OF_EACH = Patterns(
+    "of|in|for each|every of? these|those|the? color|colors", "per color", "of|in these|those colors", "of each"
+)
+
+
+def _of_their_colors(p: Parser, i: int, before: Clause, mats: list[Noun]) -> Results[Clause]:
+    """ "(three mats: red, blue and green,) and one block of each of these colours"."""
+    named = [color for mat in mats for color in mat.traits.colors]
+    if len(named) < 2 or len(set(named)) < len(named):
+        return
+    for many, j in [*count(p, i), *([(1, i + 1)] if p.stands(i, ("a",)) else [])]:
+        for k in _OF_EACH.matches(p, j + 1) if p.stands(j, lexicon.BLOCK) else ():
+            span, amount = p.span(i, k), Amount(many, many)
+            items = tuple(
+                Noun(head="block", amount=amount, plural=many > 1, traits=Traits(colors=(color,)), span=span)
+                for color in named
+            )
+            blocks = Coord(op="and", items=items, span=span)
+            yield replace(before, theme=blocks, adjuncts=(), span=span, cost=1), k

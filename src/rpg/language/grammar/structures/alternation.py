@@ -98,9 +98,9 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
     if j := p.any_of(i, _BETWEEN):
         yield from _two(p, i, j)
         set_off = p.one(j, frozenset({",", ":"})) if p.follows(j, ("colors",)) else 0
-        for two, k in _two(p, i, set_off) if set_off else ():  # ", 3 black and 3 yellow" is what there is
-            if not any(isinstance(x, Noun) and x.amount for x in parts_of(two)):
-                yield two, k
+        for found, k in _two(p, i, set_off) if set_off else ():  # ", 3 black and 3 yellow" is what there is
+            if not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
+                yield found, k
     for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):
         for items, k in listed(p, j):
             if end := p.any_of(k, _AFTER):

@@ -115,7 +115,9 @@ def _separation(p: Polygon, q: Polygon) -> float:
         length = math.hypot(ex, ey)
         if length > 0.0:
             nx, ny = ey / length, -ex / length
-            best = max(best, min((x - ax) * nx + (y - ay) * ny for x, y in q))
+            beyond = min([(x - ax) * nx + (y - ay) * ny for x, y in q])
+            if beyond > best:
+                best = beyond
         ax, ay = bx, by
     return best
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from functools import lru_cache
 from random import Random
-from typing import Any
+from typing import Any, get_args
 
 from rpg.blocks.constants import WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import carried
@@ -27,6 +27,8 @@ INSET = 0.025
 
 CORNERS: tuple[Region, ...] = ("near_left_corner", "near_right_corner", "far_left_corner", "far_right_corner")
 EDGES: tuple[Region, ...] = ("left_edge", "right_edge", "near_edge", "far_edge")
+MIDDLE = (sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2)
+_WORDS = {str(region): region.split("_") for region in get_args(Region)}
 
 
 def border_distances(x: float, y: float) -> dict[str, float]:
@@ -43,17 +45,17 @@ def region_margin(region: Region, x: float, y: float, edge: float) -> float:
     """Slack of a centre in a region, over the tolerance of that region."""
     if region in ("corner", "edge"):
         return max(region_margin(part, x, y, edge) for part in (CORNERS if region == "corner" else EDGES))
-    mx, my = sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2
-    inward = border_distances(x, y)
-    match region.split("_"):
+    match _WORDS.get(region, []):
         case ["middle"]:
-            return 1.0 - math.hypot(x - mx, y - my) / MIDDLE_RADIUS
+            return 1.0 - math.hypot(x - MIDDLE[0], y - MIDDLE[1]) / MIDDLE_RADIUS
         case [side, "half"]:
+            mx, my = MIDDLE
             beyond = {"left": y - my, "right": my - y, "far": x - mx, "near": mx - x}[side]
             return (beyond - edge / 2) / (edge / 2)
         case [side, "edge"]:
-            return 1.0 - inward[side] / EDGE_DEPTH
+            return 1.0 - border_distances(x, y)[side] / EDGE_DEPTH
         case [depth, side, "corner"]:
+            inward = border_distances(x, y)
             return min(1.0 - inward[depth] / CORNER[0], 1.0 - inward[side] / CORNER[1])
     raise ValueError(f"there is no region {region!r}")
 

@@ -40,6 +40,8 @@ from rpg.language.meaning import (
     Traits,
 )
 
+_IN_A_ROW = ("in a row", "in a line", "in one row", "standing in a row", "lined up", "in one line")
+
 
 def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning]:
     """A structure with what is said of its size, of its blocks, and of single ones among them."""
@@ -47,6 +49,12 @@ def sized_members(p: Parser, i: int, j: int, base: Structure) -> Results[Meaning
     from rpg.language.grammar.structures.each import each_of, heights
 
     many = base.amount.low if base.amount is not None else 0
+    if base.plural and base.kind == "stack" and not base.details and (row := p.any_of(j, _IN_A_ROW)):
+        into = Into(structure=Structure(kind="row", span=p.span(j, row)), span=p.span(j, row))
+        lined = sized_members(p, i, row, replace(base, details=(into,)))
+        yield from (
+            (whole, end) for whole, end in lined if end > row
+        )  # "three towers in a row, each of two red blocks"
     for (tall, named), k in heights(p, j, many) if base.plural and base.kind == "stack" else ():
         traits = replace(base.traits, colors=base.traits.colors or named)
         yield replace(base, sizes=(*base.sizes, tall), traits=traits, span=p.span(i, k)), k
@@ -287,6 +295,11 @@ def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 
     k = p.any_of(j, _OF) or p.any_of(p.opt(j, ","), _BUILT) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
     k = k or (p.any_of(p.opt(j, ","), _OF_EACH) if base.plural else 0)
+    for members, end in noun_phrase(p, j + 1) if base.plural and not base.sizes and p.stands(j, (",", ":")) else ():
+        last = p.any_of(end, _EACH) if isinstance(members, Noun) and members.det == "bare" and members.amount else 0
+        if last and isinstance(members, Noun) and members.head == "block" and len(members.traits.colors) < 2:
+            whole = replace(base, members=members, each_size=True, details=each_told(base), span=p.span(i, end))
+            yield whole, last  # "three towers, two red blocks each"
     if base.sizes and base.sizes[-1].what == "dims" and not k:
         for members, end in noun_phrase(p, j):
             if isinstance(members, Noun) and members.det == "bare" and members.plural and members.amount is None:

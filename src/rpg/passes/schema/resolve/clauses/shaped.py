@@ -248,7 +248,7 @@ def _lined_already(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Go
         return None
     spec.intos, spec.usings = [], []
     there = refer(towers, scene, scope)
-    return [line_of(list(there.built), scene, clause.span), *places(there, spec, scene, scope, clause.span)]
+    return [line_of(list(there.built), spec, scene, clause.span), *places(there, spec, scene, scope, clause.span)]
 
 
 def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> tuple[Ref, Goals]:
@@ -260,7 +260,7 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
             check_built(shape)
         shape = by_layers(by_corners(lined_up(_laid_in(_as_long(shape, clause), spec), spec), spec), spec)
         built, atoms = make(shape, spec, None, scene, scope)
-        atoms = [*atoms, line_of(built, scene, shape.span)] if spec.lined else atoms
+        atoms = [*atoms, line_of(built, spec, scene, shape.span)] if spec.lined else atoms
         spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
         return Ref(names=tuple(n for b in built for n in b.members), built=tuple(built), span=shape.span), atoms
     if isinstance(shape, Noun) and shape.det == "each" and shape.head == "any" and shape.traits.colors:

@@ -90,7 +90,9 @@ def _foot(tower: Built, scene: Scene, span: Span) -> str:
     return tower.members[0]
 
 
-def line_of(built: list[Built], scene: Scene, span: Span) -> g.Goal:
+def line_of(built: list[Built], spec: Spec, scene: Scene, span: Span) -> g.Goal:
     """The lowest blocks of the towers, where it is known which these are, or all blocks of a tower look alike."""
     feet = tuple(_foot(tower, scene, span) for tower in built)
-    return s.Row(blocks=feet, axis="y", span=span)
+    kinds = {spacing.kind for spacing in spec.spacings if spacing.low is None}
+    spec.spacings = [spacing for spacing in spec.spacings if spacing.low is not None]
+    return s.Row(blocks=feet, axis="y", evenly="even" in kinds, touching="touching" in kinds, span=span)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 
 _SIMPLE = {
@@ -69,6 +70,7 @@ CLOSE = ("immediately", "right", "just")
 _LOOSE_TOO = ("front", "behind", "apart")
 """Relations of which "nearer than" and "apart from" are looser kinds."""
 _LOOSE = ("somewhere", "anywhere", "generally")
+_NAMING = frozenset({*lexicon.BLOCK, *lexicon.COLOR, "one", "it", "them"})
 _FLAT = ("flat", "flatly", "loosely")
 """Before "on" these say no more than that: whatever is on something lies flat on it."""
 
@@ -118,6 +120,8 @@ def relation(p: Parser, i: int) -> Results[tuple[str, tuple[str, ...]]]:
     for words, mod in ((DIRECT, "directly"), (CLOSE, "immediate"), (_LOOSE, "somewhere")):
         if i < p.end and p.words[i] in words:
             starts.append(((mod,), p.opt(p.reach(i + 1), "and")))
+    if p.stands(i, ("top",)) and p.words[i + 1] == "of" and i and p.words[i - 1] in _NAMING:
+        yield ("on", ()), p.reach(i + 2)  # "green block top of white"
     if p.stands(i, _FLAT) and p.words[i + 1] in ("on", "onto", "upon"):
         starts.append(((), p.reach(i + 1)))
     for mods, j in starts:

@@ -15,6 +15,7 @@ _TURNS = Patterns(
     "so_that|so|that|which|such_that they|it? should|must|will? alternate|alternates in_color|colors?",
     "taking|take|in turns|turn",
     "by|in turns",
+    ",? the|their|its? colors|color alternating",
 )
 """The colours of the blocks spoken of alternate."""
 _WHERE_NO = "so_that|so|such_that|in_which|where|with|and|but|of_which?"

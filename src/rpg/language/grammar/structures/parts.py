@@ -226,6 +226,8 @@ def part_statement(p: Parser, i: int, unit: str = "") -> Results[Absolute]:
             continue
         if p.words[j] == "of" and p.follows(j, ("left", "right")):  # "right of the red block" is beside it
             continue
+        if p.words[i : i + 2] == ["top", "of"] and p.all.isdisjoint(lexicon.STRUCTURE):  # "top of white" is on it
+            continue
         lines = list(_cells(p, i, j, place))
         yield from lines
         for theme, k in _looks(p, p.any_of(j, (", which is", "which is")) or p.any_of(j, IS) or j):

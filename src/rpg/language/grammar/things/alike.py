@@ -41,6 +41,7 @@ _COLOR_IS = Patterns(
     "the|their|its|block|cube? color|colors of|for? the|all|each|every? "
     "blocks|cubes|bricks|block|cube|row|line|tower|stack|pyramid|wall|grid|square|circle? "
     "is|are|:|being|shall_be|should_be|must_be|has_to_be|will_be|to_be?",
+    "all|each? of? the|these? blocks|cubes|bricks|block|cube should|must|shall? have|has the? color",
 )
 
 

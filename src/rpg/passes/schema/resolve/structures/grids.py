@@ -215,6 +215,10 @@ def wall(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope: S
     columns, layers = shape.extent("wide", "long", "columns"), shape.extent("high", "layers", "rows")
     if len(shape.dims) >= 2:
         columns, layers = shape.dims[0], shape.dims[1]
+        ends = {getattr(x.adjuncts[0], "side", "") for x in spec.absolutes if len(x.adjuncts) == 1}
+        if len(spec.absolutes) == columns == 2 < layers and ends == {"bottom", "top"}:
+            raise refuse("ambiguous", f"{columns} layers are told of, but the wall would be {layers} high", shape.span,
+                         f"say '{layers} blocks wide and {columns} high', or tell of all layers")  # fmt: skip
         scene.assume(f"the wall is {columns} blocks wide and {layers} high")
     if not columns or not layers:
         total = said_count(shape, theme, scene) or (2 * columns if columns else 3 * layers if layers else 6)

@@ -21,7 +21,7 @@ from rpg.language.meaning import (
     TableTop,
     parts_of,
 )
-from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, lined_up_first, wanted
+from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, lined_up_first, named_there, wanted
 from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, added, demanded, same_one
 from rpg.passes.schema.resolve.clauses.there_later import there_is, there_on_it, they_begin_as
 
@@ -42,6 +42,7 @@ def begun(chains: tuple[Chain, ...], text: str, bold: bool = False) -> tuple[Cha
     `bold`: facts about known things too ("the red block is on the patch. Move it to the left half"), whatever is said
     behind them of how it should be ("it should not be there at the end").
     """
+    chains = tuple(map(named_there, chains))
     chains = lined_up_first(they_begin_as(there_on_it(_lying_there(chains, text))), text)
     now = _as_it_is_now(chains[0], text, chains[1:])
     chains = tuple(map(all_begun, (now, *map(_there_too, chains[1:]))))

@@ -109,6 +109,23 @@ def lined_up_first(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     return chains
 
 
+def named_there(chain: Chain) -> Chain:
+    """ "Pull the C out of the row A, C, B": such a row is there."""
+    for n, clause in enumerate(chain.clauses):
+        source = clause.adjuncts[0] if isinstance(clause, Clause) and len(clause.adjuncts) == 1 else None
+        whole = source.members if isinstance(source, Using) and source.lead == "out of" else None
+        if not isinstance(clause, Clause) or not isinstance(source, Using) or not isinstance(whole, Structure):
+            continue
+        if whole.members is not None or whole.details:
+            span = whole.span
+            there = Clause(verb="exist", lemma="begun", theme=replace(whole, det="a"), mode="given", span=span)
+            known = Structure(kind=whole.kind, det="the", span=span)
+            taken = replace(clause, adjuncts=(replace(source, members=known),))
+            clauses = (*chain.clauses[:n], there, taken, *chain.clauses[n + 1 :])
+            return replace(chain, clauses=clauses, links=(*chain.links[: n + 1], "and", *chain.links[n + 1 :]))
+    return chain
+
+
 def _takes_out(chains: tuple[Chain, ...]) -> bool:
     """ "Pull the red block out of the tower and put it ...": the tower that is told of behind it is that."""
     return any(isinstance(x, Using) and x.lead == "out of" for chain in chains for x in parts_of(chain))

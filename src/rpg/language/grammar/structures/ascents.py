@@ -48,7 +48,7 @@ _PAGED = Patterns(
     "so|so_that you|i|we|one can read them|it in_order|like_a_page|like_a_book",
     "like a page|book of_a_book?",
     "row by|after row from? left_to_right?",
-    "as on a page",
+    "as|like on a page",
 )
 """As a page is read: the far row first, each from left to right."""
 _READING = frozenset({"left", "read", "page", "row", "book"})

@@ -77,7 +77,7 @@ def structure(p: Parser, i: int) -> Results[Meaning]:
 
 
 @rule
-def _as_many_symbols(p: Parser, i: int) -> Results[Structure]:
+def _as_many_symbols(p: Parser, i: int) -> Results[Meaning]:
     """ "3 by 3 digits 1 to 9", "2x2 of the letters A B C D": a grid, for there is one for each of its places; and so
     is what blocks stand "in a 2x3"."""
     begin = p.opt(i, "a")
@@ -88,6 +88,9 @@ def _as_many_symbols(p: Parser, i: int) -> Results[Structure]:
             plain = marks == Traits(labels=marks.labels, kind=marks.kind)
             if plain and len(marks.labels) == dims[0] * dims[1] and marks.labels and not marks.open_ended:
                 yield Structure(kind="grid", dims=dims, members=shown, span=p.span(i, end)), end
+        if len(dims) == 2 and min(dims) > 1 and begin > i and p.stands(j, ("of", "where", "with", "made", "from")):
+            one = Structure(kind="grid", det="a", amount=Amount(1, 1), dims=dims, span=p.span(i, j))
+            yield from ((grid, end) for grid, end in _tail(p, i, j, one) if end > j or p.stands(j, ("where",)))
         if len(dims) == 2 and min(dims) > 1 and p.follows(i, _SHAPED) and (j >= p.end or p.words[j] in _CLOSED):
             yield Structure(kind="grid", dims=dims, span=p.span(i, j)), j
 

@@ -238,6 +238,7 @@ TAGS = Patterns(
     "is|that_is|that_'s|would_be what|all <who> want|wants|need|needs|have_in_mind|would_like|'d_like|am_after|"
     "am_looking_for|imagine",
     "if you do not mind|if_it_is_not_too_much_trouble|please",
+    "can|could|will you manage|help",
     "do_you_think? can|could|will|would you do|manage|handle|make|arrange|try it|this|that for_me|for_us|please?",
     "is|would that|this|it be? possible|okay|ok|doable|feasible|alright|clear|all_right for_you?",
     "can|could that|this|it be? done|possible|arranged|work",

@@ -36,16 +36,13 @@ _SIDEWAYS = Patterns(f"running? parallel to|with {_OF_TABLE} front|near|back|far
 _DEEPWARDS = Patterns(f"running? parallel to|with {_OF_TABLE} left|right {_EDGE}",
                       f"running? perpendicular to {_OF_TABLE} front|near|back|far|rear {_EDGE}")  # fmt: skip
 """Lines by the edges of the table."""
+_ENDS = {"left": "y", "right": "y", "bottom": "z", "top": "z", "front": "x", "back": "x"}
 _BEGINNING = {
-    "starting from the left": ("left", "y"), "starting at the left": ("left", "y"),
-    "starting from the right": ("right", "y"), "starting from the bottom": ("bottom", "z"),
-    "starting at the bottom": ("bottom", "z"), "starting from the top": ("top", "z"),
-    "starting on the left": ("left", "y"), "starting on the right": ("right", "y"),
-    "starting at the right": ("right", "y"), "starting from the front": ("front", "x"),
-    "starting from the back": ("back", "x"), "upwards": ("bottom", "z"), "going right": ("left", "y"),
+    **{f"{starting} {at} the {side}": (side, axis) for starting in ("starting", "beginning")
+       for at in ("from", "at", "on") for side, axis in _ENDS.items()},
+    "upwards": ("bottom", "z"), "going right": ("left", "y"),
     "going left": ("right", "y"), "downwards": ("top", "z"), "downward": ("top", "z"), "going down": ("top", "z"),
     "bottom up": ("bottom", "z"), "top down": ("top", "z"), "upward": ("bottom", "z"),
-    "starting at the top": ("top", "z"), "starting at the front": ("front", "x"),
     "starting with the bottom": ("bottom", "z"), "from near to far": ("front", "x"),
     **{f"{word} first": (side, axis) for words, side, axis in (
         (("nearest", "frontmost", "closest", "nearest to me", "closest to me"), "front", "x"),

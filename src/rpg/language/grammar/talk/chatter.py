@@ -65,6 +65,8 @@ CHATTER = Patterns(
     "do not worry|hurry|rush about_it|anything?",
     "and|now|please? spell|write it|that|this out? please|now?",
     "take your time",
+    "both|both_of_them|all|all_three|all_four|all_of_them|they|these|those|everything are|is|being? "
+    "just|only|simple|plain|ordinary|normal? cubes|blocks|bricks|a_cube|a_block",
     "do_you_think? can|could|will|would you do|manage|handle|arrange it|this|that for_me|for_us|please?",
     "is|would that|this|it be? possible|okay|ok|doable|feasible for_you?",
     "any|whatever|whichever orientation|rotation is|will|would fine|ok|okay|do|be_fine|allowed",

@@ -165,9 +165,11 @@ def all_it_has(theme: Meaning | None, spec: Spec, scene: Scene) -> bool:
 
 
 def _first_named(blocks: Meaning | None, shape: Meaning | None, scene: Scene) -> bool:
-    if not isinstance(blocks, Noun) or blocks.det not in ("the", "all") or scene.things:
+    if scene.things:
         return False
-    plain = blocks == Noun(head="block", det=blocks.det, plural=True, span=blocks.span)
+    plain = isinstance(blocks, Pronoun) and blocks.word in ("everything", "all")
+    if isinstance(blocks, Noun) and blocks.det in ("the", "all"):
+        plain = blocks == Noun(head="block", det=blocks.det, plural=True, span=blocks.span)
     return plain and isinstance(shape, Structure) and shape.members is not None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import NoReturn
 
 from rpg.language.meaning import Meaning, Noun, Pronoun, Traits
@@ -59,11 +60,9 @@ def them(word: Pronoun, scene: Scene, scope: Scope) -> Ref:
         return Ref(names=tuple(dict.fromkeys(last)), plural=True) if last else _nobody(word)
     if len(set(last)) == 2:
         _no_pairs(word, set(last), scene)
-    lowest = [n for n in last if scene.on_top.get(n) not in last] if scope.rel in DIRECTIONS else last
-    if scope.role == "landmark" and len(lowest) == 1:  # "red is on blue. To the right of them ...": of that tower
-        last = lowest
     if last:
-        return Ref(names=tuple(last), plural=len(last) > 1)
+        level = scope.role == "landmark" and scope.rel in DIRECTIONS
+        return Ref(names=tuple(last), plural=len(last) > 1, built=_tower_of(last, word, scene) if level else ())
     return _nobody(word)
 
 
@@ -184,6 +183,19 @@ def _last_spoken_of(scene: Scene, own: set[str]) -> list[str]:
         if set(last) & set(clauses[clause]):
             last = [*clauses[clause], *last]
     return list(dict.fromkeys(last))
+
+
+def _tower_of(names: list[str], word: Pronoun, scene: Scene) -> tuple[Built, ...]:
+    """ "Red is on blue. To the right of them ...": of the tower that these are."""
+    tower = [n for n in names if scene.on_top.get(n) not in names]
+    while len(tower) < len(names):
+        above = [n for n in names if tower and scene.on_top.get(n) == tower[-1]]
+        if len(above) != 1:
+            return ()
+        tower += above
+    if len(tower) < 2 or any(scene.on_top.get(b) != a for a, b in pairwise(tower)):
+        return ()
+    return (Built(kind="stack", members=tuple(tower), ordered=True, span=word.span, key=-1),)
 
 
 def _one_tower(ref: Ref, scene: Scene, scope: Scope) -> tuple[Built, ...]:

@@ -5,7 +5,20 @@ from __future__ import annotations
 from dataclasses import replace
 from itertools import pairwise
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Into, Meaning, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Into,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Structure,
+    Traits,
+    Using,
+)
 
 _TAKES = frozenset({"pick", "use"})
 
@@ -54,7 +67,9 @@ def _taken(chain: Chain) -> Chain:
 def _only_moved(first: Clause, second: Clause) -> bool:
     """ "Remove the top block and put it on the mat": where it goes is said by the second."""
     it = second.theme if isinstance(second.theme, Pronoun) and second.verb == "place" else None
-    taken = first.lemma == "remove" and not first.adjuncts and isinstance(first.theme, Noun)
+    source = first.adjuncts[0] if len(first.adjuncts) == 1 else None
+    plain = not first.adjuncts or (isinstance(source, Using) and source.lead == "from")
+    taken = first.lemma == "remove" and plain and isinstance(first.theme, Noun) and first.theme.head != "patch"
     return taken and it is not None and it.word in ("it", "them") and not (first.negated or second.negated)
 
 

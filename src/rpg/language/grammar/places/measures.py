@@ -185,9 +185,19 @@ _CLOSER_THAN, _FARTHER_THAN = (
 )
 
 
+_NEAR = ("near to", "near", "close to")
+_WITHIN = ("that is within", "that is , within", "within", "at most", "no more than")
+
+
 @choice
 def limited(p: Parser, i: int) -> Results[Meaning]:
-    """ "no closer to it than 10 cm", "no farther than 8 cm from the blue one": a bound on a distance."""
+    """ "no closer to it than 10 cm", "no farther than 8 cm from the blue one", "near it, within 8 cm": a bound on a
+    distance."""
+    if j := p.any_of(i, _NEAR):
+        for landmark, k in noun_phrase(p, j):
+            told = p.any_of(p.opt(k, ","), _WITHIN)
+            for metres, end in length(p, told) if told else ():
+                yield _bound(p, i, end, landmark, metres, least=False), end
     for phrases, leads, least in ((_NO_CLOSER, _CLOSER_THAN, True), (_NO_FARTHER, _FARTHER_THAN, False),
                                   (_CLOSER, (), False), (_FARTHER, (), True)):  # fmt: skip
         if j := p.any_of(i, phrases):

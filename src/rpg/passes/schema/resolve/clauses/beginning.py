@@ -99,7 +99,7 @@ def _lying_there(chains: tuple[Chain, ...], text: str) -> tuple[Chain, ...]:
     return (replace(chains[0], clauses=(there, *chains[0].clauses[1:])), *chains[1:])
 
 
-_NOW = re.compile(r"(?:(?:ok|okay|so|right|well),? )?now,?", re.IGNORECASE)
+_NOW = re.compile(r"(?:(?:please|ok|okay|so|right|well),? )?now,?", re.IGNORECASE)
 
 
 def _as_it_is_now(chain: Chain, text: str, more: tuple[Chain, ...]) -> Chain:

@@ -13,6 +13,8 @@ from rpg.language.phrases import Beginnings, by_first
 from rpg.language.tokens import Token
 
 _ON = by_first(("…", "and so on", "and so forth", "etc .", "etc", "and so on and so forth", "et cetera"))
+_ACROSS = frozenset({"grid", "square", "rectangle", "rows", "columns", "wall", "pyramid", "by"})
+"""In these a list tells no order by itself."""
 _JOINTS = frozenset({",", "and", "then", "-", "/"})
 _APART = frozenset({",", ".", ";", ":", "-", "("})
 _BLOCKS = frozenset({"blocks", "cubes", "bricks"})
@@ -22,7 +24,7 @@ _IN_ALL = by_first(("in total", "in all", "altogether", "total", "overall", "all
 def repeated(tokens: list[Token]) -> list[Token]:
     """The tokens with such a list told to its end."""
     at = next((n for n in range(3, len(tokens)) if tokens[n].word in _ON and _after(tokens, n, _ON)), 0)
-    if not at:
+    if not at or any(token.kind == "dims" or token.word in _ACROSS for token in tokens):
         return tokens
     first, colors = _list(tokens, at)
     period = _period(colors)

@@ -29,7 +29,6 @@ _ANYWHERE = (
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
     "kinda", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
-    "at the same time", "simultaneously",
     "my dear", "dear", "sweetheart", "darling", "honey",
     "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
@@ -148,6 +147,7 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         (by_first(_ANYWHERE), lambda first, last: True),
         (by_first(_EMPHASIS), lambda first, last: _emphatic(words, last)),
         (by_first(_FREE), lambda first, last: _set_off(words, first, last)),
+        (by_first(_AT_ONCE), lambda first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),
         (by_first(_DO_THIS), lambda first, last: last < len(words) and words[last] in _COMMANDS),
         (by_first(_BUILT), lambda first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
         (by_first(("only", "single", "sole")), lambda first, last: _the_only(words, first, last)),
@@ -266,6 +266,8 @@ def _same_view(words: list[str], at: int, end: int) -> bool:
 _DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})
 _BUILT = ("finished", "completed", "resulting", "finalized")
 """What carries nothing in front of what is built."""
+_AT_ONCE = ("at the same time", "simultaneously")
+"""What carries nothing where nothing is denied: all that is asked for holds in the end."""
 _DO_THIS = tuple(
     f"{who} {want} you to do {this} :"
     for who in ("i", "we")

@@ -122,6 +122,10 @@ def one_built(noun: Noun, scene: Scene, scope: Scope) -> Ref | None:
     if len(marks.colors) != 1 or marks != Traits(colors=marks.colors) or len(scene.built) < 2:
         return None
     names = {t.name for t in matching(marks, scene, False)}
+    hues = [{scene.things[n].color for n in b.members} for b in scene.built if b.kind == "stack"]
+    if not names and scope.role == "theme" and len(hues) == len(scene.built) and all(len(hue) == 1 for hue in hues):
+        raise refuse("no-referent", "no tower spoken of looks so, and no block was named that does", noun.span,
+                     "say 'a block', or name one of the towers")  # fmt: skip
     like = [b for b in scene.built if {scene.things[n].color for n in b.members} == {*marks.colors}]
     if len(names) < 2 or len(like) != 1 or len({b.kind for b in scene.built}) > 1:
         return None

@@ -38,6 +38,7 @@ def check_joints(words: Sequence[Token], task: TaskSchema) -> None:
     _in_turn(words, task)
     _letter_a(words, task)
     _left_open(words, task)
+    _strangers(task)
 
 
 _NO_CHOICE = frozenset({"more", "less", "fewer", "higher", "longer", "farther", "further", "minus", "take", "so"})
@@ -53,6 +54,16 @@ def _left_open(words: Sequence[Token], task: TaskSchema) -> None:
     if not any(isinstance(x, g.Any | g.Count | g.Not) for x in _nodes(task.goal)):
         raise refuse("ambiguous", "it is not clear what 'or' leaves open here", said[0].span,
                      "say 'and', or name one of them")  # fmt: skip
+
+
+def _strangers(task: TaskSchema) -> None:
+    """Refuse "a white group and a black group, but with a stranger in each" as a white group and others with these."""
+    groups = [x for x in atoms(task.goal) if isinstance(x, GroupBy)]
+    for one, two in combinations(groups, 2):
+        if {*names(one)} & {*names(two)} and one.outliers != two.outliers:
+            odd = one if one.outliers else two
+            raise refuse("ambiguous", "it is not clear in which groups the strangers are", odd.span,
+                         "say 'sorted by colour with one stranger in each group'")  # fmt: skip
 
 
 def _nodes(goal: g.Goal) -> Iterator[g.Goal]:

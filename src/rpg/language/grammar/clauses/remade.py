@@ -134,7 +134,7 @@ def _clause(p: Parser, i: int, j: int, verb: str, theme: Meaning, found: tuple[M
     return Clause(verb=verb, lemma=verb, theme=theme, adjuncts=found, span=p.span(i, j), word=p.span(i, i + 1))
 
 
-_OUT_OF = ("out of", "from", "from out of", "away from", "out from", "from within", "from inside", "out from")
+_OUT_OF = ("out of", "from", "from out of", "away from", "out from", "from within", "from inside")
 _GOING_ON = frozenset({",", "and", "then"})
 """What follows where it is also said where it goes."""
 _OFF = ("off", "off again", "off there", "from there", "off from there", "away from there", "off of there", "down",

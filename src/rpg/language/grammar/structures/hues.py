@@ -27,7 +27,7 @@ def in_colors(p: Parser, i: int, k: int, base: Structure) -> Results[Structure]:
     lead = p.any_of(k, _COLORS) if base.kind in ("stack", "row", "line", "column") and not base.plural else 0
     if not lead or base.traits.colors or not (members is None or _uncoloured(members)):
         return
-    size = base.size or members_amount(members) if members is not None else base.size
+    size = base.size or (members_amount(members) if members is not None else None)
     for way, k in toward(p, lead):
         for items, end in listed(p, p.opt(p.any_of(k, ("are", "being", "is")) or k, ":", ",")):
             if isinstance(way, Toward) and _as_many_colors(items, size):

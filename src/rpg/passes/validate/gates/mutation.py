@@ -57,14 +57,15 @@ class MutationGate:
         misses = doubtful + known
         others, moving = other_goals(program, bench), unsettled(goal)
         if judge is not None:
-            # the code waits for rest; the others are found by the goal of the schema, which it tells word for word
-            survivors, rejected = [miss for miss in doubtful if judge.as_named(_begun(miss.state, history))], []
+            # the code tells the goal of the schema word for word, by which the others are found: one shows that it does
+            survivors = [miss for miss in doubtful if judge.as_named(_begun(miss.state, history))]
+            run = others[:1]
         else:
-            survivors = surviving(bench.task, history, misses)
-            # where stages count, the goal was met before it moves again
-            survivors += surviving(bench.task, (*history, goal) if history else (), moving)
-            judged = zip(others, judge_each(bench.task, history, others), strict=True)
-            rejected = [state for state, judgement in judged if not judgement.success]
+            survivors, run = surviving(bench.task, history, misses), others
+        # where stages count, the goal was met before it moves again
+        survivors += surviving(bench.task, (*history, goal) if history else (), moving)
+        judged = zip(run, judge_each(bench.task, history, run), strict=True)
+        rejected = [state for state, judgement in judged if not judgement.success]
         misses += moving
         found = []
         if survivors:

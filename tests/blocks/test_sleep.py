@@ -68,5 +68,10 @@ def test_a_shared_model_stays_awake() -> None:
     state = tower((0.0, 0.0))
     sleepy, other = Physics(state.world), Physics(state.world)
     assert sleepy.model is other.model
+    awake = other.model.opt.enableflags, other.model.opt.sleep_tolerance
     sleepy.let_sleep()
-    assert other.model.opt.enableflags == Physics(state.world).model.opt.enableflags != sleepy.model.opt.enableflags
+    for physics in (sleepy, other):
+        physics.write(state)
+        physics.step(STEPS)
+    assert sleepy.asleep() and not other.asleep()
+    assert (other.model.opt.enableflags, other.model.opt.sleep_tolerance) == awake

@@ -157,6 +157,15 @@ def heading(state: BlockState, name: str) -> Point | None:
     return (xy, yy) if abs(zx) > 1.0 - LEVEL_EPS else None
 
 
+def square_separation(offset: Point, u: Point, h: float, v: Point, k: float) -> float:
+    """As `polygon_separation`, of two squares of half sides `h` and `k` along `u` and `v`, the second at `offset`."""
+    (dx, dy), (ux, uy), (vx, vy) = offset, u, v
+    widening = abs(ux * vx + uy * vy) + abs(ux * vy - uy * vx)
+    along = max(abs(dx * ux + dy * uy), abs(dy * ux - dx * uy)) - h - k * widening
+    across = max(abs(dx * vx + dy * vy), abs(dy * vx - dx * vy)) - k - h * widening
+    return along if along > across else across
+
+
 def square_gap(offset: Point, u: Point, h: float, v: Point, k: float) -> float:
     """Signed gap between two squares of half sides `h` and `k` along `u` and `v`, the second at `offset`."""
     (dx, dy), (ux, uy), (vx, vy) = offset, u, v

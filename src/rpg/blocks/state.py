@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from rpg.blocks.constants import TABLE_Z
 from rpg.ir.assets import Asset, Block, GoalPatch
@@ -35,6 +35,7 @@ class World:
         return {name: look_of(block) for name, block in self.blocks.items()}
 
 
+@lru_cache(maxsize=256)
 def look_of(block: Block) -> Look:
     """What tells `block` apart from another one by eye."""
     data = block.model_dump(exclude={"name", "origin"}, mode="json")

@@ -35,10 +35,13 @@ def interchangeable(goal: g.Goal, world: World, *, jointly: bool = True) -> Cell
     blues do. Two names are in one cell, too, where an exchange of names in later classes makes up for theirs: these
     commute, so that namings that deal only the later ones find all that the goal can say.
     """
+    classes = _classes(world)
+    mentioned = set(names(goal)) if classes else set()
+    classes = [members for members in classes if not mentioned.isdisjoint(members)]
+    if not classes:
+        return ()
     canonical = Canonical(world)
     original = canonical(goal, {})
-    mentioned = set(names(goal))
-    classes = [members for members in _classes(world) if not mentioned.isdisjoint(members)]
     partners = _Partners(goal, world) if jointly and len(classes) > 1 else None
     found = []
     for number, members in enumerate(classes):

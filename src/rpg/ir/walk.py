@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
+from itertools import chain
 from typing import Any as AnyType
 from typing import get_args
 
@@ -31,17 +32,17 @@ NAME_FIELDS = (
 )
 
 
+_CHILDREN: dict[type, Callable[[AnyType], tuple[g.Goal, ...]]] = {
+    **dict.fromkeys((g.All, g.Any), lambda goal: goal.goals),
+    **dict.fromkeys((g.Not, g.Always, g.Count), lambda goal: (goal.goal,)),
+    g.Sequence: lambda goal: tuple(stage.goal for stage in goal.stages),
+}
+
+
 def children(goal: g.Goal) -> tuple[g.Goal, ...]:
     """The goals directly inside a connective; empty for atoms."""
-    match goal:
-        case g.All() | g.Any():
-            return goal.goals
-        case g.Not() | g.Always() | g.Count():
-            return (goal.goal,)
-        case g.Sequence():
-            return tuple(stage.goal for stage in goal.stages)
-        case _:
-            return ()
+    inside = _CHILDREN.get(type(goal))
+    return inside(goal) if inside is not None else ()
 
 
 def rebuild(goal: g.Goal, new: tuple[g.Goal, ...]) -> g.Goal:
@@ -99,15 +100,17 @@ def names(goal: g.Goal) -> tuple[str, ...]:
 
 
 def _collect(goal: g.Goal, found: dict[str, None], bound: frozenset[str]) -> None:
+    inner = children(goal)
     if isinstance(goal, g.Count):
         found.update(dict.fromkeys(goal.over))
         bound = bound | {goal.var}
-    elif not children(goal):
+    elif not inner:
         for field in _name_fields(type(goal)):
             value = getattr(goal, field)
-            if value is not None:
-                found.update(dict.fromkeys(n for n in _names_in(value) if n not in bound))
-    for child in children(goal):
+            for name in () if value is None else _names_in(value):
+                if name not in bound:
+                    found[name] = None
+    for child in inner:
         _collect(child, found, bound)
 
 
@@ -117,16 +120,16 @@ def _name_fields(kind: type[Node]) -> tuple[str, ...]:
     return tuple(field for field in NAME_FIELDS if field in kind.model_fields)
 
 
-def _names_in(value: AnyType) -> Iterator[str]:
+def _names_in(value: AnyType) -> Iterable[str]:
+    if type(value) is tuple and all(type(item) is str for item in value):
+        return value
     if isinstance(value, str):
-        yield value
-    elif isinstance(value, Lowest | Highest):
-        yield from members(value)
-    elif isinstance(value, BaseModel):
-        yield from _names_in(value.order if isinstance(value, Pattern) else getattr(value, "ranks", ()))
-    else:
-        for item in value:
-            yield from _names_in(item)
+        return (value,)
+    if isinstance(value, Lowest | Highest):
+        return members(value)
+    if isinstance(value, BaseModel):
+        return _names_in(value.order if isinstance(value, Pattern) else getattr(value, "ranks", ()))
+    return chain.from_iterable(map(_names_in, value))
 
 
 def rename(goal: g.Goal, mapping: Mapping[str, str]) -> g.Goal:

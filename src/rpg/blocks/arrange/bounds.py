@@ -39,6 +39,8 @@ GROUND = 0
 SPARE = 0.005
 """Room (m) that directions are given beyond what they ask for, where there is enough."""
 Aimed = LeftOf | RightOf | InFrontOf | Behind
+TELLING = frozenset({*DIRECTIONS, "on_patch", "in_region", "near", "beside", "adjacent", "distance"})
+"""Atoms that say something of coordinates."""
 ROOT2 = math.sqrt(2.0)
 
 
@@ -70,10 +72,11 @@ class Bounds:
         self.assembly = assembly
         self.pieces = assembly.pieces()
         self.index = {id(piece): k + 1 for k, piece in enumerate(self.pieces)}
-        kept = list(atoms)
+        told = list(atoms)
+        kept = [atom for atom in told if atom.kind in TELLING]
         self.touching = {
             frozenset(pair)
-            for atom in kept
+            for atom in told
             if isinstance(atom, Touching)
             for pair in product(members(atom.a), members(atom.b))
         }
@@ -82,6 +85,7 @@ class Bounds:
         """Why the conditions leave no room to spare, where they do not."""
         self.longest: list[list[list[float]]] = []
         self.active: list[list[int]] = []
+        self.rooms = [[_workspace(piece, axis) for piece in self.pieces] for axis in (0, 1)]
         for axis in (0, 1):
             try:
                 self._close(axis, kept, SPARE)
@@ -91,8 +95,8 @@ class Bounds:
 
     def interval(self, piece: Piece, axis: int, placed: dict[int, tuple[float, float]]) -> tuple[float, float]:
         """Least and greatest origin of `piece` along an axis; `placed` maps id(piece) to origins."""
-        low, high = self._workspace(piece, axis)
         k = self.index[id(piece)]
+        low, high = self.rooms[axis][k - 1]
         table = self.longest[axis]
         row = table[k]
         if not row:
@@ -105,18 +109,10 @@ class Bounds:
                 high = min(high, origin[axis] - row[other])
         return low, high
 
-    def _workspace(self, piece: Piece, axis: int) -> tuple[float, float]:
-        if piece.fixed:
-            return 0.0, 0.0
-        places = [place[axis] for place in piece.position.values()]
-        low, high = WORKSPACE[axis]
-        return low + BORDER - min(places), high - BORDER - max(places)
-
     def _close(self, axis: int, atoms: list[g.Atom], spare: float) -> None:
         edges = [edge for atom in atoms for edge in self._edges(atom, axis, spare)]
         touched = sorted({k for edge in edges for k in (edge.tail, edge.head) if k != GROUND})
-        for k, piece in enumerate(self.pieces, start=1):
-            low, high = self._workspace(piece, axis)
+        for k, (low, high) in enumerate(self.rooms[axis], start=1):
             if low > high + 1e-9:
                 raise Contradiction((), axis, WORKSPACE[axis][1] - WORKSPACE[axis][0] + low - high, _length(axis))
             if k in touched:
@@ -212,6 +208,15 @@ class Bounds:
             return GROUND, (patch.position or (0.0, 0.0))[axis]
         piece = self.assembly.of[name]
         return self.index[id(piece)], piece.position[name][axis]
+
+
+def _workspace(piece: Piece, axis: int) -> tuple[float, float]:
+    """Least and greatest origin at which a piece is within the workspace."""
+    if piece.fixed:
+        return 0.0, 0.0
+    places = [place[axis] for place in piece.position.values()]
+    low, high = WORKSPACE[axis]
+    return low + BORDER - min(places), high - BORDER - max(places)
 
 
 def region_interval(region: str, axis: int) -> tuple[float, float]:

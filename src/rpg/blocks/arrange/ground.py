@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
-from rpg.blocks.arrange.pieces import Assembly, Piece
-from rpg.blocks.geometry import Polygon, footprint, polygon_separation
-from rpg.blocks.state import BlockState
+from rpg.blocks.arrange.pieces import Piece
+from rpg.blocks.geometry import Point, Polygon, footprint, heading, polygon_separation, square_separation
+from rpg.blocks.state import BlockState, Quat, World
 from rpg.ir import goal as g
+from rpg.ir.assets import ColoredCube
 from rpg.ir.node import members
 from rpg.ir.relations import Adjacent, Beside, Distance, Touching
 from rpg.ir.walk import names
@@ -23,12 +25,16 @@ TRESPASS = 0.5
 
 
 class Column(NamedTuple):
-    """Blocks one above the other: centre, half of the bounding box's side, outline about the centre, names."""
+    """Blocks one above the other: centre, half of the bounding box's side, outline about the centre, names.
+
+    `way`: along the sides of the outline where it is a square; `square`: it is, along the axes."""
 
     x: float
     y: float
     half: float
     outline: Polygon
+    way: Point | None
+    side: float
     square: bool
     blocks: frozenset[str]
 
@@ -36,23 +42,25 @@ class Column(NamedTuple):
 class Ground:
     """The columns of the pieces that are placed."""
 
-    def __init__(self, assembly: Assembly, state: BlockState, wanted: Iterable[g.Atom]) -> None:
-        self.columns = {id(piece): _columns(piece, state) for piece in assembly.pieces()}
+    def __init__(self, pieces: Sequence[Piece], state: BlockState, wanted: Iterable[g.Atom]) -> None:
+        world = state.world
+        self.columns = {id(piece): _columns(piece, state) for piece in pieces}
         self.placed: dict[int, list[Column]] = {}
         self.gaps: dict[frozenset[str], float] = {}
-        self.welcome: dict[str, set[str]] = {name: set() for name in assembly.world.patches}
+        self.welcome: dict[str, set[str]] = {name: set() for name in world.patches}
         self.patches = {
             name: (*patch.position, patch.size[0] / 2, patch.size[1] / 2)
-            for name, patch in assembly.world.patches.items()
+            for name, patch in world.patches.items()
             if patch.position is not None
         }
         for atom in wanted:
-            self._note(atom, assembly)
+            self._note(atom)
 
-    def _note(self, atom: g.Atom, assembly: Assembly) -> None:
-        mentioned = names(atom)
-        for patch in (n for n in mentioned if n in self.welcome):
-            self.welcome[patch].update(mentioned)
+    def _note(self, atom: g.Atom) -> None:
+        if self.welcome:
+            mentioned = names(atom)
+            for patch in (n for n in mentioned if n in self.welcome):
+                self.welcome[patch].update(mentioned)
         least = _least_gap(atom)
         if least is not None:
             pairs = ((a, b) for a in members(atom.a) for b in members(atom.b))  # type: ignore[union-attr]
@@ -73,19 +81,20 @@ class Ground:
                 for other in others:
                     reach = column.half + other.half
                     dx, dy = abs(x - other.x) - reach, abs(y - other.y) - reach
-                    gap = math.hypot(dx, dy) if dx > 0.0 and dy > 0.0 else max(dx, dy)
+                    if dx >= nearest or dy >= nearest:
+                        continue
+                    gap = math.hypot(dx, dy) if dx > 0.0 and dy > 0.0 else dx if dx > dy else dy
                     if gap >= nearest:
                         continue
                     if not (column.square and other.square):
-                        gap = polygon_separation(_at(column, origin).outline, other.outline)
-                    if gap < self._least(column, other) - 1e-9:
+                        gap = _separation(column, origin, other)
+                    if gap < (self._least(column, other) if self.gaps else MIN_GAP) - 1e-9:
                         return None
-                    nearest = min(nearest, gap)
+                    if gap < nearest:
+                        nearest = gap
         return nearest
 
     def _least(self, a: Column, b: Column) -> float:
-        if not self.gaps:
-            return MIN_GAP
         wished = [
             self.gaps[pair] for pair in (frozenset((p, q)) for p in a.blocks for q in b.blocks) if pair in self.gaps
         ]
@@ -106,14 +115,11 @@ class Ground:
 
 def _columns(piece: Piece, state: BlockState) -> list[Column]:
     """The columns of a piece about its own origin."""
-    own = BlockState(state.world, piece.position, state.orientation)
     found: dict[tuple[float, float], Column] = {}
     for name, (x, y, _) in piece.position.items():
-        outline = footprint(own, name)
-        half = max(max(abs(u - x), abs(v - y)) for u, v in outline)
+        shadow = _shadow(x, y, state.world.edge[name], state.orientation[name])
+        column = Column(x, y, *shadow, frozenset((name,)))
         at = (round(x, 4), round(y, 4))
-        square = half < state.world.edge[name] / 2 + 1e-6
-        column = Column(x, y, half, outline, square, frozenset({name}))
         other = found.get(at)
         if other is not None:
             larger = column if column.half > other.half else other
@@ -122,9 +128,31 @@ def _columns(piece: Piece, state: BlockState) -> list[Column]:
     return list(found.values())
 
 
+@lru_cache(maxsize=1024)
+def _shadow(x: float, y: float, edge: float, quat: Quat) -> tuple[float, Polygon, Point | None, float, bool]:
+    """What a block at (x, y) that is turned like this covers of the table, as a column has it."""
+    world = World((ColoredCube.model_construct(name="it", color="red", size=edge),))
+    alone = BlockState(world, {"it": (x, y, 0.0)}, {"it": quat})
+    outline = footprint(alone, "it")
+    half = max(max(abs(u - x), abs(v - y)) for u, v in outline)
+    return half, outline, heading(alone, "it"), edge / 2, half < edge / 2 + 1e-6
+
+
 def _at(column: Column, origin: tuple[float, float]) -> Column:
+    return column._replace(x=column.x + origin[0], y=column.y + origin[1], outline=_moved(column.outline, origin))
+
+
+def _moved(outline: Polygon, origin: tuple[float, float]) -> Polygon:
     ox, oy = origin
-    return column._replace(x=column.x + ox, y=column.y + oy, outline=tuple((x + ox, y + oy) for x, y in column.outline))
+    return tuple((x + ox, y + oy) for x, y in outline)
+
+
+def _separation(column: Column, origin: tuple[float, float], other: Column) -> float:
+    """Greatest distance between the outlines of a column at an origin and of a placed one, along a normal of a side."""
+    if column.way is None or other.way is None:
+        return polygon_separation(_moved(column.outline, origin), other.outline)
+    offset = (other.x - column.x - origin[0], other.y - column.y - origin[1])
+    return square_separation(offset, column.way, column.side, other.way, other.side)
 
 
 def _least_gap(atom: g.Atom) -> float | None:

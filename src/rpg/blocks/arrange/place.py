@@ -96,6 +96,7 @@ class Rule:
     patches: tuple[str, ...]
     per_place: bool
     open_ended: bool
+    press: int
 
     def slack(self, state: BlockState) -> float | None:
         """How well the literal is met (not negative); None where it is not."""
@@ -110,12 +111,12 @@ def rules_of(literals: Iterable[Literal], assembly: Assembly) -> list[Rule]:
         mentioned = names(atom)
         blocks = tuple(n for n in mentioned if n in assembly.of)
         split = len({id(assembly.of[n]) for n in blocks}) > 1
-        patches = tuple(n for n in mentioned if n not in assembly.of)
+        patches = tuple(n for n in mentioned if n not in assembly.of) if len(blocks) < len(mentioned) else ()
         placed = atom.kind in ABSOLUTE or bool(patches)
         together = frozenset(blocks if hint is None else names(hint)) & assembly.of.keys()
         per_place, open_ended = split or placed, atom.kind in OPEN
-        predicate = PREDICATES[atom.kind]
-        found.append(Rule(atom, hint or atom, holds, predicate, blocks, together, patches, per_place, open_ended))
+        said, press = (holds, PREDICATES[atom.kind], blocks, together, patches), TIGHT.get(atom.kind, 1)
+        found.append(Rule(atom, hint or atom, *said, per_place, open_ended, press))
     return found
 
 
@@ -139,33 +140,38 @@ class Search:
         orientation: dict[str, Quat] = {n: assembly.of[n].orientation[n] or IDENTITY for n in assembly.of}
         self.state = BlockState(self.world, self.position, orientation, start=start)
         self.origins: dict[int, Origin] = {}
-        self.ground = Ground(assembly, self.state, [r.atom for r in rules if r.holds])
+        self.pieces = bounds.pieces
+        self.ground = Ground(self.pieces, self.state, [r.atom for r in rules if r.holds])
         self.touching = {
-            id(piece): [r for r in rules if any(n in piece.position for n in r.blocks)] for piece in assembly.pieces()
+            id(piece): [r for r in rules if not piece.position.keys().isdisjoint(r.blocks)] for piece in self.pieces
         }
+        self.wanted = {piece: [r for r in found if r.holds and r.per_place] for piece, found in self.touching.items()}
+        self.press = {piece: sum(r.press for r in found) for piece, found in self.wanted.items()}
         self.bound = {piece: any(rule.holds for rule in found) for piece, found in self.touching.items()}
+        self.open_ended = [rule for rule in rules if rule.open_ended]
 
     def run(self) -> Iterator[BlockState]:
         """Arrangements that meet all rules, as they are found."""
         if not all(rule.blocks or rule.open_ended or rule.slack(self.state) is not None for rule in self.rules):
             return
-        if all(self._sound(piece) for piece in self.assembly.pieces()):
-            yield from self._descend(self.assembly.pieces())
+        if all(self._sound(piece) for piece in self.pieces):
+            yield from self._descend(self.pieces)
 
     def _sound(self, piece: Piece) -> bool:
         """Do the conditions within a piece hold, which is so wherever it stands?"""
         within = [r for r in self.touching[id(piece)] if not r.per_place and (r.holds or not r.open_ended)]
+        if not within:
+            return True
         self._write(piece, (0.0, 0.0))
         sound = all((rule.slack(self.state) or 0.0) > LEAST_MARGIN for rule in within)
-        for name in piece.position:
-            del self.position[name]
+        self._wipe(piece)
         return sound
 
     def _descend(self, waiting: list[Piece]) -> Iterator[BlockState]:
         if not waiting:
             yield self._result()
             return
-        piece = max(waiting, key=self._urgency)
+        piece = waiting[0] if len(waiting) == 1 else max(waiting, key=self._urgency)
         rest = [other for other in waiting if other is not piece]
         for origin in self._ranked(piece)[:WIDTH]:
             self._put(piece, origin)
@@ -175,9 +181,9 @@ class Search:
 
     def _urgency(self, piece: Piece) -> tuple[bool, int, int, int]:
         """Fixed pieces come first, then those that complete most conditions, then the most bound and the largest."""
-        wanted = [r for r in self.touching[id(piece)] if r.holds and r.per_place]
-        ready = [r for r in wanted if all(n in self.position or n in piece.position for n in r.blocks)]
-        return piece.fixed, _tightness(ready), _tightness(wanted), len(piece.position)
+        there = self.position.keys() | piece.position.keys()
+        ready = sum([r.press for r in self.wanted[id(piece)] if there.issuperset(r.blocks)])
+        return piece.fixed, ready, self.press[id(piece)], len(piece.position)
 
     def _put(self, piece: Piece, origin: Origin) -> None:
         self.origins[id(piece)] = origin
@@ -192,6 +198,9 @@ class Search:
     def _lift(self, piece: Piece) -> None:
         del self.origins[id(piece)]
         self.ground.leave(piece)
+        self._wipe(piece)
+
+    def _wipe(self, piece: Piece) -> None:
         for name in piece.position:
             del self.position[name]
 
@@ -199,36 +208,37 @@ class Search:
         """Do the conditions that any block can break hold, as far as they can be judged?"""
         return all(
             (rule.slack(self.state) or 0.0) > LEAST_MARGIN
-            for rule in self.rules
-            if rule.open_ended and all(n in self.position for n in rule.blocks)
+            for rule in self.open_ended
+            if all(n in self.position for n in rule.blocks)
         )
 
     def _ranked(self, piece: Piece) -> list[Origin]:
         """Origins that meet every condition which the piece completes, best first."""
-        due = [
-            r
-            for r in self.touching[id(piece)]
-            if r.per_place and all(n in self.position or n in piece.position for n in r.blocks)
-        ]
+        there = self.position.keys() | piece.position.keys()
+        due = [r for r in self.touching[id(piece)] if r.per_place and there.issuperset(r.blocks)]
         begun = [r for r in self._begun(piece) if r not in due]
         telling = [r for r in due if r.holds] + begun
         due += [r for r in (self._so_far(rule, piece) for rule in begun) if r is not None]
         # structures take longest to judge, and need not be where something else rules a place out
         due.sort(key=lambda rule: rule.open_ended)
         scored = []
-        for origin, worth in self._candidates(piece, telling).items():
+        candidates = self._candidates(piece, telling)
+        for origin, worth in candidates.items():
             self.budget.spend()
             score = self._score(piece, origin, due)
             if score is not None:
                 scored.append((score + worth, origin))
                 if self.style.hasty and len(scored) == WIDTH:
                     break
+        if due:
+            for name in piece.position:
+                self.position.pop(name, None)
         scored.sort(key=lambda pair: -pair[0])
         return [origin for _, origin in scored]
 
     def _begun(self, piece: Piece) -> list[Rule]:
         """Conditions that say something of a place before all of their blocks are there."""
-        rules = [r for r in self.touching[id(piece)] if r.holds and r.per_place and r.atom.kind in GRADUAL]
+        rules = [r for r in self.wanted[id(piece)] if r.atom.kind in GRADUAL]
         return [r for r in rules if any(n in self.position for n in r.blocks)]
 
     def _so_far(self, rule: Rule, piece: Piece) -> Rule | None:
@@ -241,37 +251,31 @@ class Search:
         return replace(rule, atom=atom.model_copy(update={"groups": groups}))
 
     def _score(self, piece: Piece, origin: Origin, due: list[Rule]) -> float | None:
+        """What a place is worth; None where it will not do. Where something is due, the piece is left there."""
         clearance = self.ground.clearance(piece, origin)
         if clearance is None:
             return None
         least = 1.0
-        if not due:
-            return self._merit(piece, origin, least, clearance)
-        self._write(piece, origin)
-        try:
+        if due:
+            self._write(piece, origin)
             for rule in due:
                 slack = rule.slack(self.state)
                 if slack is None:
                     return None
-                least = min(least, slack)
-        finally:
-            for name in piece.position:
-                del self.position[name]
+                if slack < least:
+                    least = slack
         return self._merit(piece, origin, least, clearance)
 
     def _merit(self, piece: Piece, origin: Origin, least: float, clearance: float) -> float:
+        good = least if least < GOOD_MARGIN else GOOD_MARGIN
         if self.style.dense:
-            return min(least, GOOD_MARGIN) / GOOD_MARGIN - self.ground.trespass(piece, origin) - 0.1 * sum(origin)
+            return good / GOOD_MARGIN - self.ground.trespass(piece, origin) - 0.1 * sum(origin)
         bound = self.bound[id(piece)]
         room = GOOD_CLEARANCE if bound else SCATTER_CLEARANCE
-        x, y, _ = next(iter(piece.position.values()))
-        off = hypot(x + origin[0] - CENTRE[0], y + origin[1] - CENTRE[1])
-        merit = (
-            1.5 * min(least, GOOD_MARGIN) / GOOD_MARGIN
-            + 0.5 * least
-            + min(clearance, room) / room
-            - (0.8 * off if bound else 0.0)
-        )
+        merit = 1.5 * good / GOOD_MARGIN + 0.5 * least + (clearance if clearance < room else room) / room
+        if bound:
+            x, y, _ = next(iter(piece.position.values()))
+            merit -= 0.8 * hypot(x + origin[0] - CENTRE[0], y + origin[1] - CENTRE[1])
         if self.ground.patches:
             merit -= self.ground.trespass(piece, origin)
         return merit + self.style.noise * self.rng.random()
@@ -284,7 +288,7 @@ class Search:
         if x0 > x1 + 1e-9 or y0 > y1 + 1e-9:
             return {}
         found: dict[Origin, float] = {
-            (round(min(max(x, x0), x1), 4), round(min(max(y, y0), y1), 4)): self.style.worth
+            (round(_within(x, x0, x1), 4), round(_within(y, y0, y1), 4)): self.style.worth
             for x, y in self._proposed(piece, wanted)
         }
         if not found:
@@ -330,8 +334,10 @@ class Search:
         return BlockState(self.world, position, orientation, start=self.state.start)
 
 
-def _tightness(rules: list[Rule]) -> int:
-    return sum(TIGHT.get(rule.atom.kind, 1) for rule in rules)
+def _within(value: float, low: float, high: float) -> float:
+    """The value of an interval that comes closest (its upper end where it is empty)."""
+    value = value if value > low else low
+    return value if value < high else high
 
 
 def _rounded(quat: Quat) -> Quat:

@@ -192,6 +192,16 @@ def test_spells_from_left_to_right_and_nothing_else_adjoins() -> None:
     assert not spell(word, s2=(0, -0.16))
 
 
+def test_a_plain_block_in_a_gap_spoils_a_word() -> None:
+    objects = world(letters("CAT"), plain(red="red"))
+    word = Spells(blocks=CAT, word="CAT")
+    places = {"s0": (0, 0.05), "s1": (0, 0), "s2": (0, -0.095)}
+    assert value(word, state(objects, {**places, "red": (0.15, 0.2)}))
+    assert not value(word, state(objects, {**places, "red": (0, -0.0475)}))
+    assert value(word, state(objects, {**places, "red": (0.045, -0.0475)})), "behind the gap"
+    assert value(word, state(objects, {**places, "red": (-0.045, 0)})), "in front of a letter"
+
+
 def test_an_alphabetical_row_has_no_other_symbol_in_it() -> None:
     objects = world(letters("ABD7"), plain(red="red"))
     order = Order(by="label", first="left")

@@ -50,9 +50,12 @@ def composed(seed: int) -> TaskSchema | None:
         parts.append(counted)
     if not any(name in world.blocks for part in parts for name in names(part)):
         return None
+    if all(isinstance(part, r.Stayed) for part in parts):
+        return None  # so from the beginning, and nothing to be done
     whole = parts[0] if len(parts) == 1 else g.All(goals=tuple(parts))
-    if len(parts) > 1 and rng.random() < SHARE:
-        parts.sort(key=lambda part: isinstance(part, r.OnTable))  # blocks are on the table first: that is no stage
+    if len(parts) > 1 and rng.random() < SHARE and _one_after_another(parts):
+        # Blocks are on the table first: that is no stage. Places are those of the start only before anything moves.
+        parts.sort(key=lambda part: (isinstance(part, r.OnTable), not isinstance(part, r.Stayed | r.Swapped)))
         whole = g.Sequence(stages=tuple(g.Stage(goal=part) for part in parts))
     cells = interchangeable(whole, world)
     if math.prod(assignments(group) for group in cells) > NAMINGS:
@@ -65,13 +68,13 @@ def sayable(node: g.Goal, world: World) -> g.Goal:
     """A goal without what no sentence says: symbols to be read where nothing is spelled, directions of a lying line."""
     update: dict[str, Any] = {}
     if isinstance(node, s.Row):
-        update = {"readable": node.order.by in SYMBOLIC, "order": _line_order(node.order)}
+        update = {"readable": node.order.by in SYMBOLIC, "order": _line_order(node.order, node.blocks, world)}
         if node.spacing is not None:
             update["spacing"] = 0.05
         if node.axis is None and node.order.first is not None:
             update["axis"] = "y" if node.order.first in ("left", "right") else "x"
     elif isinstance(node, s.Stack):
-        update = {"readable": node.order.by in SYMBOLIC, "order": _line_order(node.order)}
+        update = {"readable": node.order.by in SYMBOLIC, "order": _line_order(node.order, node.blocks, world)}
     elif isinstance(node, s.Cells):
         order = node.pattern.order if node.pattern is not None else Order()
         update["readable"] = order.by in SYMBOLIC
@@ -104,7 +107,8 @@ def _plain(part: g.Goal, parts: list[g.Goal]) -> bool:
     """Whether a part can be said beside the others.
 
     A relation to a block that lies on another is said of the lowest one, a filled rectangle with its sides; of two
-    structures of the same blocks one is enough; what lies on a block is named.
+    structures of the same blocks one is enough; what lies on a block is named; of a row it is said who is whose
+    neighbour.
     """
     for atom in atoms(part):
         if isinstance(atom, s.Figure) and atom.shape in ("square", "rectangle") and atom.filled:
@@ -115,15 +119,27 @@ def _plain(part: g.Goal, parts: list[g.Goal]) -> bool:
         if atom.kind in LEVEL and operands & _raised(parts):
             return False
         blocks = set(getattr(atom, "blocks", ()))
+        rows = [set(x.blocks) for other in parts for x in atoms(other) if isinstance(x, s.Row)]
+        if atom.kind in ("beside", "adjacent") and part != atom and any(operands <= row for row in rows):
+            return False
         if any(blocks and blocks == set(getattr(other, "blocks", ())) for other in parts if other is not part):
             return False
     return True
 
 
+def _one_after_another(parts: list[g.Goal]) -> bool:
+    """Whether the parts can be stages: what is swapped twice has no places of the start any more, and what is on the
+    table after it was on a patch is off the patch."""
+    said = [{atom.kind for atom in atoms(part)} for part in parts]
+    swaps = sum("swapped" in kinds for kinds in said)
+    return swaps < 2 and not ("on_table" in set.union(*said) and "on_patch" in set.union(*said))
+
+
 def _raised(parts: list[g.Goal]) -> set[str]:
     """Blocks that lie on others."""
-    above = [atom for part in parts for atom in atoms(part) if isinstance(atom, g.On | g.Above)]
-    return {name for atom in above for name in members(atom.a)}
+    said = [atom for part in parts for atom in atoms(part)]
+    above = {name for atom in said if isinstance(atom, g.On | g.Above) for name in members(atom.a)}
+    return above | {name for atom in said if isinstance(atom, s.Stack) for name in atom.blocks}
 
 
 def _needed(node: s.Spells, world: World) -> tuple[str, ...]:
@@ -139,8 +155,13 @@ def _pairs(node: s.Towers) -> int:
     return len(node.blocks) // 2 if len(node.blocks) < 6 else 2
 
 
-def _line_order(order: Order) -> Order:
-    """An order of which the beginning is said only where it has one; the compiler finds what is compared by name."""
+def _line_order(order: Order, blocks: tuple[str, ...], world: World) -> Order:
+    """An order of which the beginning is said only where it has one; the compiler finds what is compared by name.
+
+    Blocks that all look alike are in no order.
+    """
+    if order.by in ("together", "given") and len({world.look[name] for name in blocks}) == 1:
+        return Order()
     first = None if order.by in ("any", "together") else order.first
     return order.model_copy(update={"first": first, "match": "look"})
 

@@ -63,6 +63,12 @@ def _normal(node: g.Goal) -> g.Goal:
             return _counted(node)
         case Stack(order=Order(first=None, by="given" | "label" | "number" | "size")):
             return node.model_copy(update={"order": node.order.model_copy(update={"first": "bottom"})})
+        case Row(readable=False) | Stack(readable=False) if node.excused:
+            return _normal(node.model_copy(update={"excused": ()}))  # of what is to be read
+        case Row(order=Order(by="given", first="right" | "back")) | Stack(order=Order(by="given", first="top")):
+            begin = {"right": "left", "back": "front"}.get(node.order.first or "", "bottom")
+            turned = node.order.model_copy(update={"ranks": node.order.ranks[::-1], "first": begin})
+            return node.model_copy(update={"order": turned})
         case Row(order=Order(first=None, descending=True)) | Stack(order=Order(first=None, by="rainbow")):
             return node.model_copy(update={"order": node.order.model_copy(update={"descending": False})})
         case Apart():

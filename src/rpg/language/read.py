@@ -294,6 +294,8 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
         if (j := p.seq(start, phrase)) and not (phrase == "next" and p.words[j] == "to") and not part:
             link, start = "then", emphasised(p, p.opt(j, ",", ":"))
             break
+    first = p.opt(p.opt(start, "first"), ",", ":")
+    start = first if p.words[first] == "either" else start
     if link == "and" and (j := max(AFTER_THAT.matches(p, start), default=0)):
         link, start = "then", emphasised(p, p.opt(j, ",", ":"))
     try:

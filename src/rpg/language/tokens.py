@@ -264,12 +264,24 @@ def _ordinals(tokens: list[Token]) -> list[Token]:
             and after
             and token.span[0] > before.span[1]
             and after.span[0] > token.span[1]
-            and not (after.word in _LISTING and (before.word in _LISTING or before.kind == "number"))
+            and not _listed_sign(out, tokens[index + 1 : index + 3])
         ):
             out.append(replace(token, kind="punct", word=","))
         else:
             out.append(token)
     return out
+
+
+def _listed_sign(before: list[Token], after: list[Token]) -> bool:
+    """Whether a minus is one of a list of symbols: "5, -, 4", "the blocks 5 and - lie", "the blocks -, 4 and 5"."""
+    if before[-1].word == "and" and len(before) > 1 and _symbolic(before[-2]):
+        return True
+    begun = before[-1].word in ("blocks", "cubes", "symbols") and _symbolic(after[-1])
+    return after[0].word in _LISTING and (begun or _symbolic(before[-1]))
+
+
+def _symbolic(token: Token) -> bool:
+    return token.kind == "number" or token.word in _LISTING
 
 
 def _times(before: Token | None, token: Token, after: Token | None) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any
 
 from rpg.blocks.english.measures import cm
@@ -55,6 +56,9 @@ def towers(node: s.Towers, say: Speaker) -> str:
         own = "a different" if node.separate else "a single"
         what += f", each of {own} {ATTRIBUTES[node.each]}"
     what += ", each on a patch of its color" if node.matching else ""
+    lots = Counter(say.world.blocks[name].color for name in node.blocks)
+    if not node.each and len(lots) == (node.count or len(node.heights or ())) > 1 and min(lots.values()) > 1:
+        what += ", in any order"  # else it could be one for each colour
     return _form(node, say, what)
 
 

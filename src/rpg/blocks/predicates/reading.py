@@ -62,17 +62,20 @@ def _closeness(state: BlockState, name: str, other: str, lettered: bool, covered
 
 
 def _reading_on(state: BlockState, line: Line, gap_edges: float, other: str) -> float:
-    """How far `other` is from being taken for the row's next cube, before its first or after its last."""
+    """How far `other` is from being taken for one of the row's cubes: before its first, after its last, or in a gap."""
     ux, uy = line.direction
-    margin = 1.0
+    aside = math.inf
     for end, sign in ((line.sequence[0], -1.0), (line.sequence[-1], 1.0)):
         edge = pair_edge(state, end, other)
         (ax, ay, az), (bx, by, bz) = state.position[end], state.position[other]
         dx, dy = bx - ax, by - ay
-        beyond = sign * (dx * ux + dy * uy) > 0.0
-        if beyond and abs(az - bz) < edge * 0.75 and abs(dy * ux - dx * uy) < edge:
-            margin = min(margin, footprint_gap(state, end, other) / (gap_edges * edge) - 1.0)
-    return margin
+        across = abs(dy * ux - dx * uy)
+        if abs(az - bz) >= edge * 0.75 or across >= edge:
+            return 1.0
+        aside = min(aside, across / edge)
+        if sign * (dx * ux + dy * uy) > 0.0:
+            return min(1.0, footprint_gap(state, end, other) / (gap_edges * edge) - 1.0)
+    return aside - 1.0
 
 
 def unreadable(

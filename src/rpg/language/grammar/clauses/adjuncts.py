@@ -336,6 +336,12 @@ def _beginning_there(p: Parser, i: int) -> Results[That]:
             )
 
 
+def _only_when(clause: Meaning) -> bool:
+    """ "(where) it was at the start": a time, and nothing that was so then."""
+    told = isinstance(clause, Clause) and clause.verb == "be" and clause.mode == "start"
+    return told and all(isinstance(a, Manner) for a in getattr(clause, "adjuncts", ()))
+
+
 def _ever(clause: Meaning) -> Meaning:
     """ "without ever moving it": at no time."""
     always = Manner(kind="always", span=clause.span)
@@ -356,7 +362,8 @@ def _that(p: Parser, i: int) -> Results[Meaning]:
                      "provided that"))  # fmt: skip
     if j and not p.any_of(i, READABLE):
         for clauses, k in chain(p, p.opt(j, ",")):
-            yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
+            if not all(map(_only_when, clauses.clauses)):
+                yield That(kind="so", clauses=clauses, span=p.span(i, k)), k
     yield from _beginning_there(p, i)
     if j := p.any_of(i, ("until", "till", "til")):
         for clauses, k in chain(p, j):

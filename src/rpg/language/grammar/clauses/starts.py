@@ -74,6 +74,18 @@ def begun_of(before: Meaning | None, item: Meaning) -> Meaning:
     return replace(item, theme=shape)
 
 
+_MOVING = frozenset({"go", "goes", "comes", "come"})
+
+
+def perhaps_first(p: Parser, k: int, item: Meaning, mode: str) -> Meaning:
+    """ "At the start red goes on blue", with its verb at `k`: so it is then, or a command to do it first."""
+    if p.words[k] not in _MOVING or not isinstance(item, Clause):
+        return item
+    said = any(isinstance(a, Manner) and a.kind == "start" for a in item.adjuncts)
+    begun = (Manner(kind="start", span=p.span(k, k + 1)),) if mode == "start" and not said else ()
+    return replace(item, mode="command", adjuncts=(*item.adjuncts, *begun)) if said or begun else item
+
+
 _ALREADY = ("initially", "currently", "starting out", "starting", "beginning")
 
 

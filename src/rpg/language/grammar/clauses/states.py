@@ -10,7 +10,7 @@ from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
 from rpg.language.grammar.clauses.becoming import becoming, staying, touches
 from rpg.language.grammar.clauses.denials import denied_of_all, leave, stays
 from rpg.language.grammar.clauses.manners import direction, manner
-from rpg.language.grammar.clauses.starts import STARTS, starts_as
+from rpg.language.grammar.clauses.starts import STARTS, perhaps_first, starts_as
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, spell, with_theme
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.framing import past
@@ -110,6 +110,7 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             lasting = bool(words & {"never", "always"}) or {"not", "ever"} <= words or bool(barred)
             lasting = lasting or ("ever" in words and none_of(theme))
             bound = (_MODALS | _BOUND) - (_HAVE if p.words[k] == "been" else set())  # "have been put", not "have to"
+            found = perhaps_first(p, k, found, mode)
             if isinstance(found, Clause) and found.verb == "be" and not {*words, p.words[k]} & bound:
                 found = replace(found, lemma="fact")
             idle = isinstance(found, Clause) and _needless(

@@ -89,11 +89,11 @@ def order(p: Parser, i: int) -> Results[Meaning]:
         yield from _grown(p, start)
         yield from _by_attribute(p, start, j > i)
         yield from temporal(p, start)
+        yield from _toward_list(p, start)
     yield from pattern(p, i)
     yield from spacing(p, i)
     yield from alternation(p, i)
     yield from read_out(p, i)
-    yield from _toward_list(p, i)
 
 
 def _sorted_from(p: Parser, i: int, k: int, way: Toward) -> OrderBy:

@@ -100,7 +100,7 @@ _FREE = (
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
-_LINES = frozenset({"row", "line", "tower", "stack", "column", "rows", "columns", "layers"})
+_LINES = frozenset({"row", "line", "tower", "stack", "towers", "stacks", "column", "rows", "columns", "layers"})
 _STOPS = frozenset({"…", ";", ".", "!", "?", ":"})
 _BREAKS = _STOPS | {","}
 _DEGREES = frozenset(

@@ -47,19 +47,17 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
     start = p.one(i, frozenset({"both", "either"})) or i
     if k := p.one(i, "neither"):
         for item, j in simple(p, k):
-            yield from (
-                (replace(found, op="nor"), e)
-                for found, e in more(p, i, (item,), j, None)
-                if isinstance(found, Coord) and found.op == "or"
-            )
+            lists = ((x, k) for x, k in more(p, i, (item,), j, None) if isinstance(x, Coord) and x.op == "or")
+            yield from ((replace(found, op="nor"), k) for found, k in lists)
     if k := p.one(i, "only"):
         for item, j in simple(p, k):
             counted = isinstance(item, Noun) and item.det == "bare" and item.amount is not None
             if isinstance(item, Noun) and not counted and item.amount in (None, Amount(1, 1)) and item.det in _ONE:
                 yield Coord(op="only", items=(item,), span=p.span(i, j)), j
     for item, j in simple(p, start) if start > i else ():
-        if isinstance(item, Noun) and item.amount is not None and item.traits == Traits() and item.head == "any":
-            continue  # "either two or three of ..." is one number
+        number = isinstance(item, Noun) and item.amount is not None and item.traits == Traits() and item.head == "any"
+        if number or p.words[j : j + 2] == ["and", "both"]:
+            continue  # "either two or three of ..." is one number, "both red and both blue" are two of each
         yield from (
             (replace(found, cost=0), k) for found, k in more(p, i, (item,), j, None) if isinstance(found, Coord)
         )
@@ -68,7 +66,7 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         yield from all_but(p, i, item, j)
         yield from apposed(p, i, item, j)
         yield from of_each(p, i, item, j)
-        if not (isinstance(item, Noun) and item.det == "both" and item.head == "any"):
+        if not (isinstance(item, Noun) and item.det == "both" and item.head == "any") or p.words[j + 1] == "both":
             yield from ((beside_heap(item, found), k) for found, k in more(p, i, (item,), j, None))
 
 
@@ -266,7 +264,8 @@ def _headless(p: Parser, i: int, start: int, j: int, quantity: Quantity, marks: 
     if named and looked and ("edge" not in marks or p.words[j - 1] in lexicon.COLOR):
         plural = bool(quantity.plural) or len(marks.get("colors", ())) > 1
         several = len(marks.get("colors", ())) > 1 and not marks.get("either")
-        if (several and _list_goes_on(p, j)) or (quantity.det == "both" and not several and p.words[j] == "and"):
+        both = quantity.det == "both" and not several and p.words[j] == "and" and p.words[j + 1] != "both"
+        if both or (several and _list_goes_on(p, j)):
             return
         that = 3 if p.stands(i, _THAT) and p.follows(i, _OF) else 0
         yield from _finish(p, i, j, quantity, "any", plural, marks, cost=that + (1 if several else 0))

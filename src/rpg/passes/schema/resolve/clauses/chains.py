@@ -133,6 +133,14 @@ def _begun(clause: Clause, lying: bool) -> Clause:
     if not begun:
         return clause
     rest = tuple(m for m in clause.adjuncts if m not in begun)
+    if any(isinstance(m, Manner) and m.kind == "stay" for m in rest):
+        return replace(clause, adjuncts=rest)  # "where it was at the start" is said of the end
+    put = clause.verb in ("be", "place", "stack", "build", "arrange")
+    if clause.mode == "command" and put and any(m.kind == "start" for m in begun):
+        if any(m.value == "first" for m in begun):
+            return replace(clause, adjuncts=rest)  # "at first put ...": a first step
+        raise refuse("ambiguous", "is this so at the start, or is it to be done first?", begun[0].span,
+                     "say where it starts: 'red starts on blue', or say 'first'")  # fmt: skip
     if clause.verb == "be" and _strewn(begun, rest):
         if clause.negated:
             raise refuse("misplaced", "this says nothing of how they lie", clause.span, "say how they start")

@@ -176,7 +176,7 @@ def _shape_alone(found: list[list[tuple[str, Meaning]]], said: Clause, link: str
 def _blocks_listed(found: list[list[tuple[str, Meaning]]], said: Clause) -> bool:
     """ "Make a row on the table: from left to right it is red, green": the blocks of the line that was asked for."""
     last = _last(found)
-    built = filled(last, said) if last is not None else None
+    built = filled(last, said, bool(found[-1])) if last is not None else None
     if built is None:
         return False
     line = max(n for n, lot in enumerate(found) if lot)

@@ -11,7 +11,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.assets import EDGE
 from rpg.ir.node import members
-from rpg.ir.walk import atoms, transform
+from rpg.ir.walk import children, rebuild, transform
 from rpg.passes.schema.resolve.goals.spacing import spaced
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
@@ -171,13 +171,28 @@ def _tower_patches(goals: list[g.Goal]) -> list[g.Goal]:
     return goals
 
 
-def _open_tops(goal: g.Goal) -> g.Goal:
-    """A counted tower that something else goes on is not exact any more."""
-    on = [{*members(atom.a), *members(atom.b)} for atom in atoms(goal) if isinstance(atom, r.On | r.Above)]
+Put = tuple[frozenset[str], frozenset[str]]
+"""What goes on what."""
 
-    def change(node: g.Goal) -> g.Goal:
-        if isinstance(node, s.Stack) and node.exact and any(x & set(node.blocks) and x - set(node.blocks) for x in on):
-            return node.model_copy(update={"exact": False})
-        return node
 
-    return transform(goal, change)
+def _open_tops(goal: g.Goal, beside: tuple[Put, ...] = ()) -> g.Goal:
+    """A counted tower that something else goes on is not exact any more; what goes there is denied or another
+    alternative leaves it as it is."""
+    if isinstance(goal, g.Not):
+        return goal
+    if isinstance(goal, s.Stack):
+        open_ = goal.exact and any(upper - {*goal.blocks} and lower & {*goal.blocks} for upper, lower in beside)
+        return goal.model_copy(update={"exact": False}) if open_ else goal
+    if not (inner := children(goal)):
+        return goal
+    beside = beside if isinstance(goal, g.Any) else (*beside, *(put for part in inner for put in _put(part)))
+    return rebuild(goal, tuple(_open_tops(part, beside) for part in inner))
+
+
+def _put(goal: g.Goal) -> Iterable[Put]:
+    """What goes on what, where it is not denied."""
+    if isinstance(goal, r.On | r.Above):
+        yield frozenset(members(goal.a)), frozenset(members(goal.b))
+    elif not isinstance(goal, g.Not):
+        for part in children(goal):
+            yield from _put(part)

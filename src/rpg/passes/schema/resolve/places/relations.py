@@ -299,7 +299,14 @@ def _relate(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.Goal
         if loc.rel == "touching":
             return spread(theme, lambda a: node(a=a, b=foot(mark), span=span), span, together=bool(theme.built))
         b = carrier(foot(mark), scene, level=loc.rel in ("beside", "adjacent"))
-        return spread(theme, lambda a: node(a=carrier(a, scene, moved=True), b=b, span=span), span, together=together)
+
+        def level(a: Operand) -> g.Goal:
+            below = carrier(a, scene, moved=True)
+            ends = (a, foot(mark)) if below == b else (below, b)  # in one tower it is said of the two themselves
+            found: g.Goal = node(a=ends[0], b=ends[1], span=span)
+            return found
+
+        return spread(theme, level, span, together=together)
     if loc.rel == "off":
         return conj([taken_off(theme, n, span) for n in mark.names if n not in theme.names], span)
     if loc.rel == "together":

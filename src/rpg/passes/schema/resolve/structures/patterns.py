@@ -101,5 +101,5 @@ def _lines(unit: str, total: int, dims: tuple[int, int, int]) -> list[int]:
     if unit == "row":
         return [columns] * (rows * layers) if rows > 1 else [columns] * layers
     if unit == "column":
-        return [rows] * (columns * layers) if rows > 1 else [layers] * columns
+        return [layers] * (rows * columns) if layers > 1 else [rows] * columns  # upright where there are layers
     return [rows * columns] * layers

@@ -215,7 +215,13 @@ def _step_by_step(shape: Structure, spec: Spec) -> tuple[OrderBy, dict[int, str]
     items = [x for x in order.items if isinstance(x, Noun)] if order is not None else []
     counts = [amount_of(x) or 1 for x in items]
     plain = all(len(x.traits.colors) == 1 and not x.traits.labels for x in items)
-    if order is None or not plain or sorted(counts) != list(range(1, len(items) + 1)) or len(spec.orders) > 1:
+    if (
+        order is None
+        or len(items) < len(order.items)
+        or not plain
+        or sorted(counts) != list(range(1, len(items) + 1))
+        or len(spec.orders) > 1
+    ):
         return None
     if shape.members or counts not in (sorted(counts), sorted(counts)[::-1]) or order.first in ("top", "bottom"):
         return None

@@ -72,7 +72,7 @@ def several(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene, scope
         names, count = _given(theme, shape, count, per, by_color, scene)
     else:
         names, count = _new(shape.traits, shape, count, per, by_color, scene)
-    if not by_color:
+    if not by_color and not any(o.by == "any" for o in spec.orders):
         _one_color_each(names, count, per, equal, shape, scene)
     heights = (per,) * count if per is not None and count is not None else None
     if spec.manner("unequal") is not None:
@@ -102,7 +102,7 @@ def _one_color_each(
     even = len(set(lots.values())) == 1 if equal else per is None or set(lots.values()) == {per}
     if told and even and len(lots) > 1 and min(lots.values()) > 1:
         raise refuse("ambiguous", "a tower of each colour, or of whichever of these blocks?", shape.span,
-                     "say 'one tower per color', or which blocks each tower has")  # fmt: skip
+                     "say 'one tower per color', or 'in any order'")  # fmt: skip
 
 
 def _of_heights(shape: Structure, spec: Spec, theme: Ref | None, scene: Scene) -> Made:

@@ -67,15 +67,18 @@ def _many(shape: Structure) -> int | None:
     return None if told is None else told.low if told.low == told.high else -1
 
 
-def filled(last: Clause, said: Clause) -> Clause | None:
-    """The clause that builds a line, with the blocks and their order, or the gaps, that the next one tells of it."""
+def filled(last: Clause, said: Clause, together: bool) -> Clause | None:
+    """The clause that builds a line, with the blocks and their order, or the gaps, that the next one tells of it.
+
+    `together`: both are in one sentence.
+    """
     if last.negated or last.mode == "start" or said.negated or said.mode == "start":
         return None
     if _gaps_of_it(said) and _one_line(last):
         return replace(last, adjuncts=(*last.adjuncts, *said.adjuncts))
     if (rainbow := _rainbow(last, said)) is not None:
         return rainbow
-    if (sorted_ := _sorted_ones(last, said)) is not None:
+    if (sorted_ := _sorted_ones(last, said, together)) is not None:
         return sorted_
     items = next((a.items for a in said.adjuncts if isinstance(a, OrderBy) and a.by == "given" and a.items), ())
     listed = said.verb == "arrange" and said.theme is None and said.mode == "goal"
@@ -93,17 +96,19 @@ def filled(last: Clause, said: Clause) -> Clause | None:
 _NAMED = ("ascending", "label", "number", "rainbow", "size", "mirrored")
 
 
-def _sorted_ones(last: Clause, said: Clause) -> Clause | None:
-    """ "A row in descending order, 8, 2, 6, from left to right": which blocks those are that are sorted."""
+def _sorted_ones(last: Clause, said: Clause, together: bool) -> Clause | None:
+    """ "A row in descending order, 8, 2, 6, from left to right", "a column running from front to back: red, blue":
+    which blocks those are that are sorted, or stand in the direction that is told."""
     shape, theme = last.theme, said.theme
     if last.verb != "build" or not isinstance(shape, Structure) or not _unlooked(shape):
         return None
-    if not any(isinstance(a, OrderBy) and a.by in _NAMED and not a.items for a in last.adjuncts):
+    ordered = any(isinstance(a, OrderBy) and a.by in _NAMED and not a.items for a in last.adjuncts)
+    if not ordered and not (together and any(isinstance(a, Toward) for a in last.adjuncts)):
         return None
     if any(isinstance(a, Into) or (isinstance(a, OrderBy) and a.items) for a in last.adjuncts):
         return None
     items = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
-    nouns = [x for x in items if isinstance(x, Noun) and x.det == "bare" and x.head != "patch" and not x.part_of]
+    nouns = [x for x in items if isinstance(x, Noun) and x.det in ("bare", "a") and x.head != "patch" and not x.part_of]
     looks = [x for x in nouns if x.traits in (Traits(labels=x.traits.labels), Traits(colors=x.traits.colors))]
     many = sum(x.amount.low if x.amount else len(x.traits.labels or x.traits.colors) for x in looks)
     told = said.verb in ("be", "exist") and said.lemma in ("", "tally", "listed")

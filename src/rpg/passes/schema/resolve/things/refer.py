@@ -324,7 +324,8 @@ def _partitive(noun: Noun, scene: Scene, scope: Scope) -> Ref:
         )
     if scene.speaks_of_rest and not amount.strict and high is not None:
         return _some_of(whole, amount.low, noun, scene)
-    if scene.speaks_of_rest and amount.low == high and high is not None and high < len(whole.names):
+    told_apart = amount.strict and not scene.parted.isdisjoint(whole.names)  # "the others" are those of before
+    if scene.speaks_of_rest and not told_apart and amount.low == high and high is not None and high < len(whole.names):
         return _some_of(whole, amount.low, noun, scene)
     return replace(whole, quant=Amount(amount.low, amount.high, True))
 

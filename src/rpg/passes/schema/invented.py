@@ -30,6 +30,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _counts_with_a_slash(words, task)
     if task.assumed(COLORS_UNSAID):
         _spoken_of(words, task)
+        _set_off(words)
 
 
 def _one_word(task: TaskSchema) -> None:
@@ -86,3 +87,15 @@ def _spoken_of(words: Sequence[Token], task: TaskSchema) -> None:
     colored = [t for before, t in nouns if before.word in lexicon.COLOR]
     if colored and len(colored) == len(nouns) and words[0].word not in _OPEN:
         raise refuse("ambiguous", "it is not said of which block this is to be so", colored[0].span, "name the block")
+
+
+def _set_off(words: Sequence[Token]) -> None:
+    """Refuse "a tower of two and a tower of three, pink" as a tower of three pink ones and one of made-up colours."""
+    shown = [*(t for t in words if t.word not in ("all", "both")), Token("punct", ".", ".", (0, 0))]
+    for n, color in enumerate(shown[:-1]):
+        alone = shown[n - 1].word == "," and (shown[n + 1].kind == "punct" and shown[n + 1].word not in ("'s", ":"))
+        if n > 1 and alone and color.word in lexicon.COLOR and shown[n - 2].word not in lexicon.COLOR:
+            listed = any(t.word in lexicon.COLOR for t in shown[n + 2 : n + 3])
+            if not listed:
+                raise refuse("ambiguous", "is this the colour of all of them, or of the last ones?", color.span,
+                             "put the colour in front of what has it: 'a pink tower'")  # fmt: skip

@@ -224,6 +224,10 @@ def _in_a_manner(clause: Clause, spec: Spec, scene: Scene, scope: Scope) -> Goal
     if spec.qualities and clause.verb in ("be", "keep"):
         return appear(clause, spec, scene, scope)
     if any(m.kind == "stay" for m in spec.manners):
+        put = clause.verb in ("place", "stack") and clause.mode == "command" and not clause.negated
+        if put and any(isinstance(p, Loc) and p.landmark is not None and p.rel != "moved" for p in spec.places):
+            raise refuse("ambiguous", "what is put somewhere does not stay where it is", clause.span,
+                         "say what stays where it is in a sentence of its own")  # fmt: skip
         return turning.keep(clause, spec, scene, scope)
     if clause.lemma == "move" and clause.theme and [getattr(a, "kind", "") for a in clause.adjuncts] == ["only"]:
         refer(clause.theme, scene, scope)  # "Only move the red block. It goes ...": nothing of where it goes

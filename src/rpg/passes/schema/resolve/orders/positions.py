@@ -145,9 +145,8 @@ def _put(
     else:
         groups = groups if groups is not None else line_groups(place, total, kind)
         if not groups:
-            raise refuse(
-                "count-mismatch", f"{total} blocks in a {kind} have no such part", place.span, "name the blocks"
-            )
+            told = f"{total} blocks in a {kind} have no such part"
+            raise refuse("count-mismatch", told, place.span, "name the blocks")
         indices = [k for group in groups for k in group]
         found = _refer(counted(theme, groups, place), names, held, item, scene)
     if isinstance(theme, Coord) and len(theme.items) > 2 and isinstance(place, At) and place.index is None:
@@ -160,6 +159,8 @@ def _put(
     for index, name in zip(indices, found, strict=True):
         if index in held and held[index] != (name,):
             raise refuse("contradiction", "two blocks are given the same place", item.span, "give each one of its own")
+        if any(index != other and there == (name,) for other, there in held.items()):
+            raise refuse("contradiction", "one block is given two places", item.span, "give it one of them")
         held[index] = (name,)
     return found, max(indices)
 

@@ -9,6 +9,7 @@ from rpg.language.meaning import (
     Amount,
     At,
     Clause,
+    Coord,
     Into,
     Loc,
     Manner,
@@ -31,9 +32,9 @@ _ANY_ONE = (Traits(), Traits(scheme="same"))
 
 def in_one_tower(clause: Clause) -> tuple[Clause, ...]:
     """The clauses that build the tower and say what is above what in it; none where this is not said."""
-    if clause.verb not in ("be", "place", "stack") or clause.negated or clause.mode == "start":
+    if clause.verb not in ("be", "place", "stack", "build") or clause.negated or clause.mode == "start":
         return ()
-    if (between := _sandwiched(clause)) is not None:
+    if (between := _sandwiched(clause) or _with_one_between(clause)) is not None:
         return (between,)
     towers = [shape for a in clause.adjuncts if (shape := _tower(a)) is not None]
     places = [a for a in clause.adjuncts if isinstance(a, Loc) and _tower(a) is None]
@@ -76,6 +77,38 @@ def _sandwiched(clause: Clause) -> Clause | None:
     if 1 + len(towers) != len(clause.adjuncts) or any(z.amount != Amount(3, 3) for x in shapes for z in x.sizes):
         return None
     return replace(clause, verb="be", lemma="", adjuncts=(replace(said, rel="sandwiched"),))
+
+
+def _with_one_between(clause: Clause) -> Clause | None:
+    """ "two black ones with a white one between them in one stack", "a tower of two red blocks with a blue one between
+    them": the same, told of those outside."""
+    built = clause.theme if isinstance(clause.theme, Structure) else None
+    ends = built.members if built is not None and _is_bare_stack(built) else clause.theme
+    middles = [a for a in clause.adjuncts if isinstance(a, Absolute)]
+    towers = [a for a in clause.adjuncts if _tower(a) is not None or a == Toward(axis="z", span=a.span)]
+    upright = clause.verb == "stack" or len(towers) == 1 or ends is not clause.theme
+    if not upright or not _two(ends) or len(middles) != 1 or 1 + len(towers) != len(clause.adjuncts):
+        return None
+    shapes = [shape for a in towers if (shape := _tower(a)) is not None]
+    place = middles[0].adjuncts[0] if len(middles[0].adjuncts) == 1 else None
+    inside = isinstance(place, Places) and (place.side, place.unit) == ("rest", "block")
+    inside = inside or (isinstance(place, Loc) and place.rel in ("between", "sandwiched") and not place.negated
+                        and isinstance(place.landmark, Pronoun))  # fmt: skip
+    if not inside or not _one(middles[0].theme) or not all(map(_is_bare_stack, shapes)):
+        return None
+    between = Loc(rel="sandwiched", landmark=ends, span=middles[0].span)
+    return replace(clause, verb="be", lemma="", theme=middles[0].theme, adjuncts=(between,))
+
+
+def _is_bare_stack(shape: Structure) -> bool:
+    return shape.kind == "stack" and not (shape.details or shape.plural or shape.sizes) and shape.traits in _ANY_ONE
+
+
+def _two(ends: Meaning | None) -> bool:
+    """ "two black blocks", "a red and a blue block": two blocks of which one is the lower one."""
+    if isinstance(ends, Coord):
+        return ends.op == "and" and len(ends.items) == 2 and all(map(_one, ends.items))
+    return isinstance(ends, Noun) and ends.amount == Amount(2, 2) and ends.part_of is None
 
 
 def _tower(adjunct: Meaning) -> Structure | None:

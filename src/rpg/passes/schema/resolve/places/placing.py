@@ -144,7 +144,8 @@ def _no_chain(spec: Spec) -> None:
         if one.rel == two.rel and one.rel in CHAINED and 0 <= gap <= 1:
             raise refuse("misplaced", "it is not clear what this is said of", two.span, "say 'and', or two sentences")
         on = one.rel == two.rel == "on" and isinstance(one.landmark, Noun) and one.landmark.head != "patch"
-        if on and isinstance(two.landmark, TableTop) and len(" and") < gap < len(" together with"):
+        close = len(" and") < gap and (gap < len(" together with") or "directly" in two.mods)
+        if on and isinstance(two.landmark, TableTop) and close:
             raise refuse("contradiction", "what is on a block is not on the table", two.span, "say which one is there")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -62,7 +63,12 @@ def test_confined_code_passes_like_our_own() -> None:
     reports = run(subject)
     assert admitted(reports), render_log(subject, reports)
     mine = validate(program(tasks.RED_ON_YELLOW), trusted=True, measures=FAST)
-    assert [r.figures for r in reports] == [r.figures for r in mine]
+    assert [_figures(r) for r in reports] == [_figures(r) for r in mine]
+
+
+def _figures(report: GateReport) -> dict[str, Any]:
+    """What was measured, but for the other goal states: our own is run on one of them."""
+    return {name: value for name, value in report.figures.items() if name != "other_goals"}
 
 
 def test_a_cube_on_its_edge_is_unstable() -> None:

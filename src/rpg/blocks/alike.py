@@ -15,7 +15,7 @@ from rpg.blocks.predicates import PREDICATES
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import interchangeable
 from rpg.ir import goal as g
-from rpg.ir.walk import instances, transform
+from rpg.ir.walk import instances, transform, without_span
 
 Tree = dict[int, "Tree"]
 """Numbers of parts under many namings, one below the other: namings that begin alike share their beginning."""
@@ -29,15 +29,11 @@ class Renamed:
         numbers: dict[g.Goal, int] = {}
         columns = []
         for part in parts:
-            different, which = found.spread(transform(part, _without_span))
+            different, which = found.spread(transform(part, without_span))
             known = [numbers.setdefault(one, len(numbers)) for one in different]
             columns.append([known[k] for k in which])
         self.namings = tuple(zip(*columns, strict=True)) if columns else ((),) * len(found)
         self.goals = tuple(numbers)
-
-
-def _without_span(node: g.Goal) -> g.Goal:
-    return node if node.span is None else node.model_copy(update={"span": None})
 
 
 def _spelt_out(node: g.Goal) -> g.Goal:
@@ -96,14 +92,13 @@ class Judge:
 
     def _somewhere(self, tree: Tree, state: BlockState, values: dict[int, bool]) -> bool:
         """Do all the parts along some way down a tree hold?"""
-        if not tree:
-            return True
-        return any(self._part(k, state, values) and self._somewhere(rest, state, values) for k, rest in tree.items())
-
-    def _part(self, number: int, state: BlockState, values: dict[int, bool]) -> bool:
-        if number not in values:
-            values[number] = satisfied(self._goals[number], state)
-        return values[number]
+        for number, rest in tree.items():
+            held = values.get(number)
+            if held is None:
+                held = values[number] = satisfied(self._goals[number], state)
+            if held and (not rest or self._somewhere(rest, state, values)):
+                return True
+        return not tree
 
 
 def _unlike(found: Sequence[tuple[int, ...]]) -> tuple[tuple[int, ...], ...]:

@@ -13,7 +13,7 @@ from random import Random
 
 from rpg.blocks.alike import Judge
 from rpg.blocks.arrange.explain import conditions
-from rpg.blocks.arrange.solve import EFFORTS, Solver
+from rpg.blocks.arrange.solve import AT_A_GLANCE, Solver
 from rpg.blocks.evaluate import satisfied
 from rpg.blocks.geometry import riders
 from rpg.blocks.predicate import NearMiss
@@ -92,7 +92,7 @@ def _arranged_without(part: g.Goal, others: list[g.Goal], state: BlockState, rng
 
 def _quick(goal: g.Goal, state: BlockState) -> Solver:
     """A solver that takes a quick look at every alternative: many of these goals cannot be met at all."""
-    return Solver(goal, state.world, state.start, ARRANGE_TRIES, EFFORTS[:1])
+    return Solver(goal, state.world, state.start, ARRANGE_TRIES, AT_A_GLANCE)
 
 
 def _violations(part: g.Goal) -> Iterator[tuple[str, g.Goal]]:

@@ -116,7 +116,9 @@ class Physics:
     def fastest(self) -> float:
         """Greatest speed (m/s) of any point of any block."""
         v: list[float] = self._velocities.tolist()
-        return max((_speed(v[6 * k : 6 * k + 6], reach) for k, reach in enumerate(self._reach)), default=0.0)
+        if not any(v):
+            return 0.0
+        return max([_speed(v[6 * k : 6 * k + 6], reach) for k, reach in enumerate(self._reach)])
 
     def sane(self) -> bool:
         """Are all numbers finite?"""

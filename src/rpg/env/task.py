@@ -69,6 +69,7 @@ class BlockTask(Relations, Structures, Setup):
         self._memory = Memory()
         self._state: BlockState | None = None
         self._judgement: Judgement | None = None
+        self._solved: bool | None = None
         self._physics: Physics | None = None
         self._robot: Robot | None = None
         self._lender: BlockTask | None = None
@@ -192,7 +193,12 @@ class BlockTask(Relations, Structures, Setup):
 
     def solved(self) -> bool:
         """Does the goal hold in the current state?"""
-        return self.judge().success.value if self._judge is None else self._judge.any_name(self.state())
+        if self._judge is None:
+            return self.judge().success.value
+        state = self.state()
+        if self._solved is None:
+            self._solved = self._judge.any_name(state)
+        return self._solved
 
     def judge_states(self, states: Iterable[BlockState], start: BlockState | None = None) -> list[Judgement]:
         """Judge an episode that is given by its states, without physics; it began with `start`, else the first one."""
@@ -285,7 +291,7 @@ class BlockTask(Relations, Structures, Setup):
         """The episode is now in `state`."""
         if self._written is not None:
             self._written = state.since(None)
-        self._state, self._judgement, self._unread = state, None, False
+        self._state, self._judgement, self._solved, self._unread = state, None, None, False
         if self._looks_back is not False:
             self.judge()
             self._looks_back = self._memories[0].used

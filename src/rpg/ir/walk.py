@@ -76,6 +76,11 @@ def transform(goal: g.Goal, change: Callable[[g.Goal], g.Goal]) -> g.Goal:
     return change(goal)
 
 
+def without_span(node: g.Goal) -> g.Goal:
+    """The node alone without its place in the instruction."""
+    return node if node.span is None else node.model_copy(update={"span": None})
+
+
 def plain(goal: g.Goal) -> g.Goal:
     """What `goal` says: without its spans, conjunctions within conjunctions and choices within choices opened up."""
 
@@ -84,7 +89,7 @@ def plain(goal: g.Goal) -> g.Goal:
             kind, nested = type(node), (opened(part, type(node)) for part in node.goals)
             parts = tuple(part for found in nested for part in found)
             return parts[0] if len(parts) == 1 else kind(goals=parts)
-        return node if node.span is None else node.model_copy(update={"span": None})
+        return without_span(node)
 
     def opened(part: g.Goal, kind: type[g.All] | type[g.Any]) -> tuple[g.Goal, ...]:
         return part.goals if isinstance(part, kind) else (part,)

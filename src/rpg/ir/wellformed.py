@@ -60,8 +60,9 @@ def _parts(goal: g.Goal) -> Iterator[g.Goal]:
 
 
 def _operands(atom: g.Atom, patches: frozenset[str]) -> Iterator[str]:
+    fields = vars(atom)
     for field in ("a", "b", "c", "block", "blocks", "groups"):
-        value = getattr(atom, field, None)
+        value = fields.get(field)
         if value is None:
             continue
         listed = _listed(value)
@@ -74,7 +75,7 @@ def _operands(atom: g.Atom, patches: frozenset[str]) -> Iterator[str]:
         if found and (atom.kind not in PLACES or isinstance(value, Lowest | Highest)):
             yield f"{atom.kind}: {field} names {found[0]!r}, which is a patch, not a block"
     for field in ("patch", "matching"):
-        for name in _listed(getattr(atom, field, None) or ()):
+        for name in _listed(fields.get(field) or ()):
             if name not in patches:
                 yield f"{atom.kind}: {field} names {name!r}, which is a block, not a patch"
     yield from _together(atom, patches)
@@ -82,14 +83,15 @@ def _operands(atom: g.Atom, patches: frozenset[str]) -> Iterator[str]:
 
 def _together(atom: g.Atom, patches: frozenset[str]) -> Iterator[str]:
     """What two operands may not be at once."""
-    a, b, c = (_listed(getattr(atom, field, None) or ()) for field in "abc")
+    fields = vars(atom)
+    a, b, c = (_listed(fields.get(field) or ()) for field in "abc")
     if a and b and len(a) == len(b) == 1 and a == b:
         yield f"{atom.kind}: a and b are both {a[0]!r}"
     if c and (set(c) & set(a) or set(c) & set(b)):
         yield f"{atom.kind}: {c[0]!r} is named twice"
     if atom.kind in LEVEL and patches.intersection(a) and patches.intersection(b):
         yield f"{atom.kind}: both sides name patches; say left_of, right_of, in_front_of, behind, near or apart"
-    if atom.kind == "group_by" and getattr(atom, "outliers", False) and getattr(atom, "by", None) is None:
+    if atom.kind == "group_by" and fields["outliers"] and fields["by"] is None:
         yield "group_by: outliers needs by, to say in what they differ"
     if atom.kind == "swapped" and len(a) != len(b):
         yield f"swapped: a has {len(a)} blocks and b {len(b)}; they change places one for one"

@@ -61,7 +61,6 @@ class Style(NamedTuple):
 NATURAL = Style(0.1, PROPOSED)
 VARIED = Style(0.7, 0.2)
 DENSE = Style(0.02, PROPOSED, dense=True)
-HASTY = Style(0.1, PROPOSED, hasty=True)
 LATTICE_STEP = 0.03
 LATTICE_GAP = 0.006
 

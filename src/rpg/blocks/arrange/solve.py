@@ -13,7 +13,7 @@ from rpg.blocks.arrange.bounds import Bounds, Contradiction
 from rpg.blocks.arrange.builds import layouts_of
 from rpg.blocks.arrange.fixed import Poses, fixed_poses
 from rpg.blocks.arrange.pieces import Assembly, Clash
-from rpg.blocks.arrange.place import DENSE, HASTY, NATURAL, VARIED, Budget, Exhausted, Search, Style, rules_of
+from rpg.blocks.arrange.place import DENSE, NATURAL, VARIED, Budget, Exhausted, Search, Style, rules_of
 from rpg.blocks.arrange.turning import orientation_for
 from rpg.blocks.evaluate import satisfied, settled
 from rpg.blocks.geometry import is_level
@@ -53,15 +53,17 @@ class Effort(NamedTuple):
 
     def style(self, vary: bool) -> Style:
         """How places are chosen."""
-        if self.hasty:
-            return HASTY
-        return DENSE if self.dense else VARIED if vary else NATURAL
+        style = DENSE if self.dense else VARIED if vary else NATURAL
+        return style._replace(hasty=self.hasty)
 
 
-EFFORTS = (Effort(12, 400), Effort(3, 5000, dense=True), Effort(80, 3000, thorough=True))
+HARD = (Effort(3, 5000, dense=True), Effort(80, 3000, thorough=True))
+THOROUGHLY = (Effort(12, 400), *HARD)
 """A quick look at every alternative comes before a long one at any; then closely packed, then unusual layouts."""
 AT_A_GLANCE = (Effort(12, 400, hasty=True),)
 """Just whether there is a goal state."""
+ANYHOW = (*AT_A_GLANCE, *HARD)
+"""Any goal state, if there is one."""
 
 
 class Solver:
@@ -73,7 +75,7 @@ class Solver:
         world: World,
         start: BlockState | None,
         tries: int = 40000,
-        efforts: Sequence[Effort] = EFFORTS,
+        efforts: Sequence[Effort] = THOROUGHLY,
     ) -> None:
         self.goal, self.world, self.start, self.tries, self.efforts = goal, world, start, tries, efforts
         self.reasons: list[Contradiction] = []

@@ -137,7 +137,7 @@ def centroid(state: BlockState, names: Sequence[str]) -> tuple[float, float]:
 
 _SPOTS = [(WORKSPACE_X[0] + 0.05 * i, WORKSPACE_Y[0] + 0.05 * j) for i in range(7) for j in range(11)]
 """Places all over the workspace."""
-_SPOT_ARRAY = np.array(_SPOTS)[:, None, :]
+_SPOTS_X, _SPOTS_Y = np.array(_SPOTS).T
 
 
 def set_aside(state: BlockState, name: str, clearance: float = 0.12) -> BlockState:
@@ -159,9 +159,10 @@ def _roomiest(others: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """The spots with the most room, but for the last digits: found at once, so that few are measured one by one."""
     if not others:
         return _SPOTS
-    ways = _SPOT_ARRAY - np.array(others)
-    squares = (ways * ways).sum(axis=2).min(axis=1)
-    return [_SPOTS[k] for k in np.flatnonzero(squares >= squares.max() * (1 - 1e-9))]
+    least = np.full(len(_SPOTS), np.inf)
+    for x, y in others:
+        np.minimum(least, (_SPOTS_X - x) ** 2 + (_SPOTS_Y - y) ** 2, out=least)
+    return [_SPOTS[k] for k in np.flatnonzero(least >= least.max() * (1 - 1e-9))]
 
 
 def stand_on(state: BlockState, name: str, support: str) -> BlockState:

@@ -28,8 +28,9 @@ def lower(schema: TaskSchema) -> str:
     assets = [Group(type(asset).__name__, arguments(asset, frozenset(), positional=False)) for asset in schema.assets]
     reset, conditions = on_reset(schema.init, blocks), success.bindings
     lists = shared((*reset, *conditions.values()), blocks, conditions)
-    reset = [replaced(call, lists) for call in reset]
-    conditions = {name: replaced(expr, lists) for name, expr in conditions.items()}
+    if lists:
+        reset = [replaced(call, lists) for call in reset]
+        conditions = {name: replaced(expr, lists) for name, expr in conditions.items()}
     body = [
         *docstring(schema, check),
         "",

@@ -52,6 +52,7 @@ ORDERS = {
     "together": "_equals_together",
 }
 """What the boolean of a line or a stack says of its order."""
+_FIELD = re.compile(r"\{(\w+)\}")
 TURNS = {0.0: "upright", 180.0: "upside_down"}
 """What the boolean says of a symbol that is turned so many degrees."""
 
@@ -99,18 +100,17 @@ def _number(value: int) -> str:
 
 
 def _atom_name(atom: g.Atom) -> str:
-    fields = {name: getattr(atom, name) for name in type(atom).model_fields}
-    words = {name: _words(value) for name, value in fields.items() if name not in ("kind", "span")}
+    fields = vars(atom)
     template = TEMPLATES.get(atom.kind)
     if template is None:
-        template = "{a}_" + atom.kind + ("_{b}" if "b" in words else "") if "a" in words else atom.kind
+        template = "{a}_" + atom.kind + ("_{b}" if "b" in fields else "") if "a" in fields else atom.kind
     if isinstance(atom, Facing) and atom.turn in TURNS and atom.toward in ("up", "viewer"):
         template = "{block}_" + TURNS[atom.turn]
     if isinstance(atom, Row | Stack):
         template += ORDERS.get(atom.order.by, "")
     if isinstance(atom, Stack) and atom.patch is not None:
         template += "_on_{patch}"
-    return template.format(**words)
+    return _FIELD.sub(lambda field: _words(fields[field[1]]), template)
 
 
 def _words(value: object) -> str:

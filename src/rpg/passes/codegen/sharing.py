@@ -15,11 +15,11 @@ Names = tuple[str, ...]
 
 
 def shared(exprs: Iterable[Expr], blocks: Names, taken: Iterable[str]) -> dict[Names, str]:
-    """The lists that occur more than once, each with the name of its attribute; `blocks` are all blocks of the task."""
+    """The long lists that occur more than once, each with the name of its attribute; `blocks` are all of the task's."""
     uses = Counter(names for expr in exprs for names in _lists(expr))
     found: dict[Names, str] = {}
     for names, count in uses.items():
-        if count > 1 and len(names) >= FEWEST:
+        if count > 1:
             words = "blocks" if plain(names) == blocks else collective(plain(names))
             found[names] = unique(words, (*taken, *found.values()))
     return found
@@ -44,9 +44,10 @@ def replaced(expr: Expr, attributes: dict[Names, str]) -> Expr:
 
 
 def _lists(expr: Expr) -> Iterator[Names]:
+    """The lists of names in an expression that are long enough to be worth sharing."""
     match expr:
         case Group(_, items, _):
-            names = _names(items)
+            names = _names(items) if len(items) >= FEWEST else ()
             if names:
                 yield names
             for item in items:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from rpg.ir import goal as g
-from rpg.ir.walk import children, transform
+from rpg.ir.walk import children, transform, without_span
 from rpg.passes.codegen.calls import inline, undone
 from rpg.passes.codegen.layout import Expr, Group, Infix, Labelled
 from rpg.passes.codegen.naming import boolean_name, unique
@@ -20,7 +20,7 @@ class Success:
     goal: g.Goal
     bindings: dict[str, Expr] = field(default_factory=dict)
     sources: dict[str, g.Goal] = field(default_factory=dict)
-    _known: dict[str, str] = field(default_factory=dict)
+    _known: dict[g.Goal, str] = field(default_factory=dict)
 
     @property
     def check(self) -> Expr:
@@ -48,7 +48,7 @@ class Success:
         return expr if isinstance(expr, str) else self._bind(goal, expr)
 
     def _bind(self, goal: g.Goal, expr: Expr) -> str:
-        key = repr(transform(goal, lambda node: node.model_copy(update={"span": None})))
+        key = transform(goal, without_span)
         if key not in self._known:
             name = unique(boolean_name(goal), self.bindings)
             self._known[key] = name

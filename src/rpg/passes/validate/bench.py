@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -49,6 +50,8 @@ class Bench:
     measures: Measures = field(default_factory=Measures)
     trusted: bool = False
     """Is the code our own lowering, word for word?"""
+    trees: dict[str, ast.Module] = field(default_factory=dict)
+    """The generated files as they were parsed."""
     prints: dict[str, str] = field(default_factory=dict)
     trace: Trace | None = None
     judge: Judge | None = None
@@ -59,7 +62,7 @@ class Bench:
     @cached_property
     def classes(self) -> tuple[type[BlockTask], type[BlockTask]]:
         """The task class and its goal class; running the code may raise anything."""
-        return load(self.program.code, self.program.goal_code)
+        return load(*(self.trees.get(name, source) for name, source in self.sources.items()))
 
     @cached_property
     def task(self) -> BlockTask:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import builtins
 from collections.abc import Sequence
 from types import SimpleNamespace
@@ -18,14 +19,15 @@ ALLOWED_BUILTINS = (
 MODULE = "rpg.env"
 
 
-def load(code: str, goal_code: str) -> tuple[type[BlockTask], type[BlockTask]]:
-    """The task class and its goal-state class. Runs both files: only for code that is checked or confined."""
+def load(code: str | ast.Module, goal_code: str | ast.Module) -> tuple[type[BlockTask], type[BlockTask]]:
+    """The task class and its goal-state class, of sources or of what they parse to. Runs both files: only for code that
+    is checked or confined."""
     task = _run(code, "code.py", {})
     goal = _run(goal_code, "goal_state_code.py", task)
     return _the_task(task, "code.py"), _the_task(goal, "goal_state_code.py")
 
 
-def _run(code: str, filename: str, sibling: dict[str, Any]) -> dict[str, Any]:
+def _run(code: str | ast.Module, filename: str, sibling: dict[str, Any]) -> dict[str, Any]:
     def imported(
         name: str, _globals: object = None, _locals: object = None, wanted: Sequence[str] = (), level: int = 0
     ) -> Any:

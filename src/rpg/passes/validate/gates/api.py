@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import inspect
 from collections.abc import Iterable, Iterator
+from functools import lru_cache
 from typing import Any
 
 from rpg.core.diagnostics import Diagnostic
@@ -102,9 +103,8 @@ class _Checker:
             yield self._found("code-bad-call", node, keyword, f"self.{name} takes no argument {keyword!r}", known)
         if wrong:
             return
-        try:
-            signature.bind(*node.args, **dict.fromkeys(keywords))
-        except TypeError as error:
+        error = _misfit(name, len(node.args), tuple(keywords))
+        if error is not None:
             yield self._found("code-bad-call", node, name, f"self.{name}{signature}: {error}", ())
 
     def _record(self, node: ast.Call, name: str) -> Iterator[Diagnostic]:
@@ -117,6 +117,16 @@ class _Checker:
         for keyword in sorted(required - given):
             if not node.args and not any(k.arg is None for k in node.keywords):
                 yield self._found("code-bad-call", node, keyword, f"{name} needs its field {keyword!r}", ())
+
+
+@lru_cache(maxsize=512)
+def _misfit(name: str, positional: int, keywords: tuple[str, ...]) -> str | None:
+    """What is wrong with a call of a method with so many arguments by position and these by name."""
+    try:
+        methods()[name].bind(*[None] * positional, **dict.fromkeys(keywords))
+    except TypeError as error:
+        return str(error)
+    return None
 
 
 def plain_names(node: ast.ClassDef) -> list[str]:

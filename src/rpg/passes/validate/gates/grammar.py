@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+from functools import cache
 
 NODES: tuple[type[ast.AST], ...] = (
     ast.Module, ast.Expr, ast.ImportFrom, ast.alias, ast.ClassDef, ast.FunctionDef, ast.arguments, ast.arg, ast.Return,
@@ -27,21 +28,27 @@ LONGEST_FILE = 200_000
 """Characters; a task of 30 blocks takes a tenth of it."""
 DEEPEST = 60
 """Levels of nesting."""
+LEAVES = frozenset({"ctx", "id", "attr", "arg", "name", "asname", "module", "level", "type_comment", "kind"})
+"""Fields that never hold a node, but for whether a name is read or written."""
 
 
 def walk(tree: ast.AST) -> list[ast.AST]:
     """All nodes of a tree, parents before children; whether a name is read or written is no node of its own."""
     found: list[ast.AST] = [tree]
     for node in found:
-        for field in node._fields:
+        for field in _inner(node._fields):
             value = getattr(node, field, None)
-            if value.__class__ is str or field == "ctx":
-                continue
             if isinstance(value, list):
                 found += [item for item in value if isinstance(item, ast.AST)]
             elif isinstance(value, ast.AST):
                 found.append(value)
     return found
+
+
+@cache
+def _inner(fields: tuple[str, ...]) -> tuple[str, ...]:
+    """Of the fields of a kind of node, those in which there may be nodes that are worth a look."""
+    return tuple(field for field in fields if field not in LEAVES)
 
 
 def what(node: ast.AST) -> str:

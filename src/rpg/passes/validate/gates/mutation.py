@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from itertools import islice
 from random import Random
 from typing import Any
 
 from rpg.blocks.alike import Judge
-from rpg.blocks.arrange.solve import Solver
+from rpg.blocks.arrange.solve import ANYHOW, Solver
 from rpg.blocks.evaluate import evaluate, settled
 from rpg.blocks.near_miss import both_kinds
 from rpg.blocks.predicate import NearMiss
@@ -55,16 +57,16 @@ class MutationGate:
         judge = bench.judge
         doubtful, known = both_kinds(program.task.goal, goal, rng, judge or Judge(program.task.goal, bench.world))
         misses = doubtful + known
-        others, moving = other_goals(program, bench), unsettled(goal)
+        sampled, moving = other_goals(program, bench), unsettled(goal)
         if judge is not None:
             # the code tells the goal of the schema word for word, by which the others are found: one shows that it does
             survivors = [miss for miss in doubtful if judge.as_named(_begun(miss.state, history))]
-            run = others[:1]
+            others = list(islice(sampled, 1))
         else:
-            survivors, run = surviving(bench.task, history, misses), others
+            survivors, others = surviving(bench.task, history, misses), list(sampled)
         # where stages count, the goal was met before it moves again
         survivors += surviving(bench.task, (*history, goal) if history else (), moving)
-        judged = zip(run, judge_each(bench.task, history, run), strict=True)
+        judged = zip(others, judge_each(bench.task, history, others), strict=True)
         rejected = [state for state, judgement in judged if not judgement.success]
         misses += moving
         found = []
@@ -121,15 +123,21 @@ def unsettled(goal: BlockState) -> list[NearMiss]:
     ]
 
 
-def other_goals(program: Program, bench: Bench) -> list[BlockState]:
-    """Further goal states: the program's own a little shaken, and others, as they are and shaken."""
+def other_goals(program: Program, bench: Bench) -> Iterator[BlockState]:
+    """Further goal states: others than the program's own, then its own and these a little shaken."""
     assert bench.trace is not None
     history, rng = bench.trace.history, Random(f"other goals of {program.task.name}")
-    solver = Solver(program.task.goal, bench.world, history[0] if history else None, TRIES)
-    drawn = [solver.solve(rng, vary=True) for _ in range(bench.measures.other_goals)]
-    others = [state for state in drawn if state is not None]
-    shaken = [shake(program, state, rng) for state in (bench.trace.authored, *others)]
-    return [state for state in (*others, *shaken) if state is not None]
+    solver = Solver(program.task.goal, bench.world, history[0] if history else None, TRIES, ANYHOW)
+    known = [bench.trace.authored]
+    for _ in range(bench.measures.other_goals):
+        drawn = solver.solve(rng, vary=True)
+        if drawn is not None:
+            known.append(drawn)
+            yield drawn
+    for state in known:
+        shaken = shake(program, state, rng)
+        if shaken is not None:
+            yield shaken
 
 
 def shake(program: Program, state: BlockState, rng: Random) -> BlockState | None:

@@ -14,6 +14,8 @@ from rpg.passes.validate.gates.surface import attributes, nearest, public_names
 GOAL_FILE = "goal_state_code.py"
 SETTABLE = frozenset({"instruction", "interchangeable"})
 """What BlockTask has for its subclasses to set; a class must not hide anything else of it."""
+TOP_LEVEL = (ast.FunctionDef, ast.ClassDef, ast.ImportFrom)
+PLAIN = (ast.Constant, ast.Tuple, ast.Load)
 
 
 def check_shape(filename: str, tree: ast.Module, nodes: Iterable[ast.AST]) -> list[Diagnostic]:
@@ -43,7 +45,7 @@ def _inner(filename: str, tree: ast.Module, nodes: Iterable[ast.AST]) -> list[Di
     return [
         _wrong(filename, node, "a function, class or import inside of another")
         for node in nodes
-        if isinstance(node, ast.FunctionDef | ast.ClassDef | ast.ImportFrom) and id(node) not in places
+        if isinstance(node, TOP_LEVEL) and id(node) not in places
     ]
 
 
@@ -97,7 +99,7 @@ def _is_plain(node: ast.stmt) -> bool:
         ):
             if name.startswith("_") or value is None or name in attributes() - SETTABLE:
                 return False
-            return all(isinstance(part, ast.Constant | ast.Tuple | ast.Load) for part in ast.walk(value))
+            return all(isinstance(part, PLAIN) for part in ast.walk(value))
     return False
 
 

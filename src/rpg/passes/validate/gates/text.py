@@ -32,6 +32,7 @@ class TextGate:
             found += problems
             lines += source.count("\n")
             if tree is not None:
+                bench.trees[filename] = tree
                 nodes = grammar.walk(tree)
                 calls += sum(isinstance(node, ast.Call) for node in nodes)
                 found += forbidden(filename, nodes)

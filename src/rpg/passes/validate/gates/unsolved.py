@@ -81,34 +81,32 @@ class UnsolvedGate:
         speed = max(speed, task.physics.fastest())
         starts.solved += solved
         starts.overlap, starts.speed = max(starts.overlap, overlap), max(starts.speed, speed)
-        facts: dict[str, Any] = {"seed": seed, "poses": poses(start)}
         found = []
         if solved:
             message = f"the goal holds already at the start of seed {seed}"
-            found.append(failure(self.name, "reset-solved", "goal", message, **facts))
+            found.append(failure(self.name, "reset-solved", "goal", message, seed=seed, poses=poses(start)))
         if lost:
             message = f"the episode of seed {seed} is lost at its start"
-            found.append(failure(self.name, "reset-lost", "goal", message, **facts))
-        found += self._physical(bench, start, overlap, speed, facts)
+            found.append(failure(self.name, "reset-lost", "goal", message, seed=seed, poses=poses(start)))
+        found += self._physical(bench, start, overlap, speed, seed)
         for diagnostic in found:
             starts.found.setdefault(diagnostic.code, diagnostic)
 
-    def _physical(
-        self, bench: Bench, start: BlockState, overlap: float, speed: float, facts: dict[str, Any]
-    ) -> list[Diagnostic]:
-        found, seed = [], facts["seed"]
+    def _physical(self, bench: Bench, start: BlockState, overlap: float, speed: float, seed: int) -> list[Diagnostic]:
+        found = []
         if overlap > bench.measures.overlap_m:
             message = f"blocks overlap by {overlap * 1000:.1f} mm at the start of seed {seed}"
-            measured = {"overlap_m": round(overlap, 5), **facts}
-            found.append(failure(self.name, "reset-overlap", "instability", message, **measured))
+            facts: dict[str, Any] = {"overlap_m": round(overlap, 5), "seed": seed, "poses": poses(start)}
+            found.append(failure(self.name, "reset-overlap", "instability", message, **facts))
         outside = [name for name in start.position if room(start, name) < -ROUNDING]
         if outside:
             message = f"{', '.join(outside)} starts outside of the workspace with seed {seed}"
-            found.append(failure(self.name, "reset-out-of-bounds", "bounds", message, blocks=outside, **facts))
+            facts = {"blocks": outside, "seed": seed, "poses": poses(start)}
+            found.append(failure(self.name, "reset-out-of-bounds", "bounds", message, **facts))
         if speed > MOVING:
             message = f"blocks move at {speed * 1000:.0f} mm/s at the start of seed {seed}"
-            measured = {"speed_m_s": round(speed, 4), **facts}
-            found.append(failure(self.name, "reset-moves", "instability", message, **measured))
+            facts = {"speed_m_s": round(speed, 4), "seed": seed, "poses": poses(start)}
+            found.append(failure(self.name, "reset-moves", "instability", message, **facts))
         return found
 
     def _refused(self, program: Program, bench: Bench, diagnostic: Diagnostic) -> Diagnostic:
@@ -133,7 +131,5 @@ class UnsolvedGate:
 
 def deepest_overlap(task: BlockTask) -> float:
     """How deep (m) any two bodies are inside each other."""
-    contacts = task.data.contact
-    if not task.data.ncon:
-        return 0.0
-    return max(0.0, -float(contacts.dist[: task.data.ncon].min()))
+    data = task.data
+    return max(0.0, -min(data.contact.dist.tolist())) if data.ncon else 0.0

@@ -185,8 +185,9 @@ def _open_tops(goal: g.Goal, beside: tuple[Put, ...] = ()) -> g.Goal:
         return goal.model_copy(update={"exact": False}) if open_ else goal
     if not (inner := children(goal)):
         return goal
-    beside = beside if isinstance(goal, g.Any) else (*beside, *(put for part in inner for put in _put(part)))
-    return rebuild(goal, tuple(_open_tops(part, beside) for part in inner))
+    told = [tuple(_put(part)) if not isinstance(goal, g.Any) else () for part in inner]
+    others = [tuple(put for k, puts in enumerate(told) if k != n for put in puts) for n in range(len(inner))]
+    return rebuild(goal, tuple(_open_tops(part, (*beside, *more)) for part, more in zip(inner, others, strict=True)))
 
 
 def _put(goal: g.Goal) -> Iterable[Put]:

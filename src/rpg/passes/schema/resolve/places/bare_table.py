@@ -31,8 +31,8 @@ def _note(goals: Iterable[g.Goal], before: Marks) -> None:
 
 
 def _off(goal: g.Goal, before: Marks, over: tuple[str, ...]) -> g.Goal:
-    if isinstance(goal, g.Always | g.Not):
-        return goal
+    if isinstance(goal, g.Always | g.Not) or (isinstance(goal, g.Count) and not goal.at_least):
+        return goal  # nothing is put anywhere
     if isinstance(goal, r.OnTable):
         pairs: list[tuple[tuple[str, ...], str]] = [
             ((n,), patch) for n in members(goal.a) for patch in before.get(n, ())

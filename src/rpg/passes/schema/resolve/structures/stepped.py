@@ -225,6 +225,8 @@ def _step_by_step(shape: Structure, spec: Spec) -> tuple[OrderBy, dict[int, str]
         return None
     if shape.members or counts not in (sorted(counts), sorted(counts)[::-1]) or order.first in ("top", "bottom"):
         return None
+    if any(way.first in ("top", "bottom") for way in spec.toward):
+        return None
     return order, {many: x.traits.colors[0] for many, x in zip(counts, items, strict=True)}
 
 

@@ -285,13 +285,11 @@ def read_sentence(tokens: list[Token], thorough: bool = False) -> Sentence:
     ordinal = p.lex(start, lexicon.ORDINAL)
     if ordinal and p.one(start + 1, _STEPS) and (j := p.one(start + 2, frozenset({":", ",", "-"}))):
         link, start = "then" if ordinal > 1 else "and", j
-    for phrase in _EARLIER:
-        if j := p.seq(start, phrase):
-            link, start = "before", p.opt(j, ",", ":")
-            break
-    for phrase in _THEN:
-        part = phrase in ("second", "third") and p.words[j := p.seq(start, phrase)] in lexicon.STRUCTURE
-        if (j := p.seq(start, phrase)) and not (phrase == "next" and p.words[j] == "to") and not part:
+    for _, j in p.standing(start, _EARLIER)[:1]:
+        link, start = "before", p.opt(j, ",", ":")
+    for phrase, j in p.standing(start, _THEN):
+        part = phrase in ("second", "third") and p.words[j] in lexicon.STRUCTURE
+        if not (phrase == "next" and p.words[j] == "to") and not part:
             link, start = "then", emphasised(p, p.opt(j, ",", ":"))
             break
     first = p.opt(p.opt(start, "first"), ",", ":")

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser
 from rpg.language.grammar.talk.commands import IN_ORDER
-from rpg.language.meaning import Chain, Clause, Loc, Meaning
+from rpg.language.meaning import Chain, Clause, Loc, Meaning, replace
 from rpg.language.tokens import Token
 
 
 def announced(part: list[Token]) -> bool:
     """Whether a sentence says that what it tells, or what follows it, is done in turn."""
-    return any(True for _ in IN_ORDER.matches(Parser(part), 0))
+    return part[0].word in IN_ORDER.firsts and any(True for _ in IN_ORDER.matches(Parser(part), 0))
 
 
 def heads(part: list[Token]) -> bool:
     """Whether it says no more than that."""
-    return len(part) in IN_ORDER.matches(Parser(part), 0)
+    return part[0].word in IN_ORDER.firsts and len(part) in IN_ORDER.matches(Parser(part), 0)
 
 
 def in_turn(chain: Chain) -> Chain:

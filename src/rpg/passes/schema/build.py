@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import replace
 from itertools import product
 from typing import Any
 
@@ -28,6 +27,7 @@ from rpg.language.meaning import (
     Traits,
     cost_of,
     parts_of,
+    replace,
 )
 from rpg.language.read import Sentence, read_sentences
 from rpg.language.tokens import Token

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from typing import Protocol
 
 from rpg.core.diagnostics import Diagnostic, Refusal
@@ -34,7 +36,8 @@ class BuiltinFrontEnd:
     def read(self, text: str, *, name: str | None = None, seed: int = 0, author: str | None = None) -> Reading:
         """The task with notes of how it was adapted, or None with the diagnostics that say why not."""
         try:
-            return self._read(text, name, seed, author)
+            with _undisturbed():
+                return self._read(text, name, seed, author)
         except Repairable as refusal:
             return None, suggestions(refusal, lambda other: self._again(other, name, seed, author))
         except TwoReadings as refusal:
@@ -79,6 +82,19 @@ class BuiltinFrontEnd:
             return self._read(text, name, seed, author)[0]
         except Refusal:
             return None
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Without the garbage collector, which would look again and again through all that a sentence is for a moment made
+    of, and find nothing: it is let go as soon as it has been read."""
+    collecting = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collecting:
+            gc.enable()
 
 
 def _stray(text: str, span: tuple[int, int]) -> Diagnostic:

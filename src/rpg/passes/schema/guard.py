@@ -41,7 +41,7 @@ def guard(text: str) -> None:
             characters=len(text),
             limit=LONGEST,
         )
-    for index, char in enumerate(text):
+    for index, char in enumerate(text if not text.isprintable() else ""):
         if char not in "\n\t\r " and unicodedata.category(char) in ("Cc", "Cf", "Cs", "Co", "Cn"):
             raise refuse(
                 "control-character",
@@ -49,12 +49,12 @@ def guard(text: str) -> None:
                 (index, index + 1),
                 "leave it out",
             )
-    letters = [c for c in text if c.isalpha()]
-    if not letters and not re.search(r"\d", text):
+    if not any(map(str.isalpha, text)) and not re.search(r"\d", text):
         raise refuse(
             "no-words", "there are no words in this", (0, len(text)), "say what should be done with which blocks"
         )
-    other = next((i for i, c in enumerate(text) if c.isalpha() and not c.isascii()), None)
+    beyond = enumerate(text if not text.isascii() else "")
+    other = next((i for i, c in beyond if c.isalpha() and not c.isascii()), None)
     if other is not None:
         raise refuse("other-language", "only English is understood here", (other, other + 1), "say it in English")
     if found := _CODE.search(text):

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, TableTop
+from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, TableTop, replace
 
 
 def nothing_at_all(found: Clause) -> Clause:

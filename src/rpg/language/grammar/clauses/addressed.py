@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import At, Clause, In, Loc, Noun
+from rpg.language.meaning import At, Clause, In, Loc, Noun, replace
 
 _GO = Patterns(
     ",? please|now|you? please|must|should? go|jump|hop|climb|fly|walk|come|run|leap|crawl|travel|march "

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -42,6 +40,7 @@ from rpg.language.meaning import (
     That,
     Using,
     parts_of,
+    replace,
 )
 
 _INTO = ("into", "in", "as", "to form", "to make", "to create", "to build", "forming", "making", "creating", "like",

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.addressed import addressed
@@ -51,6 +49,7 @@ from rpg.language.meaning import (
     Structure,
     That,
     Toward,
+    replace,
 )
 
 
@@ -220,6 +219,19 @@ _IT_IS = Patterns(
 """What a text may begin with before anything is there that "it" could be."""
 
 
+_FRAMES = (
+    (FRAMES, "end"),
+    (COMMANDS, "command"),
+    (STATES, "state"),
+    (STARTS, "start"),
+    (FIRST, ""),
+    (DENIALS, "denied"),
+    (CHATTER, ""),
+)
+"""Framing words, with what they leave open; nothing where that is as before."""
+_FRAMING = frozenset[str]().union(*(table.firsts for table, _ in _FRAMES))
+
+
 def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
     """Positions after the polite and framing words at i, with what they leave open."""
     found = [(i, "any")]
@@ -227,15 +239,8 @@ def _frames(p: Parser, i: int) -> list[tuple[int, str]]:
         found += [(j, "end") for j in _IT_IS.matches(p, 0)]
     seen = {j for j, _ in found}
     for start, mode in found:
-        for table, kind in (
-            (FRAMES, "end"),
-            (COMMANDS, "command"),
-            (STATES, "state"),
-            (STARTS, "start"),
-            (FIRST, mode),
-            (DENIALS, "denied"),
-            (CHATTER, mode),
-        ):
+        for table, told in _FRAMES if p.stands(start, _FRAMING) else ():
+            kind = told or mode
             for j in table.matches(p, start):
                 if p.words[j] == "to" and p.words[j - 1] in ("next", "addition"):
                     continue

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.clauses.verbs import ever
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Amount, Clause, In, Loc, Manner, Noun
+from rpg.language.meaning import Amount, Clause, In, Loc, Manner, Noun, replace
 
 _NOT = frozenset({"not", "never"})
 _ALL = (["both"], ["all"])

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from rpg.language.grammar.clauses.adjuncts import adjunct
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import TOLD_HERE, Clause, Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import TOLD_HERE, Clause, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 
 _DO_IT = Patterns(
     ",? but|and|and_please|only|just|but_please|and_make_sure_to|but_only do it|this|that|so|all_this|all_of_it|"

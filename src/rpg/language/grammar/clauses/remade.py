@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
@@ -11,7 +9,20 @@ from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.retold import universal
-from rpg.language.meaning import Clause, Into, Loc, Meaning, Noun, OrderBy, PartOf, Pronoun, Structure, TableTop, Using
+from rpg.language.meaning import (
+    Clause,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    PartOf,
+    Pronoun,
+    Structure,
+    TableTop,
+    Using,
+    replace,
+)
 
 _NEW_ORDER = ("the order to", "its order to", "their order to", "the order into", "the order of the blocks to")
 _ORDER_OF = ("the order of the blocks in", "the order of the cubes in", "the order of", "order of")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.piled import piled
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Clause, Loc, Manner, Meaning, Noun, Pronoun, Structure, Traits, replace
 
 STARTS = ("starts off", "starts out", "starts", "start", "begins", "begin", "started", "starting", "start off",
           "start out", "initially is", "initially sits", "starts the episode")  # fmt: skip

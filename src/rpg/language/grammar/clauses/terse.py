@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
 from rpg.language.grammar.clauses.sorted import ordered
@@ -42,6 +40,7 @@ from rpg.language.meaning import (
     Toward,
     Traits,
     Using,
+    replace,
 )
 from rpg.language.phrases import Classes
 

@@ -3,8 +3,6 @@ one"."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import never_there
 from rpg.language.grammar.clauses.adjuncts import adjuncts
@@ -30,6 +28,7 @@ from rpg.language.meaning import (
     Toward,
     Traits,
     parts_of,
+    replace,
 )
 from rpg.language.phrases import Classes
 

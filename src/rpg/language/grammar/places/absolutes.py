@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -28,6 +26,7 @@ from rpg.language.meaning import (
     Structure,
     TableTop,
     Traits,
+    replace,
 )
 
 _LEADS = (

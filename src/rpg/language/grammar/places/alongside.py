@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.onto import single
 from rpg.language.grammar.places.prepositions import relation
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, That
+from rpg.language.meaning import Chain, Clause, Loc, Meaning, Noun, Pronoun, That, replace
 
 _AND = (", and then", "and then", ", then", "then", ", and", "and", ",", ";")
 _THAT = frozenset({"it", "that", "this"})

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.meaning import (
@@ -20,6 +18,7 @@ from rpg.language.meaning import (
     Structure,
     That,
     Traits,
+    replace,
 )
 
 _IS = ("is", "are", "should be", "must be", "has to be", "shall be", "is to be", "being", "be", "needs to be")

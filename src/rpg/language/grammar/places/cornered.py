@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.regions import EACH_CORNER, EVERY_CORNER, of_table
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Chain, Clause, In, Meaning, Noun, Pronoun, Structure, That
+from rpg.language.meaning import Chain, Clause, In, Meaning, Noun, Pronoun, Structure, That, replace
 
 Told = tuple[Meaning, str]
 _CORNER = frozenset({"corner", "corners"})

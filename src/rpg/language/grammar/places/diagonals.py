@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.prepositions import relation
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Coord, Loc, TableTop
+from rpg.language.meaning import Coord, Loc, TableTop, replace
 
 _DEEP = {"front": "front", "back": "behind", "rear": "behind", "behind": "behind"}
 _WIDE = {"left": "left", "right": "right"}

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any, cast
 
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.measures import bounds, measured_so, room, their_ends
 from rpg.language.grammar.places.sides import at
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That, Traits
+from rpg.language.meaning import At, Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, That, Traits, replace
 
 _GAPS = tuple(
     (noun, measure, (noun, f"of {noun}", f"wide {noun}", f"of free {noun}", f"of empty {noun}"),

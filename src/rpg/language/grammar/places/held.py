@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser
-from rpg.language.meaning import Absolute, Amount, Clause, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Absolute, Amount, Clause, Loc, Meaning, Noun, Pronoun, replace
 
 _SIDES = frozenset({"left", "right", "front", "behind", "beside", "adjacent", "near", "touching"})
 _THAT = frozenset({"that", "which"})

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.prepositions import relation
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.amounts import block_widths, length
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Loc, Meaning, Pronoun
+from rpg.language.meaning import Loc, Meaning, Pronoun, replace
 
 _KINDS = ("blocks", "cubes", "bricks", "ones", "letters", "digits", "numbers", "signs", "symbols")
 _NEXT = tuple(

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.measures import bounds
 from rpg.language.grammar.things.amounts import length
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Clause, Loc, Noun, PartOf
+from rpg.language.meaning import Clause, Loc, Noun, PartOf, replace
 
 _CENTERED = ("centered", "well centered", "aligned", "lined up", "concentric", "with its center aligned", "flush")
 _WITHIN = (

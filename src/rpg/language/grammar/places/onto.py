@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Amount, Clause, Meaning, Noun, OrderBy, Structure, Traits
+from rpg.language.meaning import Amount, Clause, Meaning, Noun, OrderBy, Structure, Traits, replace
 
 _OVER = (
     "on top of",

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.prepositions import side_relation
 from rpg.language.grammar.places.regions import named_regions
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun, parts_of
+from rpg.language.meaning import Coord, In, Loc, Meaning, Noun, Pronoun, parts_of, replace
 
 _OUT = (
     "outside of", "outside", "out of", "beyond the edge of", "clear of", "anywhere outside", "anywhere outside of",

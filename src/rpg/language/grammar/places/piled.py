@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.places.onto import single
-from rpg.language.meaning import Chain, Clause, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, That
+from rpg.language.meaning import Chain, Clause, Into, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, That, replace
 
 
 def piled(found: Meaning) -> Meaning:

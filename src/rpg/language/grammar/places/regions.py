@@ -120,40 +120,34 @@ def _names(p: Parser, j: int) -> list[tuple[str, int, bool]]:
         found.append(("middle", p.opt(k, "part", "area"), False))
     if k := p.one(j, "edge"):
         found.append(("edge", k, False))
-    if k := p.any_of(
-        j,
-        (
-            "of the corners",
-            "of the four corners",
-            "one of the corners",
-            "one of the four corners",
-            "any one of the four corners",
-            "any of the corners",
-            "any of the four corners",
-        ),
-    ):
-        found.append(("corner", k, True))
-    if k := p.any_of(j, ("of the edges", "one of the edges", "any of the edges", "one of the four edges")):
-        found.append(("edge", k, True))
-    if k := p.one(j, "corner"):
-        found.append(("corner", k, True))
+    found += [(_SOME[phrase], k, True) for phrase, k in p.standing(j, _SOME)]
     found += [(name, k, True) for name, k in told_corners(p, j)]
-    for phrase, name in (("opposite corner", "opposite_corner"), ("diagonally opposite corner", "opposite_corner"),
-                         ("opposite one", "opposite_corner"), ("opposite corners", "opposite_corners"),
-                         ("diagonally opposite corners", "opposite_corners")):  # fmt: skip
-        if (k := p.seq(j, phrase)) and (p.words[k - 1] != "one" or "corner" in p.words[:j]):
-            found.append((name, k, True))
+    for phrase, k in p.standing(j, _OPPOSITE):
+        if p.words[k - 1] != "one" or "corner" in p.words[:j]:
+            found.append((_OPPOSITE[phrase], k, True))
     if k := p.any_of(j, ("other half", "opposite half", "other side", "opposite side")):
         found.append(("other_half", k, p.words[k - 1] == "half"))
     if k := p.any_of(j, ("half", "side")):
-        for phrase, name in (("closest to the robot", "near_half"), ("nearest to the robot", "near_half"),
-            ("nearest the robot", "near_half"),
-                             ("near the robot", "near_half"), ("farthest from the robot", "far_half"),
-                             ("furthest from the robot", "far_half"), ("far from the robot", "far_half")):  # fmt: skip
-            of = of_table(p, k) or k
-            if e := p.seq(of, phrase):
-                found.append((name, e, True))
+        found += [(_HALF_BY_ROBOT[phrase], e, True) for phrase, e in p.standing(of_table(p, k) or k, _HALF_BY_ROBOT)]
     return found
+
+
+_SOME = {
+    **dict.fromkeys(("of the corners", "of the four corners", "one of the corners", "one of the four corners",
+                     "any one of the four corners", "any of the corners", "any of the four corners"), "corner"),
+    **dict.fromkeys(("of the edges", "one of the edges", "any of the edges", "one of the four edges"), "edge"),
+    "corner": "corner",
+}  # fmt: skip
+_OPPOSITE = {
+    "opposite corner": "opposite_corner", "diagonally opposite corner": "opposite_corner",
+    "opposite one": "opposite_corner", "opposite corners": "opposite_corners",
+    "diagonally opposite corners": "opposite_corners",
+}  # fmt: skip
+_HALF_BY_ROBOT = {
+    **dict.fromkeys(("closest to the robot", "nearest to the robot", "nearest the robot", "near the robot"),
+                    "near_half"),
+    **dict.fromkeys(("farthest from the robot", "furthest from the robot", "far from the robot"), "far_half"),
+}  # fmt: skip
 
 
 def _corner(p: Parser, k: int, side: str) -> list[tuple[str, int, bool]]:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
-from rpg.language.meaning import At, Meaning, Toward
+from rpg.language.meaning import At, Meaning, Toward, replace
 
 SIDES = {
     "left": "left", "right": "right", "top": "top", "bottom": "bottom", "front": "front", "back": "back",

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import OPPOSITE, SIDES
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.labels import run, span_of, symbol
-from rpg.language.meaning import Meaning, Noun, OrderBy, Traits
+from rpg.language.meaning import Meaning, Noun, OrderBy, Traits, replace
 
 _IN = "in|into|by|with|following|to? the|a|an|strict|strictly|proper|correct|normal|usual?"
 _ABC = "alphabetical|alphabetic|alphabet|abc|a_to_z"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.clauses.manners import pointed
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.absolutes import more_parts, one_more
@@ -21,7 +19,7 @@ from rpg.language.grammar.structures.wholes import wholes_told
 from rpg.language.grammar.things.bodies import body_clause
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.grammar.things.strangers import strangers_told
-from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, OrderBy, Places, Structure
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Meaning, Noun, OrderBy, Places, Structure, replace
 
 
 @rule

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Size, Structure
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Size, Structure, replace
 
 _LEADS = (
     "each of", "each made of", "each consisting of", "each built of", "each made from", "each built from", "each with",

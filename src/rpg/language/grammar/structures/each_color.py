@@ -5,14 +5,12 @@ Whatever is said of each colour is said of the blocks of that colour: they are s
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.relations import loc
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.nouns import simple
 from rpg.language.grammar.things.theirs import THEIRS
-from rpg.language.meaning import Clause, Loc, Noun, OrderBy, Traits
+from rpg.language.meaning import Clause, Loc, Noun, OrderBy, Traits, replace
 
 _COLORS = Patterns(
     "each|every single|different? color",

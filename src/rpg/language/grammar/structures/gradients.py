@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.lists import listed
 from rpg.language.lexicon import RAINBOW
-from rpg.language.meaning import Coord, Noun, Structure, Toward, Traits
+from rpg.language.meaning import Coord, Noun, Structure, Toward, Traits, replace
 
 _ALONG = tuple(f"{along} {a} {line}" for along in ("along", "in", "across") for a in ("a", "one", "a single")
                for line in ("row", "line"))  # fmt: skip

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.things.lists import listed
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Structure, Toward, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Structure, Toward, Traits, replace
 
 _COLORS = tuple(
     f"{lead}{word}{of}"

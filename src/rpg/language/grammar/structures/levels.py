@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, replace
 from rpg.language.tokens import Token
 
 _ANCHORS = frozenset({

@@ -57,10 +57,11 @@ READABLE = (
 _READABLE = ("row by row", "so that they can be read", "so they can be read", "so that it can be read", "to be read",
              "so that they are", "so that they read", "so that they stand", "so that you can read them")  # fmt: skip
 _NAMED = {
-    first: [entry for entry in NAMED if entry[0].split()[0] == first] for first in {e[0].split()[0] for e in NAMED}
+    said: (by, extra.get("descending", False))
+    for phrase, by, extra in NAMED
+    for said in (phrase, *([f"into {phrase[3:]}"] if phrase.startswith("in ") else ()))
 }
-_NAMED["into"] = [entry for entry in NAMED if entry[0].split()[0] in ("in", "into")]
-"""The named orders by the first word; what is said with "in" is said with "into" as well."""
+"""The named orders; what is said with "in" is said with "into" as well."""
 
 
 @rule
@@ -68,14 +69,13 @@ def order(p: Parser, i: int) -> Results[Meaning]:
     """An order, a direction, a pattern, a spacing."""
     j = p.one(i, _LEADS) or p.any_of(i, _READABLE) or i
     for start in {i: None, j: None}:
-        for phrase, by, extra in p.peek(start, _NAMED) or ():
-            into = phrase.startswith("in ") and p.words[start] == "into"
-            if k := p.seq(start + 1, phrase[3:]) if into else p.seq(start, phrase):
-                paged = p.any_of(k, (", row by row", "row by row", ", row after row", "row after row"))
-                for ends, end in from_to(p, k) if by == "rainbow" else ():
-                    yield OrderBy(by=by, values=ends, span=p.span(i, end)), end
-                for end in dict.fromkeys((paged or k, k)):
-                    yield OrderBy(by=by, span=p.span(i, end), descending=bool(extra.get("descending"))), end
+        for phrase, k in p.standing(start, _NAMED):
+            by, descending = _NAMED[phrase]
+            paged = p.any_of(k, (", row by row", "row by row", ", row after row", "row after row"))
+            for ends, end in from_to(p, k) if by == "rainbow" else ():
+                yield OrderBy(by=by, values=ends, span=p.span(i, end)), end
+            for end in dict.fromkeys((paged or k, k)):
+                yield OrderBy(by=by, span=p.span(i, end), descending=descending), end
         if (
             start > i and p.words[i] == "sorted"
         ):  # "sorted from left to right": by what they show, not as they are listed

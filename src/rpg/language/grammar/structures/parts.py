@@ -5,8 +5,6 @@ A part is one or more of its places; a statement about it is an `Absolute` whose
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.sides import extreme, far_end
@@ -15,7 +13,7 @@ from rpg.language.grammar.things.adjectives import adjectives
 from rpg.language.grammar.things.labels import literal
 from rpg.language.grammar.things.lists import listed
 from rpg.language.grammar.things.nouns import noun_phrase, simple
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Structure, Traits, replace
 
 _SIDES = {
     "top": "top", "upper": "top", "topmost": "top", "uppermost": "top", "highest": "top",

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.manners import manner
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.places.sides import toward
 from rpg.language.grammar.talk.slots import Patterns
 from rpg.language.grammar.things.adjectives import color
-from rpg.language.meaning import Amount, Manner, Meaning, Size, Toward
+from rpg.language.meaning import Amount, Manner, Meaning, Size, Toward, replace
 
 _LEADS = Patterns(
     ",|:|;? with|of|having|whose|the|in? the|its? column|step|tower|stair? heights|height|columns|steps|towers|stairs "

@@ -3,14 +3,12 @@ look like."""
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things import amounts
 from rpg.language.grammar.things.adjectives import color, colors
 from rpg.language.grammar.things.labels import label_list
-from rpg.language.meaning import Amount, Noun
+from rpg.language.meaning import Amount, Noun, replace
 
 _LEADS = ("there are", "there is", "we have", "there are only", "exactly", "all", "you have", "i have", "in total",
           "together", "altogether", "total", "total :", "just", "also", "again", "there are also")  # fmt: skip

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.amounts import length
-from rpg.language.meaning import Amount, Coord, Noun, Traits
+from rpg.language.meaning import Amount, Coord, Noun, Traits, replace
 
 _LEADS = (
     "with edges of", "of", "with edges", "with sides of", "with edge lengths of", "of edge length", "of size",

@@ -5,8 +5,6 @@ Such a clause names things and no relation; it completes what the other clauses 
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.structures.sizes import IN_TOTAL
@@ -15,7 +13,7 @@ from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.joined import all_colored
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.retold import retelling
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Pronoun, Size, Traits, replace
 
 _LEADS = (
     "there are", "there is", "there have", "we have", "you have", "i have", "we have got", "you get", "you have got",

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things import amounts
@@ -28,7 +26,7 @@ from rpg.language.grammar.things.retold import (
     told_anew,
     what_is_left,
 )
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Pronoun, Structure, Traits, replace
 
 _JOIN = frozenset({"and", "or", "plus", "&", "nor"})
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Clause, Coord, Noun, OrderBy
+from rpg.language.meaning import Clause, Coord, Noun, OrderBy, replace
 
 
 def like_with_like(p: Parser, i: int, j: int, lemma: str, word: Span) -> Results[Clause]:

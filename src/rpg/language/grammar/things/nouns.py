@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 from rpg.language import lexicon
@@ -21,7 +20,7 @@ from rpg.language.grammar.things.retold import beside_heap
 from rpg.language.grammar.things.standby import further_extras
 from rpg.language.grammar.things.strangers import STRANGERS
 from rpg.language.grammar.things.theirs import as_many_colors, of_patch
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, TableTop, Traits, replace
 
 _APART = frozenset({"own", "separate", "distinct"})
 """Before patches: none is shared."""

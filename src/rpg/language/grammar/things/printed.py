@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice
 from rpg.language.grammar.things.adjectives import color
 from rpg.language.grammar.things.labels import label_list
-from rpg.language.meaning import Clause, Meaning, Noun, Traits
+from rpg.language.meaning import Clause, Meaning, Noun, Traits, replace
 
 _ON_IT = ("on it", "on them", "on its top", "on its top face", "on its faces", "on its sides", "on all sides",
           "on each side", "on their faces", "on all faces", "on every face", "on each of them", "painted on it",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 from rpg.language import lexicon
@@ -10,7 +9,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.standby import NO_ROLE
-from rpg.language.meaning import Loc, Meaning, Noun, That, Traits
+from rpg.language.meaning import Loc, Meaning, Noun, That, Traits, replace
 
 _THAT = frozenset({"that", "which", "who", "what"})
 _SHOW = frozenset(

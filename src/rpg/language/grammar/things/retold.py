@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import string
-from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Pattern, Pronoun, Structure, Traits
+from rpg.language.meaning import Absolute, Amount, Coord, Meaning, Noun, Pattern, Pronoun, Structure, Traits, replace
 
 
 def tally(items: tuple[Meaning, ...]) -> int:

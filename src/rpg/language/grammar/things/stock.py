@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.talk.people import PEOPLE
 from rpg.language.grammar.talk.slots import Patterns
@@ -15,7 +13,7 @@ from rpg.language.grammar.things.joined import ARE
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.nouns import noun_phrase, simple
 from rpg.language.grammar.things.theirs import THEIRS
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits, replace
 
 _HEADED = Patterns(
     "the|our|my|your|these|all|the_only|available|the_available|given|the_given|usable? "

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Quality, Structure, Traits
+from rpg.language.meaning import Clause, Meaning, Noun, Pronoun, Quality, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.operands import crown
 from rpg.passes.schema.resolve.things.refer import refer

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -25,6 +24,7 @@ from rpg.language.meaning import (
     Traits,
     Using,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.clauses.fitting import uses_orders
 from rpg.passes.schema.resolve.clauses.spec import Spec

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from functools import partial
 
 from rpg.language.meaning import (
@@ -20,6 +19,7 @@ from rpg.language.meaning import (
     Structure,
     TableTop,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import all_begun, lined_up_first, named_there, wanted
 from rpg.passes.schema.resolve.clauses.joined_facts import BESIDES, added, demanded, same_one

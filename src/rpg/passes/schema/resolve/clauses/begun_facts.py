@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 
 from rpg.language.meaning import (
     At,
@@ -20,6 +19,7 @@ from rpg.language.meaning import (
     Traits,
     Using,
     parts_of,
+    replace,
 )
 
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import members
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop, That
+from rpg.language.meaning import Chain, Clause, In, Loc, Manner, Meaning, Noun, OrderBy, TableTop, That, replace
 from rpg.passes.schema.resolve.clauses.clauses import clause_goals, not_both
 from rpg.passes.schema.resolve.clauses.one_or_all import one_or_all
 from rpg.passes.schema.resolve.clauses.started import and_in_the_end

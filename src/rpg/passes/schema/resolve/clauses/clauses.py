@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TypeGuard
 
 from rpg.core.diagnostics import Span
@@ -23,6 +22,7 @@ from rpg.language.meaning import (
     Pattern,
     Pronoun,
     Structure,
+    replace,
 )
 from rpg.passes.schema.resolve.clauses import turning
 from rpg.passes.schema.resolve.clauses.ahead import ahead, by_verb

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.ir import goal as g
-from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Clause, Coord, In, Into, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.world import Scene, refuse, wholes

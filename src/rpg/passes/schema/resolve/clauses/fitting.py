@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import string
 from collections.abc import Sequence
-from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.things.retold import tally
@@ -29,6 +28,7 @@ from rpg.language.meaning import (
     Toward,
     Using,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.things.things import matching, quality_fits
 from rpg.passes.schema.resolve.things.world import Built, Scene, Thing, refuse

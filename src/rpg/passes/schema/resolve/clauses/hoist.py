@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.meaning import (
     Absolute,
     At,
@@ -24,6 +22,7 @@ from rpg.language.meaning import (
     Toward,
     Traits,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.clauses.one_each import plainly
 from rpg.passes.schema.resolve.orders.inside_lines import as_a_grid, in_a_line

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Chain, Clause, Meaning, Noun, Structure, Traits, parts_of
+from rpg.language.meaning import Chain, Clause, Meaning, Noun, Structure, Traits, parts_of, replace
 
 
 def of_a_kind(clause: Meaning) -> bool:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -19,6 +17,7 @@ from rpg.language.meaning import (
     Structure,
     Toward,
     Traits,
+    replace,
 )
 
 _CORNERS = Amount(4, 4)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 
-from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Pronoun, Structure, TableTop, Traits
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Noun, Pronoun, Structure, TableTop, Traits, replace
 from rpg.passes.schema.resolve.things.world import refuse
 
 
@@ -20,7 +19,7 @@ def with_its_noun(clause: Clause) -> Clause:
     if not all(isinstance(x, Noun) and _bare_look(x, last) for x in items[:-1]):
         return clause
     made = [replace(last, det=x.det, traits=x.traits, span=x.span) for x in items[:-1] if isinstance(x, Noun)]
-    return replace(clause, theme=replace(clause.theme, items=(*made, last)))  # type: ignore[type-var]
+    return replace(clause, theme=replace(clause.theme, items=(*made, last)))
 
 
 def _bare_look(noun: Noun, last: Structure) -> bool:

@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import fields
 from itertools import pairwise
 
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import At, Clause, Coord, In, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, parts_of
+from rpg.language.meaning import (
+    At,
+    Clause,
+    Coord,
+    In,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Pronoun,
+    Structure,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks, counted
 from rpg.passes.schema.resolve.clauses.shaped import shaped
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 
 from rpg.ir.order import Order
-from rpg.language.meaning import Clause, Into, Meaning, Noun, Pronoun, Structure, Toward, Traits
+from rpg.language.meaning import Clause, Into, Meaning, Noun, Pronoun, Structure, Toward, Traits, replace
 from rpg.passes.schema.resolve.clauses.shaped import shaped
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.places.placing import Goals, places

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, PartOf, TableTop
+from rpg.language.meaning import Chain, Clause, Loc, Manner, Meaning, Noun, PartOf, TableTop, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.reordered import FIRST, LAST
 from rpg.passes.schema.resolve.things.refer import refer

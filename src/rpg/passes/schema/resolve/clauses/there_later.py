@@ -3,10 +3,22 @@ blocks there are, if it is how they start."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TypeGuard
 
-from rpg.language.meaning import Chain, Clause, In, Into, Loc, Meaning, Noun, Pronoun, Structure, Traits, parts_of
+from rpg.language.meaning import (
+    Chain,
+    Clause,
+    In,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    Traits,
+    parts_of,
+    replace,
+)
 
 
 def there_on_it(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Absolute, Chain, Clause, In, Into, Loc, Manner, Meaning, Structure, That
+from rpg.language.meaning import Absolute, Chain, Clause, In, Into, Loc, Manner, Meaning, Structure, That, replace
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.world import Scene
 

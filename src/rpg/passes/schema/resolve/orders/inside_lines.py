@@ -2,9 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Absolute, At, Clause, Coord, Into, Loc, Meaning, Noun, PartOf, Structure, Traits
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Clause,
+    Coord,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    PartOf,
+    Structure,
+    Traits,
+    replace,
+)
 
 _LINES = {
     "stack": ("top", "bottom", "middle"),

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from rpg.blocks.figures import Cell
-from rpg.language.meaning import Absolute, Amount, At, Noun, Places
+from rpg.language.meaning import Absolute, Amount, At, Noun, Places, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Scene, refuse

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Amount, At, Loc, Meaning, Noun, OrderBy, Places, Pronoun, Structure
+from rpg.language.meaning import Absolute, Amount, At, Loc, Meaning, Noun, OrderBy, Places, Pronoun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.things import amount_of
 

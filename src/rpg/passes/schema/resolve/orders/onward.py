@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Absolute, At, Loc, Meaning, Noun, Places, Pronoun
+from rpg.language.meaning import Absolute, At, Loc, Meaning, Noun, Places, Pronoun, replace
 
 _ENDS = ({"top", "bottom"}, {"left", "right"}, {"front", "back"})
 _UP = frozenset({"on", "above"})

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import string
-from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.ir.order import Order
 from rpg.language.lexicon import RAINBOW
-from rpg.language.meaning import Noun, OrderBy, Toward
+from rpg.language.meaning import Noun, OrderBy, Toward, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, agreed, one_way
 from rpg.passes.schema.resolve.orders.between_ends import between_ends

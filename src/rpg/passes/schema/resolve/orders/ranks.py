@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import At, Noun, Traits
+from rpg.language.meaning import At, Noun, Traits, replace
 from rpg.passes.schema.resolve.orders.positions import SIDES
 from rpg.passes.schema.resolve.orders.reordered import begun_in_order
 from rpg.passes.schema.resolve.places.sided_patches import sided_patch

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -19,6 +17,7 @@ from rpg.language.meaning import (
     Pronoun,
     Structure,
     Traits,
+    replace,
 )
 
 _LINES = {"stack": ("bottom", "top", "middle"), "row": ("left", "right", "middle"),

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
-from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Pronoun, TableTop, Traits
+from rpg.language.meaning import Clause, Coord, In, Loc, Meaning, Pronoun, TableTop, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.mutual import Relate

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Highest, Lowest
 from rpg.ir.order import Order
-from rpg.language.meaning import Clause, Loc, Toward
+from rpg.language.meaning import Clause, Loc, Toward, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.places.ends import two_ends
 from rpg.passes.schema.resolve.places.stacking import sandwich

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -18,6 +16,7 @@ from rpg.language.meaning import (
     TableTop,
     Traits,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.things.world import refuse
 

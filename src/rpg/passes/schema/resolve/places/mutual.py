@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from itertools import combinations, pairwise, permutations
 from typing import Any
 
@@ -12,7 +11,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
-from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import Amount, Loc, Meaning, Noun, Pronoun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negation
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS, LEVEL, foot

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -22,6 +20,7 @@ from rpg.language.meaning import (
     Toward,
     Traits,
     parts_of,
+    replace,
 )
 
 _LOWER = {"above": 0, "under": 1}

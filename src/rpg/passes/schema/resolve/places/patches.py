@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import permutations
 
 from rpg.core.diagnostics import Span
@@ -10,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import EACH
 from rpg.ir.schema import COLORS_UNSAID
-from rpg.language.meaning import Amount, Loc, Meaning, Noun, Traits
+from rpg.language.meaning import Amount, Loc, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj
 from rpg.passes.schema.resolve.things.operands import spread
 from rpg.passes.schema.resolve.things.refer import refer

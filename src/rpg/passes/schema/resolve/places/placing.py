@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir.node import Lowest
-from rpg.language.meaning import Amount, At, Clause, Coord, Loc, Manner, Meaning, Noun, Pronoun, Structure, TableTop
+from rpg.language.meaning import (
+    Amount,
+    At,
+    Clause,
+    Coord,
+    Loc,
+    Manner,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    TableTop,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.clauses.spun import spun
 from rpg.passes.schema.resolve.goals.logic import negation

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
 from rpg.core.diagnostics import Span
@@ -10,7 +9,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import Operand
-from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun
+from rpg.language.meaning import Amount, Coord, In, Loc, Meaning, Noun, Pronoun, replace
 from rpg.passes.schema.resolve.goals.logic import Atoms, conj, disj, negate, negation
 from rpg.passes.schema.resolve.places.alone import alone_there, none_beyond, none_there, only_here
 from rpg.passes.schema.resolve.places.between import between

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -12,7 +11,7 @@ from rpg.ir import structures as s
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.walk import atoms, transform
-from rpg.language.meaning import At, Meaning
+from rpg.language.meaning import At, Meaning, replace
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.orders.agreeing import OPPOSITE, in_place
 from rpg.passes.schema.resolve.orders.between_ends import by_symbols

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
@@ -10,7 +10,7 @@ from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.node import EACH, Highest, Lowest, Operand
 from rpg.ir.order import Order
-from rpg.language.meaning import Loc, Noun, Pronoun, Traits
+from rpg.language.meaning import Loc, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.things.operands import crown, foot, spread

@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Absolute, Amount, At, Coord, Meaning, Noun, Places, Size, Structure, Traits, parts_of
+from rpg.language.meaning import (
+    Absolute,
+    Amount,
+    At,
+    Coord,
+    Meaning,
+    Noun,
+    Places,
+    Size,
+    Structure,
+    Traits,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import refuse
 

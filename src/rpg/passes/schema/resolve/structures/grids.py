@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, Places, Size, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Places, Size, Structure, Traits, replace
 from rpg.language.meaning import Pattern as Said
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.parts import place_of, widened

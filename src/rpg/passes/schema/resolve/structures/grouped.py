@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Clause, Coord, Manner, Meaning, Noun, OrderBy, Structure
+from rpg.language.meaning import Amount, Clause, Coord, Manner, Meaning, Noun, OrderBy, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.lots import one_of
 from rpg.passes.schema.resolve.structures.several import told_looks

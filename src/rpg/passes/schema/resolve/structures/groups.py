@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.schema import SYMBOLS_UNSAID
-from rpg.language.meaning import Amount, Noun, Structure, Traits
+from rpg.language.meaning import Amount, Noun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.grouped import group_size, told_lots
 from rpg.passes.schema.resolve.structures.towers import STACK_COLORS

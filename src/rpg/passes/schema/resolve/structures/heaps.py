@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TypeGuard
 
 from rpg.language.meaning import (
@@ -21,6 +20,7 @@ from rpg.language.meaning import (
     Traits,
     Using,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.clauses.begun_facts import wanted
 from rpg.passes.schema.resolve.clauses.spec import Spec

@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
-from rpg.language.meaning import Absolute, At, Clause, Into, Loc, Meaning, Noun, PartOf, Pronoun, Structure, Traits
+from rpg.language.meaning import (
+    Absolute,
+    At,
+    Clause,
+    Into,
+    Loc,
+    Meaning,
+    Noun,
+    PartOf,
+    Pronoun,
+    Structure,
+    Traits,
+    replace,
+)
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.parts import cells_of, place_of
 from rpg.passes.schema.resolve.structures.extents import Made, made

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
-from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, Structure, Traits
+from rpg.language.meaning import Clause, Coord, Into, Meaning, Noun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Built, Scene, Scope, refuse

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from copy import copy
-from dataclasses import replace
 
 from rpg.ir import goal as g
-from rpg.language.meaning import Amount, Noun, OrderBy, Pronoun, Structure, Traits
+from rpg.language.meaning import Amount, Noun, OrderBy, Pronoun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.several import MOST, Maker
 from rpg.passes.schema.resolve.things.refer import refer

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.meaning import (
     Absolute,
     Amount,
@@ -19,6 +17,7 @@ from rpg.language.meaning import (
     Structure,
     TableTop,
     Traits,
+    replace,
 )
 
 _SIDES = ("front", "back", "middle")
@@ -129,7 +128,7 @@ def _told(clause: Meaning) -> tuple[Absolute, ...]:
     if clause.verb == "part":
         items = [x for a in clause.adjuncts for x in (a.items if isinstance(a, Coord) else (a,))]
         found = tuple(x for x in items if isinstance(x, Absolute) and _in_row(x))
-        found = tuple(replace(x, adjuncts=(replace(x.adjuncts[0], unit="row"),)) for x in found)  # type: ignore[call-arg]
+        found = tuple(replace(x, adjuncts=(replace(x.adjuncts[0], unit="row"),)) for x in found)
         return found if found and len(found) == len(items) else ()
     into = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
     row = into.structure if isinstance(into, Into) else None

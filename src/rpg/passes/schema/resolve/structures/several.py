@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from copy import copy
-from dataclasses import replace
 from itertools import pairwise
 
 from rpg.ir import goal as g
@@ -23,6 +22,7 @@ from rpg.language.meaning import (
     Size,
     Structure,
     Traits,
+    replace,
 )
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.rows_apart import close_by, not_one_line, own_unit

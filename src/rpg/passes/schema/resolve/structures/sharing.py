@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, Size, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 
 from rpg.blocks.figures import pyramid_size
 from rpg.ir import structures as s
 from rpg.ir.order import Order, Pattern
-from rpg.language.meaning import Absolute, At, Coord, Loc, Noun, OrderBy, Places, Pronoun, Structure, Traits
+from rpg.language.meaning import Absolute, At, Coord, Loc, Noun, OrderBy, Places, Pronoun, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.parts import cells_of, widened
 from rpg.passes.schema.resolve.structures.extents import Made, made, plain, said_count

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.order import Order
 from rpg.ir.schema import MAX_BLOCKS
-from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Size, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Noun, OrderBy, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec, sort_adjuncts
 from rpg.passes.schema.resolve.goals.spacing import gaps_of
 from rpg.passes.schema.resolve.orders.orders import order_of

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import re
 import string
-from dataclasses import replace
 from itertools import permutations
 
 from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import structures as s
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of
+from rpg.language.meaning import Absolute, At, Meaning, Noun, Structure, Traits, Using, parts_of, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.structures.extents import plain
 from rpg.passes.schema.resolve.things.refer import refer

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
-from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meaning, Places, Structure, parts_of
+from rpg.language.meaning import Absolute, Amount, At, Clause, Coord, Loc, Meaning, Places, Structure, parts_of, replace
 
 TOLD = "told"
 Kept = list[list[tuple[str, Meaning]]]

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 from itertools import combinations
 
 from rpg.ir import goal as g
 from rpg.ir import structures as s
-from rpg.language.meaning import Meaning, Noun, Pattern, Structure, Traits
+from rpg.language.meaning import Meaning, Noun, Pattern, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.from_stock import several_from_stock
 from rpg.passes.schema.resolve.things.members import certain, declared, new_members, some_of

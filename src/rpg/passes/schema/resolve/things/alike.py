@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Clause, Loc, Meaning, Noun, OrderBy, Pronoun, Structure
+from rpg.language.meaning import Clause, Loc, Meaning, Noun, OrderBy, Pronoun, Structure, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.goals.logic import Atoms
 from rpg.passes.schema.resolve.places.relations import related

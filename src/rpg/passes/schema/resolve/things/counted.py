@@ -2,10 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass
 from typing import Any
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, Pronoun, Structure, Traits, parts_of
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    Traits,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import refuse
 
 _THEM = frozenset({"them", "they", "these", "those"})

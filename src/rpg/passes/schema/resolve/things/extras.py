@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Noun, Traits
+from rpg.language.meaning import Noun, Traits, replace
 from rpg.passes.schema.resolve.things.things import create
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Amount, Noun, Size, Structure, Traits
+from rpg.language.meaning import Amount, Noun, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.members import certain
 from rpg.passes.schema.resolve.things.refer import refer

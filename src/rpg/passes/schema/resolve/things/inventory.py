@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import replace
 
 from rpg.ir import goal as g
 from rpg.language.grammar.things.retold import tally as count
-from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits
+from rpg.language.meaning import Amount, Clause, Coord, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.things import give

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.lexicon import RAINBOW
 from rpg.language.meaning import (
     Amount,
@@ -21,6 +19,7 @@ from rpg.language.meaning import (
     TableTop,
     Toward,
     Traits,
+    replace,
 )
 
 _LINES = ("stack", "row", "line", "column")

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import string
-from dataclasses import replace
 
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits, replace
 from rpg.passes.schema.resolve.things.select import select
 from rpg.passes.schema.resolve.things.things import create, matching
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse

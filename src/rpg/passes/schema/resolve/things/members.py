@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun, Size, Structure, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, OrderBy, Pronoun, Size, Structure, Traits, replace
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.orders.onward import in_between, onward
 from rpg.passes.schema.resolve.orders.orders import implied_kind

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Amount, Loc
+from rpg.language.meaning import Amount, Loc, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, refuse
 
 _SOME = Amount(1, None, True)

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, Using
+from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, Using, replace
 from rpg.passes.schema.resolve.things.counted import put
 
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import TOLD_HERE, Amount, Noun, Pronoun, Traits
+from rpg.language.meaning import TOLD_HERE, Amount, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.them import them
 from rpg.passes.schema.resolve.things.world import Mention, Ref, Scene, Scope, Thing, refuse

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Refusal
 from rpg.language.grammar.things.retold import retold
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, Traits, replace
 from rpg.passes.schema.resolve.clauses.alls import note_all
 from rpg.passes.schema.resolve.things.counting import check_both, counted_among, denied, elliptical, not_of_a_structure
 from rpg.passes.schema.resolve.things.extras import extras

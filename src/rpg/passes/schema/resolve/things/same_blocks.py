@@ -4,10 +4,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 
 from rpg.core.diagnostics import Refusal
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, Pronoun, Structure, Traits, parts_of
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Meaning,
+    Noun,
+    Pronoun,
+    Structure,
+    Traits,
+    parts_of,
+    replace,
+)
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 DOUBTED = (

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from rpg.language.meaning import Chain, Clause, Meaning, Noun, Structure, Traits, Using
+from rpg.language.meaning import Chain, Clause, Meaning, Noun, Structure, Traits, Using, replace
 from rpg.passes.schema.resolve.things.world import Scene, refuse
 
 SIZE = "size"

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.ir import goal as g
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure
+from rpg.language.meaning import Chain, Clause, Coord, Loc, Meaning, Noun, Pronoun, Structure, replace
 from rpg.passes.schema.resolve.things.refer import refer
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, refuse, said
 

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
-from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits
+from rpg.language.meaning import Amount, Noun, OrderBy, Structure, Traits, replace
 from rpg.passes.schema.resolve.things.things import matching
 from rpg.passes.schema.resolve.things.world import Built, Ref, Scene, Scope, Thing, refuse
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 
 from rpg.language.meaning import (
@@ -18,6 +17,7 @@ from rpg.language.meaning import (
     Structure,
     Traits,
     Using,
+    replace,
 )
 
 _TAKES = frozenset({"pick", "use"})

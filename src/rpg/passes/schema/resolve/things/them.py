@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from itertools import pairwise
 from typing import NoReturn
 
-from rpg.language.meaning import Meaning, Noun, Pronoun, Traits
+from rpg.language.meaning import Meaning, Noun, Pronoun, Traits, replace
 from rpg.passes.schema.resolve.things.operands import DIRECTIONS
 from rpg.passes.schema.resolve.things.things import fits
 from rpg.passes.schema.resolve.things.world import Built, Mention, Ref, Scene, Scope, refuse

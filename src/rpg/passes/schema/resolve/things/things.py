@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import string
-from dataclasses import replace
 
 from rpg.language.lexicon import BIG_EDGE, MEDIUM_EDGE, SMALL_EDGE
-from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits, record
+from rpg.language.meaning import Amount, Coord, Meaning, Noun, Traits, record, replace
 from rpg.passes.schema.resolve.things.world import Ref, Scene, Scope, Thing, refuse
 
 EDGES = {"big": BIG_EDGE, "medium": MEDIUM_EDGE, "small": SMALL_EDGE}

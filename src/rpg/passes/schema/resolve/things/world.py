@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from rpg.core.diagnostics import Diagnostic, Label, Refusal, Span
 from rpg.ir.goal import Goal
 from rpg.ir.schema import MAX_BLOCKS
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Amount, Meaning, Traits
+from rpg.language.meaning import Amount, Meaning, Traits, replace
 
 BEYOND = 4 * MAX_BLOCKS
 """How many objects are counted out before an instruction is refused for their number."""

@@ -19,7 +19,7 @@ from rpg.ir.assets import FACES, Asset, SemanticCube
 from rpg.ir.node import members
 from rpg.ir.order import Order
 from rpg.ir.relations import OnPatch
-from rpg.ir.schema import TaskSchema
+from rpg.ir.schema import COLORS_UNSAID, TaskSchema
 from rpg.ir.structures import Figure, GroupBy, Pyramid, Row, Spells, Stack, Staircase, Towers
 from rpg.ir.walk import atoms, names
 from rpg.language import lexicon
@@ -121,6 +121,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word == "while" and _meanwhile(words, index):
             return token
+        if token.word == "to" and _from_side_to_side(words, index) and _in_no_order(task, terms):
+            return token
         if token.word in STAY and _where_it_is(words, index) and terms.isdisjoint({"stayed", "always"}):
             return token
         if token.word in ONLY and (more := _more_than(words, index, task)) is not None:
@@ -217,6 +219,31 @@ def _in_one(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
     here = [t.word for t in words[index + 1 : index + 4]]
     lines = sum(isinstance(x, Row | Stack | GroupBy | Towers) for x in atoms(task.goal))
     return here[:2] == ["in", "a"] and here[2:] in (["row"], ["line"], ["tower"], ["stack"]) and lines < 2
+
+
+_ACROSS = {"left": "right", "right": "left", "front": "back", "back": "front", "top": "bottom", "bottom": "top"}
+
+
+def _from_side_to_side(words: Sequence[Token], index: int) -> bool:
+    """ "from left to right"."""
+    behind = [token.word for token in words[index + 1 : index + 3] if token.word != "the"]
+    return index > 0 and behind[:1] == [_ACROSS.get(words[index - 1].word)]
+
+
+def _in_no_order(task: TaskSchema, terms: Collection[str]) -> bool:
+    """Whether a line of blocks that look different has no beginning, and nothing else tells what is on which side."""
+    if task.assumed(COLORS_UNSAID) or not _SIDED.isdisjoint(terms):
+        return False
+    found = [node for part in (task.goal, *task.init.arranged) for node in atoms(part)]
+    orders = [getattr(node, "order", None) for node in found]
+    if any(isinstance(order, Order) and order.first for order in orders) or any(getattr(x, "up", "") for x in found):
+        return False
+    looks = {block.name: (block.color, getattr(block, "label", "")) for block in task.blocks}
+    return any(isinstance(x, Row | Stack) and len({looks[name] for name in x.blocks}) > 1 for x in found)
+
+
+_SIDED = frozenset({"spells", "equation", "left_of", "right_of", "in_front_of", "behind", "facing", "staircase", "grid",
+                    "on", "above", "towers", "checkerboard", "pyramid"})  # fmt: skip
 
 
 def _meanwhile(words: Sequence[Token], at: int) -> bool:

@@ -19,7 +19,7 @@ def linked(p: Parser, i: int) -> Results[str]:
     later = p.any_of(j, THEN)
     if k := _once_done(p, j):
         yield "then", emphasised(p, k)
-    elif (k := p.any_of(j, _EARLIER)) and later <= k:
+    elif (k := p.any_of(j, _EARLIER) or (p.seq(j, "before that") if p.follows(j, (",",)) else 0)) and later <= k:
         yield "after", p.opt(k, ",")
     elif (k := later) and not (p.words[k - 1] == "next" and p.words[k] == "to"):
         yield "then", emphasised(p, k)

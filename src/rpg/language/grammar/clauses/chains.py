@@ -131,7 +131,7 @@ def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], a
             if previous is not None and (more := _told_again(previous, item)) is not None:
                 yield Chain(clauses=(*had[:-1], more), links=links, span=p.span(i, k)), k
                 continue
-            if bare and isinstance(item, Clause) and item.cost and not isinstance(item.theme, Structure):
+            if bare and isinstance(item, Clause) and item.cost and _adds(p, j, previous, item):
                 item = replace(item, cost=item.cost + 2)
             item = _less_likely(previous, item)
             item = _same_letters(previous, item) if link in ("or", "then") and previous is not None else item
@@ -213,6 +213,13 @@ def _behind_colon(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str,
         whole = (*had, item)
         yield Chain(clauses=whole, links=(*links, "and"), span=p.span(i, k)), k
         yield from _more(p, i, whole, (*links, "and"), k)
+
+
+def _adds(p: Parser, j: int, before: Clause | None, item: Clause) -> bool:
+    """ "a tower, red on blue": more of what was told before; but "from a tower, end up with red on blue" is the end."""
+    ends = before is not None and before.mode == "start" and item.mode == "goal"
+    framed = ends and item.theme is not None and p.char(j, 0) < item.theme.span[0]
+    return not isinstance(item.theme, Structure) and not framed
 
 
 def _set_apart(before: Meaning, item: Meaning) -> Clause | None:

@@ -32,6 +32,7 @@ from rpg.language.meaning import (
     Places,
     Pronoun,
     Size,
+    Spacing,
     Structure,
     TableTop,
     That,
@@ -52,6 +53,7 @@ _CARRIES = (
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip
+_NONE = ("none at all", "none")
 _IS = ("is", "should be", "must be", "shall be", "has to be", "is to be", "goes", "should go", "reads", "should read",
        "will be", "needs to be", "consists of", "is made of", "is built of", "must go")  # fmt: skip
 
@@ -86,6 +88,9 @@ def having(p: Parser, i: int, mode: str) -> Results[Meaning]:
                         stated = _stated(p, i, end, theme, places, mode)
                         yield stated, end
                         yield from _another(p, i, end, owner, stated, mode)
+        if i and patch and (k := p.any_of(j, _CARRIES) or p.any_of(j, _HAS)) and (end := p.any_of(k, _NONE)):
+            none = Noun(head="any", det="no", plural=True, span=p.span(k, end))
+            yield _stated(p, i, end, none, (Loc(rel="on", landmark=owner, span=p.span(i, j)),), mode), end
         if k := p.any_of(j, _CARRIES):
             for theme, start in noun_phrase(p, k) if not _symbols(p, k) else ():
                 for found, end in adjuncts(p, start):
@@ -195,9 +200,11 @@ def _owned(found: tuple[Meaning, ...], owner: Meaning) -> tuple[Meaning, ...] | 
             places.append(replace(part, landmark=owner))
         elif isinstance(part, At) and part.side in ("top", "left", "right") and part.index is None:
             places.append(Loc(rel={"top": "on"}.get(part.side, part.side), landmark=owner, span=part.span))
+        elif isinstance(part, Into | Spacing) and isinstance(owner, Noun) and owner.head == "patch":
+            places.append(part)
         else:
             return None
-    return tuple(places)
+    return tuple(places) if any(isinstance(part, Loc) for part in places) else None
 
 
 def _is_owner(landmark: Meaning | None) -> bool:

@@ -382,11 +382,11 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 beside = beside or (timed and before.verb == "place")
                 cost += (2 if _bare_count(theme) or beside else 0) + isinstance(before.adjuncts[-1], That)
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
-    for theme, j in noun_phrase(p, i) if before.verb == "be" and before.adjuncts else ():
+    done = before.mode == "goal" and (before.verb == "stack" or (before.verb == "place" and bool(before.adjuncts)))
+    for theme, j in noun_phrase(p, i) if done or (before.verb == "be" and before.adjuncts) else ():
         k = p.any_of(p.opt(j, "all"), _SO_ARE)
-        if k and isinstance(theme, Structure) and p.words[k - 1] == "not":
-            continue
-        if k and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
+        unbuilt = isinstance(theme, Structure) and p.words[k - 1] == "not"
+        if k and not unbuilt and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
             leave = p.words[k - 1] in ("may", "can") or p.words[k - 2] in ("may", "can")
             kept = tuple(a for a in before.adjuncts if leave or not (isinstance(a, Manner) and a.kind == "allowed"))
             yield replace(before, theme=theme, negated=p.words[k - 1] == "not" or p.words[k - 2] == "not",

@@ -28,7 +28,7 @@ _ANYWHERE = (
     "basically", "essentially", "literally", "honestly", "obviously", "of course", "kindly", "so to speak",
     "if possible", "if at all possible", "if you can", "if you could", "if you please", "if you do not mind",
     "if it is possible", "if it is not too much trouble", "nothing fancy", "nothing special", "no rush", "no hurry",
-    "kinda", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
+    "kinda", "possibly", "mate", "buddy", "dude", "my friend", "good luck", "maybe", "perhaps",
     "my dear", "dear", "sweetheart", "darling", "honey",
     "sir", "madam", "pal", "as seen from the camera", "as seen by the camera", "seen from the camera",
     "when seen from the camera", "as seen from the viewer", "as the camera sees it", "as the camera sees them",
@@ -86,7 +86,7 @@ _FREE = (
     "any corner", "whichever corner", "which corner does not matter", "no matter which corner",
     "not necessarily directly", "not necessarily next to it", "not necessarily adjacent",
     "that is all", "that is it", "i think",
-    "all good",
+    "all good", "otherwise it does not count", "otherwise it is not done", "otherwise you fail",
     *(
         f"{lead}{which} {hue}{free}"
         for lead in ("", "in ", "of ", "with ", "using ")
@@ -100,34 +100,21 @@ _FREE = (
         "colors up to you", "color up to you", "color of your choice", "colors are up to you", "color is up to you")),
 )  # fmt: skip
 """What leaves open what is open anyway, beside a comma or at an end of the sentence."""
+_LOOSE = tuple(
+    f"{lead}{what}{free}"
+    for what in ("which way round", "which way it points", "how far", "how far away", "the distance", "the exact place",
+                 "where exactly", "where on the table")
+    for lead, free in (("it does not matter ", ""), ("does not matter ", ""), ("no matter ", ""),
+                       ("", " does not matter"), ("", " is up to you"), ("i do not mind ", ""))
+)  # fmt: skip
+"""The same of places and ways round: what is told of a line or of a distance would not be so open."""
+_ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "wherever you like", "wherever you want",
+             "no matter where", "it does not matter where", "does not matter where")  # fmt: skip
 _LINES = frozenset({"row", "line", "tower", "stack", "towers", "stacks", "column", "rows", "columns", "layers"})
 _STOPS = frozenset({"…", ";", ".", "!", "?", ":"})
 _BREAKS = _STOPS | {","}
-_DEGREES = frozenset(
-    {
-        "if",
-        "as",
-        "that",
-        "when",
-        "of",
-        "for",
-        "enough",
-        "and",
-        "but",
-        "to",
-        "near",
-        "close",
-        "far",
-        "long",
-        "small",
-        "big",
-        "large",
-        "tiny",
-        "up",
-        "away",
-        "out",
-    }
-)
+_DEGREE_WORDS = "if as that when of for enough and but to near close far long small big large tiny up away out"
+_DEGREES = frozenset(_DEGREE_WORDS.split())
 """What an emphasis in front of them would change."""
 _BEGUN = frozenset({"and", "but", "so", "the", "a", "an", "on", "onto", "in", "to", "of", "with"})
 """Words that are said again when what they begin is begun again."""
@@ -147,6 +134,9 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         (by_first(_ANYWHERE), lambda first, last: True),
         (by_first(_EMPHASIS), lambda first, last: _emphatic(words, last)),
         (by_first(_FREE), lambda first, last: _set_off(words, first, last)),
+        (by_first(_LOOSE), lambda first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
+        (by_first(_ANYPLACE), lambda first, last: _anyplace(words, first, last)),
+        (by_first(_ALL_OVER), lambda first, last: _all_over(words, first, last)),
         (by_first(_AT_ONCE), lambda first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),
         (by_first(_DO_THIS), lambda first, last: last < len(words) and words[last] in _COMMANDS),
         (by_first(_BUILT), lambda first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
@@ -251,7 +241,13 @@ def _emphatic(words: list[str], end: int) -> bool:
 def _set_off(words: list[str], at: int, end: int) -> bool:
     before = at == 0 or words[at - 1] in _BREAKS or words[at] in ("in", "regardless", "with", "using", "of")
     before = before and not (at and words[at - 1] in ("rest", "others"))
+    lines, others = _LINED & {*words[at:end]}, _LINED & {*words[:at], *words[end:]}
+    if lines and others and not lines & others:  # "the order of the rows" of a grid of which the columns are told
+        return False
     return before and (end == len(words) or words[end] in _BREAKS)
+
+
+_LINED = frozenset({"rows", "columns", "layers"})
 
 
 def _same_view(words: list[str], at: int, end: int) -> bool:
@@ -261,6 +257,27 @@ def _same_view(words: list[str], at: int, end: int) -> bool:
         return not after or not {"to", "down", "up"}.isdisjoint(after)
     opened = at == 0 or words[at - 1] in _BREAKS
     return after[0] in _GOING_ON | _DOWNWARDS or (opened and words[at] not in ("when", "if"))
+
+
+_FIXED = frozenset({"row", "line", "column", "word", "beside", "next", "near", "close", "cm", "spell", "facing"})
+_ALL_OVER = ("all through", "throughout", "all over", "through and through", "all the way through")
+"""What carries nothing behind a colour that was set off: of it all."""
+
+
+def _anyplace(words: list[str], at: int, end: int) -> bool:
+    """ "a row of three red blocks anywhere": behind what is built or put there, at the end of what is said of it."""
+    behind = at > 0 and (words[at - 1] in lexicon.STRUCTURE or words[at - 1] in lexicon.BLOCK)
+    after = words[end] if end < len(words) else "."
+    return _set_off(words, at, end) or (behind and after in _STOPS and _OTHERS.isdisjoint(words[:at]))
+
+
+_OTHERS = frozenset({"other", "others", "rest", "remaining", "not", "no", "never", "without"})
+
+
+def _all_over(words: list[str], at: int, end: int) -> bool:
+    """ "a wall, brown all through"; but "stays on the red throughout" says when."""
+    apart = at > 1 and words[at - 1] in lexicon.COLOR and words[at - 2] in (",", ":", "all")
+    return apart and (end == len(words) or words[end] in _BREAKS)
 
 
 _DOWNWARDS = frozenset({"downwards", "upwards", "downward", "upward"})

@@ -49,7 +49,8 @@ _PHRASES = {
     **{f"{verb} like the": f"{verb} the" for verb in ("put", "place", "move", "take", "stack", "set", "get")},
     "just not": "but not", "only not": "but not", "please to": "please",
     "fill a": "build a filled", "fill the": "build the filled", "fill one": "build one filled",
-    "in front from": "in front of", "behind from": "behind",
+    "outline a": "draw the outline of a", "outline one": "draw the outline of one",
+    "in front from": "in front of", "behind from": "behind", "in behind": "behind",
     "consists out of": "consists of", "consist out of": "consist of", "consisting out of": "consisting of",
     "consists out": "consists of", "consist out": "consist of", "composed out of": "composed of",
     **{
@@ -77,6 +78,16 @@ _PHRASES = {
                      "one of each of the ")
        for rainbow in ("rainbow colors", "colors of the rainbow", "colors of a rainbow", "color of the rainbow")
        if every != "the " or rainbow == "rainbow colors"},
+    **{f"{draw} a{n} {shape}": f"{form} a {shape} outline"
+       for draw, form in (("outline", "form"), ("outlines", "forms"), ("outlining", "forming"), ("trace", "form"),
+                          ("trace out", "form"), ("traces", "forms"), ("tracing", "forming"))
+       for n in ("", "n") for shape in ("triangle", "square", "rectangle", "circle", "ring")},
+    **{f"{inside} {left}empty": "the inside empty" for inside in ("the inside", "the interior", "its inside")
+       for left in ("left ", "kept ", "stays ", "remains ", "is left ", "is kept ", "staying ", "remaining ", "is ")},
+    **{f"{rest} {free}": f"{rest} in any order" for rest in ("the rest", "the others", "the other blocks")
+       for free in ("as you like", "however you like", "as you please", "as you wish", "any way you like")},
+    **{f"{makes} {n}{what}": f"{n}{what} in all" for makes in ("that makes", "which makes")
+       for n in lexicon.NUMBER for what in ("", " blocks", " cubes")},
     "square frame": "square outline", "rectangular frame": "rectangle outline",
     "but not both of them": "but not both", "not both of them": "not both", "and not both of them": "but not both",
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",

@@ -215,6 +215,7 @@ _LABELLED = ("labelled", "labeled", "marked", "showing", "named", "called", "bea
              "with", "numbered", "displaying", "lettered")  # fmt: skip
 _SHOWING = frozenset({"marked", "labelled", "labeled", "numbered", "lettered"})
 """Behind a mere number, what tells the blocks: "two cubes marked X and three marked O"."""
+_WITH_LETTER = tuple(f"{with_} the {sign}" for with_ in ("with", "showing") for sign in ("letter", "digit", "number"))
 _LABEL_NOUNS = frozenset({"letter", "letters", "label", "labels", "number", "numbers", "digit", "digits", "symbol",
                           "symbols", "sign"})  # fmt: skip
 _CALLED = frozenset({"number", "letter", "digit", "numbers", "letters"})
@@ -304,7 +305,7 @@ def of_quality(p: Parser, i: int, head: str) -> Results[Marks]:
     """What follows a noun directly: "A", "labelled A", "with letters", "of the same colour", "of 5 cm", "in red"."""
     if head == "block":
         yield from _symbols_after(p, i)
-    elif head == "any" and p.stands(i, _SHOWING):
+    elif head == "any" and (p.stands(i, _SHOWING) or p.any_of(i, _WITH_LETTER)):
         yield from _labelled(p, i)
     for phrase, j in p.standing(i, _SCHEMES):
         scheme = Marks({"scheme": _SCHEMES[phrase]})

@@ -40,6 +40,8 @@ def pronoun(p: Parser, i: int) -> Results[Meaning]:
         yield Pronoun(word="none of them", span=p.span(i, j)), j
     if j := p.one(i, frozenset({"him", "her", "he", "she"})):
         yield Pronoun(word="it", span=p.span(i, j)), j
+    if (j := p.any_of(i, ("the pair", "that pair"))) and not p.stands(j, ("of",)):
+        yield Pronoun(word="both of them", span=p.span(i, j)), j
     for _, j in p.standing(
         i, ("them all", "them both", "the pair of them", "this pair", "the two of them",
         "the same blocks", "the same cubes", "the same letters", "the same ones",

@@ -45,6 +45,14 @@ _AROUND = Patterns(
     "exist|exists in_the_scene|altogether|in_all|in_total?",
 )
 """What is said of where blocks are, which is nowhere in particular: there are such, and they may be used or not."""
+_FREE = Patterns(
+    "may|can|could|might? lie|be|go|stay|stand|sit|rest|remain|land|end_up? anywhere|wherever|where "
+    "you|they|it like|likes|want|wants|please|pleases? on_the_table?",
+    "may|can|could|might? lie|be|go|stay|stand|sit|rest|remain|land|end_up? anywhere|wherever on_the_table?",
+)
+"""What is said of the others: nothing is asked of them."""
+_OTHERS = frozenset({"the rest", "the others", "the other ones", "the remaining ones", "everything else", "the rest of "
+                     "them", "all others", "all the others", "all the rest", "others", "the other two"})  # fmt: skip
 _BELONGING = Patterns("that|which do|does not belong to the_word|it|the_tower|the_row|the_structure|them")
 _LABELS = (
     "distractor :", "distractors :", "distractor", "distractors", "as distractors :", "as a distractor :", "decoys :",
@@ -95,6 +103,8 @@ def spare(p: Parser, i: int) -> Results[Clause]:
             there = Clause(verb="exist", lemma="stock", theme=theme, mode="given", span=p.span(i, k))
             yield (_said(p, i, k, theme) if further else there), k
         it = isinstance(theme, Pronoun) and theme.word == "it"
+        if isinstance(theme, Pronoun) and theme.word in _OTHERS:
+            yield from ((_said(p, i, k, theme), k) for k in _FREE.matches(p, j))
         j = p.any_of(j, _ON_TABLE) or j
         for k in {*_doing_nothing(p, j), *_AS.matches(p, p.opt(j, ","))} if it or _blocks(theme) else ():
             if it and _NAMING.isdisjoint(p.words[j:k]):

@@ -26,6 +26,7 @@ _PART = 12
 
 def exceptions_first(tokens: list[Token]) -> list[Token]:
     """The tokens with such exceptions told as two parts."""
+    tokens = _behind_all(tokens)
     for start, token in enumerate(tokens):
         if token.word in _IN and (told := _but_one_letter(tokens, start)) is not None:
             return told
@@ -40,6 +41,31 @@ def exceptions_first(tokens: list[Token]) -> list[Token]:
             elif they[-1:] == ["be"] and they[0] in _THEY:
                 lead = lead[:-3]
             return [*lead, *said, *tokens[end:]]
+    return tokens
+
+
+_STOPS = frozenset({".", "!", "?", ";"})
+_EVERY = frozenset({"all", "every", "everything", "each"})
+_OTHERWISE = (("but",), ("besides",))
+"""In front of a sentence these say something else."""
+
+
+def _behind_all(tokens: list[Token]) -> list[Token]:
+    """ "Except for the red one, all blocks go ...": the exception behind what it is one to."""
+    words = [t.word for t in tokens]
+    for start in (n for n in range(len(words)) if n == 0 or words[n - 1] in _STOPS):
+        lead = next((x for x in _EXCEPT if x not in _OTHERWISE and tuple(words[start : start + len(x)]) == x), None)
+        comma = next((n for n in range(start, len(words)) if words[n] in _STOPS | {","}), 0) if lead else 0
+        every = next((n for n in range(comma, len(words)) if words[n] in _STOPS | _EVERY), 0) if comma else 0
+        if not every or words[comma] != "," or words[every] in _STOPS:
+            continue
+        end = every + 1 + (words[every + 1 : every + 2] == ["the"])
+        others = words[end : end + 1] in (["other"], ["others"])
+        after = end + others
+        after += after < len(words) and words[after] in lexicon.COLOR
+        after += after < len(words) and words[after] in lexicon.BLOCK
+        head = [*tokens[comma + 1 : end], *tokens[end + others : after]]
+        return [*tokens[:start], *head, *tokens[start:comma], *tokens[after:]]
     return tokens
 
 

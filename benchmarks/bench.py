@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
+from unittest.mock import patch
 
 os.environ.setdefault("MUJOCO_GL", "disable")
 
@@ -25,7 +26,7 @@ import numpy as np
 
 from rpg.benchmark.suites import SUITES, read_suite
 from rpg.blocks.constants import SUBSTEPS
-from rpg.blocks.heaps import FALL_STEPS
+from rpg.blocks.heaps import dropped
 from rpg.blocks.physics import QUIET_STEPS, Physics
 from rpg.blocks.scene import build_spec
 from rpg.blocks.state import World
@@ -126,23 +127,26 @@ def processes_time() -> float:
 
 def mandated(outcome: Outcome) -> Callable[[], None]:
     """The least physics that the gates call for, as raw MuJoCo calls that keep everything awake: the scene compiled, a
-    look at every reset (where blocks start on each other, after they have settled; heaps fall first), the smoke steps,
-    the goal settled and held. The process that repeats resets for the gate of determinism works beside this one; it is
-    left out here as it is in the figure."""
+    look at every reset (where blocks start on each other, after they have settled; heaps fall first, between walls and
+    until they lie still, but for those falls that leave no heap), the smoke steps, the goal settled and held. The
+    process that repeats resets for the gate of determinism works beside this one; it is left out here as it is in the
+    figure."""
     program, measures = outcome.program, Measures()
     assert program is not None
     task = load(program.code, program.goal_code)[0]()
     goal = state_of(program.path[-1], World(program.task.assets))
-    starts = [task.reset(seed) for seed in range(measures.resets)]
-    init = program.task.init
-    look = 1 + (QUIET_STEPS if init.arranged or init.heaps else 0) + (FALL_STEPS if init.heaps else 0)
+    with patch("rpg.blocks.initial.dropped", wraps=dropped) as fall:
+        starts = [(task.reset(seed), fall.call_args) for seed in range(measures.resets)]
+    look = 1 + (QUIET_STEPS if program.task.init.arranged and not program.task.init.heaps else 0)
 
     def work() -> None:
         physics = Physics(goal.world, build_spec(program.task.assets).compile())
-        for start in starts:
+        for start, fallen in starts:
+            if fallen is not None:
+                dropped(*fallen.args)
             physics.write(start)
             mujoco.mj_step(physics.model, physics.data, SUBSTEPS * look)
-        physics.write(starts[0])
+        physics.write(starts[0][0])
         mujoco.mj_step(physics.model, physics.data, SUBSTEPS * measures.smoke_steps)
         physics.write(goal)
         mujoco.mj_step(physics.model, physics.data, SUBSTEPS * (measures.settle_steps + measures.hold_steps))

@@ -9,7 +9,7 @@ import math
 from collections.abc import Iterator
 
 from rpg.blocks.constants import SUPPORT_GAP, TABLE_Z
-from rpg.blocks.state import BlockState, Vec3
+from rpg.blocks.state import BlockState, Matrix, Vec3
 from rpg.ir.assets import GoalPatch
 
 Point = tuple[float, float]
@@ -22,15 +22,22 @@ OVERLAP_EPS = 1e-4
 
 def is_level(state: BlockState, name: str) -> bool:
     """Does the block lie flat on one of its faces, to numerical precision?"""
-    up = state.axes(name)[2]
-    return max(abs(up[0]), abs(up[1]), abs(up[2])) > 1.0 - LEVEL_EPS
+    return _flat(state.axes(name))
+
+
+def _flat(axes: Matrix) -> bool:
+    x, y, z = axes[2]
+    return abs(z) > 1.0 - LEVEL_EPS or abs(x) > 1.0 - LEVEL_EPS or abs(y) > 1.0 - LEVEL_EPS
 
 
 def corners(state: BlockState, name: str) -> list[Vec3]:
     """The eight corners of a block in the world."""
-    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = state.axes(name)
-    x, y, z = state.position[name]
-    h = state.world.edge[name] / 2
+    return _corners(state.position[name], state.world.edge[name] / 2, state.axes(name))
+
+
+def _corners(place: Vec3, h: float, axes: Matrix) -> list[Vec3]:
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = axes
+    x, y, z = place
     return [
         (x + h * (a * xx + b * xy + c * xz), y + h * (a * yx + b * yy + c * yz), z + h * (a * zx + b * zy + c * zz))
         for a in (-1, 1)
@@ -44,14 +51,17 @@ def footprint(state: BlockState, name: str) -> Polygon:
     patch = state.world.patches.get(name)
     if patch is not None:
         return patch_outline(patch)
-    if not is_level(state, name):
-        return hull([(x, y) for x, y, _ in corners(state, name)])
-    x, y, _ = state.position[name]
-    h = state.world.edge[name] / 2
-    rows = state.axes(name)
+    return shadow(state.position[name], state.world.edge[name] / 2, state.axes(name))
+
+
+def shadow(place: Vec3, h: float, axes: Matrix) -> Polygon:
+    """The outline of the shadow of a block whose centre is at a place, with half of its edge and its axes."""
+    if not _flat(axes):
+        return hull([(x, y) for x, y, _ in _corners(place, h, axes)])
+    x, y, _ = place
     # Two of the block's axes lie in the plane; either one gives the square.
-    k = next(k for k in range(3) if abs(rows[2][k]) < 0.5)
-    ux, uy = h * rows[0][k], h * rows[1][k]
+    k = 0 if abs(axes[2][0]) < 0.5 else 1
+    ux, uy = h * axes[0][k], h * axes[1][k]
     s, d = ux + uy, ux - uy
     return (x + d, y + s), (x - s, y + d), (x - d, y - s), (x + s, y - d)
 
@@ -149,9 +159,12 @@ def footprint_gap(state: BlockState, a: str, b: str) -> float:
 
 def heading(state: BlockState, name: str) -> Point | None:
     """A unit vector along the sides of a block's square footprint; None for patches and blocks that are not level."""
-    if name not in state.position:
-        return None
-    (xx, xy, _), (yx, yy, _), (zx, zy, zz) = state.axes(name)
+    return sides(state.axes(name)) if name in state.position else None
+
+
+def sides(axes: Matrix) -> Point | None:
+    """A unit vector along the sides of the square that a block with these axes covers; None where it is not level."""
+    (xx, xy, _), (yx, yy, _), (zx, zy, zz) = axes
     if abs(zz) > 1.0 - LEVEL_EPS or abs(zy) > 1.0 - LEVEL_EPS:
         return xx, yx
     return (xy, yy) if abs(zx) > 1.0 - LEVEL_EPS else None

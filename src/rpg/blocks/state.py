@@ -111,6 +111,8 @@ class BlockState:
 
     def since(self, start: BlockState | None) -> BlockState:
         """This state in an episode that began with `start`."""
+        if start is self.start:
+            return self
         return BlockState(self.world, self.position, self.orientation, self.moving, self.held, start, self._axes)
 
 

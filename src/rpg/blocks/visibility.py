@@ -8,6 +8,7 @@ up-direction within a cosine of upright; it is visible when three of five rays f
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import Literal
 
 from rpg.blocks.camera import POSITION
@@ -20,6 +21,7 @@ UPRIGHT_COS = 0.94
 RAYS_NEEDED = 3
 CORNER_EXTENT = 0.8
 """Rays go to a face's centre and to four points at this share of its extent."""
+RAYS = ((0.0, 0.0), *((u * CORNER_EXTENT, v * CORNER_EXTENT) for u in (1.0, -1.0) for v in (1.0, -1.0)))
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 NORMALS: dict[Face, Vec3] = {
@@ -33,6 +35,10 @@ NORMALS: dict[Face, Vec3] = {
 """Outward normal of each face in the block's own frame."""
 UPS: dict[Face, Vec3] = {"top": X, "bottom": X, "front": Z, "back": Z, "left": Z, "right": Z}
 """Up-direction of each face's glyph in the block's own frame."""
+ALONG: dict[Face, tuple[int, float]] = {
+    face: next((k, part) for k, part in enumerate(normal) if part) for face, normal in NORMALS.items()
+}
+"""The axis of a block that a face's normal lies along, and in which sense."""
 
 Toward = Literal["up", "down", "left", "right", "front", "back"]
 TOWARD: dict[Toward, tuple[Vec3, Vec3]] = {
@@ -59,11 +65,19 @@ def cross(a: Vec3, b: Vec3) -> Vec3:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def rotate(axes: Matrix, vector: Vec3) -> Vec3:
-    """`vector` of a block's own frame in the world."""
-    return (dot(axes[0], vector), dot(axes[1], vector), dot(axes[2], vector))
+def outward(axes: Matrix, face: Face) -> Vec3:
+    """The normal of a face in the world."""
+    k, sign = ALONG[face]
+    return (sign * axes[0][k], sign * axes[1][k], sign * axes[2][k])
 
 
+def upward(axes: Matrix, face: Face) -> Vec3:
+    """The up-direction of a face's glyph in the world."""
+    k = 0 if ALONG[face][0] == 2 else 2
+    return (axes[0][k], axes[1][k], axes[2][k])
+
+
+@lru_cache(maxsize=256)
 def turned(normal: Vec3, up: Vec3, degrees: float) -> Vec3:
     """`up` turned counter-clockwise, as seen by the reader whom `normal` points at."""
     angle = math.radians(degrees)
@@ -101,9 +115,9 @@ def readable(
 ) -> Verdict:
     """Does `face` point along `normal` with its glyph's up-direction along `up` (None: turned in any way)?"""
     axes = state.axes(name)
-    margin = (dot(rotate(axes, NORMALS[face]), normal) - normal_cos) / (1.0 - normal_cos)
+    margin = (dot(outward(axes, face), normal) - normal_cos) / (1.0 - normal_cos)
     if up is not None:
-        margin = min(margin, (dot(rotate(axes, UPS[face]), up) - upright_cos) / (1.0 - upright_cos))
+        margin = min(margin, (dot(upward(axes, face), up) - upright_cos) / (1.0 - upright_cos))
     return holds(margin)
 
 
@@ -127,50 +141,60 @@ def visible(state: BlockState, name: str, face: Face, assume: Literal["coplanar"
     that points at the viewer, with no rays cast.
     """
     axes = state.axes(name)
-    normal = rotate(axes, NORMALS[face])
+    normal = outward(axes, face)
     if assume is not None:
         expected = TOWARD["up" if assume == "coplanar" else "front"][0]
         if dot(normal, expected) > math.cos(math.pi / 4):
             return holds(1.0)
     half = state.world.edge[name] / 2
     position = state.position[name]
-    up = rotate(axes, UPS[face])
+    up = upward(axes, face)
     side = cross(normal, up)
-    reached = 0
-    for u, v in ((0.0, 0.0), (1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)):
-        a, b = u * CORNER_EXTENT * half, v * CORNER_EXTENT * half
+    sights = []
+    for u, v in RAYS:
+        a, b = u * half, v * half
         point = (
             position[0] + half * normal[0] + a * side[0] + b * up[0],
             position[1] + half * normal[1] + a * side[1] + b * up[1],
             position[2] + half * normal[2] + a * side[2] + b * up[2],
         )
-        reached += dot(normal, _from(point, POSITION)) > 0.0 and not _blocked(state, name, point)
-    return holds((reached - RAYS_NEEDED + 0.5) / 2.5)
+        sight = _from(POSITION, point)
+        if dot(normal, sight) < 0.0:
+            sights.append(sight)
+    for other in state.position:
+        if sights and other != name:
+            sights = _past(state, other, sights)
+    return holds((len(sights) - RAYS_NEEDED + 0.5) / 2.5)
 
 
 def _from(origin: Vec3, end: Vec3) -> Vec3:
     return (end[0] - origin[0], end[1] - origin[1], end[2] - origin[2])
 
 
-def _blocked(state: BlockState, name: str, point: Vec3) -> bool:
-    """Does another block stand between the camera and `point`?"""
-    sight = _from(POSITION, point)
-    return any(_crosses(state, other, sight) for other in state.position if other != name)
-
-
-def _crosses(state: BlockState, name: str, sight: Vec3) -> bool:
-    """Does the segment from the camera along `sight` pass through the block? (slab test in the block's frame)"""
-    axes = state.axes(name)
+def _past(state: BlockState, name: str, sights: list[Vec3]) -> list[Vec3]:
+    """The segments from the camera that do not pass through a block (slab test in the block's frame)."""
+    (xx, xy, xz), (yx, yy, yz), (zx, zy, zz) = state.axes(name)
     half = state.world.edge[name] / 2
-    origin = _from(state.position[name], POSITION)
+    x, y, z = _from(state.position[name], POSITION)
+    slabs = [(a, b, c, a * x + b * y + c * z) for a, b, c in ((xx, yx, zx), (xy, yy, zy), (xz, yz, zz))]
+    return [sight for sight in sights if not _crosses(slabs, half, sight)]
+
+
+def _crosses(slabs: list[tuple[float, float, float, float]], half: float, sight: Vec3) -> bool:
+    """Does a segment pass through a block? `slabs`: each of its axes, and where along it the segment begins."""
+    x, y, z = sight
     near, far = 0.0, 1.0
-    for k in range(3):
-        start = axes[0][k] * origin[0] + axes[1][k] * origin[1] + axes[2][k] * origin[2]
-        step = axes[0][k] * sight[0] + axes[1][k] * sight[1] + axes[2][k] * sight[2]
+    for a, b, c, start in slabs:
+        step = a * x + b * y + c * z
         if abs(step) < 1e-12:
             if abs(start) > half:
                 return False
             continue
-        low, high = sorted(((-half - start) / step, (half - start) / step))
-        near, far = max(near, low), min(far, high)
-    return far - near > 1e-9
+        low, high = (-half - start) / step, (half - start) / step
+        if low > high:
+            low, high = high, low
+        near = low if low > near else near
+        far = high if high < far else far
+        if far - near <= 1e-9:
+            return False
+    return True

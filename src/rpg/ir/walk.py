@@ -139,6 +139,8 @@ def _names_in(value: AnyType) -> Iterable[str]:
 
 def rename(goal: g.Goal, mapping: Mapping[str, str]) -> g.Goal:
     """`goal` with every object name replaced by `mapping` where it has an entry."""
+    if not mapping:
+        return goal
 
     def change(node: g.Goal) -> g.Goal:
         update: dict[str, AnyType] = {}

@@ -8,10 +8,9 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from rpg.blocks.arrange.pieces import Piece
-from rpg.blocks.geometry import Point, Polygon, footprint, heading, polygon_separation, square_separation
-from rpg.blocks.state import BlockState, Quat, World
+from rpg.blocks.geometry import Point, Polygon, polygon_separation, shadow, sides, square_separation
+from rpg.blocks.state import BlockState, Quat, matrix
 from rpg.ir import goal as g
-from rpg.ir.assets import ColoredCube
 from rpg.ir.node import members
 from rpg.ir.relations import Adjacent, Beside, Distance, Touching
 from rpg.ir.walk import names
@@ -131,11 +130,10 @@ def _columns(piece: Piece, state: BlockState) -> list[Column]:
 @lru_cache(maxsize=1024)
 def _shadow(x: float, y: float, edge: float, quat: Quat) -> tuple[float, Polygon, Point | None, float, bool]:
     """What a block at (x, y) that is turned like this covers of the table, as a column has it."""
-    world = World((ColoredCube.model_construct(name="it", color="red", size=edge),))
-    alone = BlockState(world, {"it": (x, y, 0.0)}, {"it": quat})
-    outline = footprint(alone, "it")
-    half = max(max(abs(u - x), abs(v - y)) for u, v in outline)
-    return half, outline, heading(alone, "it"), edge / 2, half < edge / 2 + 1e-6
+    axes = matrix(quat)
+    outline = shadow((x, y, 0.0), edge / 2, axes)
+    half = max([max(abs(u - x), abs(v - y)) for u, v in outline])
+    return half, outline, sides(axes), edge / 2, half < edge / 2 + 1e-6
 
 
 def _at(column: Column, origin: tuple[float, float]) -> Column:

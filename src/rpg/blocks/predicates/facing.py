@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 from random import Random
 from typing import Any
 
@@ -12,7 +13,7 @@ from rpg.blocks.predicates.common import put, tilted
 from rpg.blocks.state import IDENTITY, BlockState, Quat, World, product, yaw_quat
 from rpg.blocks.verdict import FALSE, TRUE, Verdict, some
 from rpg.blocks.visibility import TOWARD, Toward, readable, turned, visible
-from rpg.ir.assets import FACES, Face, SemanticCube
+from rpg.ir.assets import FACES, Block, Face, SemanticCube
 from rpg.ir.relations import Facing
 
 HALF = math.sqrt(0.5)
@@ -24,10 +25,12 @@ def shown_faces(node: Facing, world: World) -> tuple[Face, ...]:
     """The faces that may do what `node` asks: the one it names, those with its label, or all."""
     if node.face is not None:
         return (node.face,)
-    block = world.blocks[node.block]
-    if node.label is None:
-        return FACES
-    return tuple(f for f in FACES if isinstance(block, SemanticCube) and block.symbol(f) == node.label)
+    return FACES if node.label is None else _faces_with(node.label, world.blocks[node.block])
+
+
+@lru_cache(maxsize=64)
+def _faces_with(label: str, block: Block) -> tuple[Face, ...]:
+    return tuple(f for f in FACES if isinstance(block, SemanticCube) and block.symbol(f) == label)
 
 
 def directions(node: Facing) -> tuple[Toward, ...]:
@@ -45,6 +48,13 @@ class FacingPredicate(Predicate[Facing]):
             for toward in directions(node)
         ]
         return some(found) if found else FALSE
+
+    def holds(self, node: Facing, state: BlockState) -> bool:
+        return any(
+            self._shows(node, face, toward, state).value
+            for face in shown_faces(node, state.world)
+            for toward in directions(node)
+        )
 
     def _shows(self, node: Facing, face: Face, toward: Toward, state: BlockState) -> Verdict:
         normal, upright = TOWARD[toward]
@@ -65,10 +75,10 @@ class FacingPredicate(Predicate[Facing]):
         }
         for what, turn in turns.items():
             mutant = put(state, name, state.position[name], product(turn, own))
-            if not self.evaluate(node, mutant):
+            if not self.holds(node, mutant):
                 yield NearMiss(f"{name} {what}", mutant)
         tipped = tilted(state, name, PAST_DEGREES)
-        if not self.evaluate(node, tipped):
+        if not self.holds(node, tipped):
             yield NearMiss(f"{name} tilted", tipped)
 
 

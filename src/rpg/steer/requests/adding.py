@@ -235,7 +235,8 @@ def put(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             for where, end in place(p, k):
                 end = given_up(p, end)
                 yield r.Move(theme=theme, place=where, span=p.span(i, end)), end
-                if isinstance(theme, m.Noun) and labelled(theme) and not theme.plural:
+                named = labelled(theme) or (getattr(theme, "det", "") == "the" and p.follows(i, ("also",)))
+                if isinstance(theme, m.Noun) and named and not theme.plural:
                     yield r.Add(theme=theme, places=(where,), lacking=True, span=p.span(i, end), cost=3), end
     for where, k in place(p, j):
         for theme, end in noun_phrase(p, k):

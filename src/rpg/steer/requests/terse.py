@@ -90,12 +90,18 @@ def terse(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     yield from _tinted(p, i)
 
 
+_FURTHER = frozenset({"and", "also", "plus"})
+"""Behind these "the green one" may be one more: "and the green one on top of that"."""
+
+
 def _on(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
     """Phrases such as "green on top", "a 4 goes on top", "4 underneath": something new at a place."""
     for theme, j in noun_phrase(p, i):
         if not isinstance(theme, m.Noun) or theme.head == "patch":
             continue
-        named = theme.det == "bare" and not theme.plural and theme.part_of is None and theme.amount is None
+        further = theme.det == "the" and p.follows(i, _FURTHER)
+        named = theme.det == "bare" or further
+        named = named and not theme.plural and theme.part_of is None and theme.amount is None
         one = max(len(theme.traits.colors), len(theme.traits.labels)) == 1 and not theme.conditions
         if not (fresh(theme) and theme.det == "a") and not (named and one):
             continue

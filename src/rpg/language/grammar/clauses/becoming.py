@@ -206,3 +206,6 @@ def touches(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated: bool)
                     yield replace(said, adjuncts=(touch, *when), span=p.span(i, last)), last
         touch = Loc(rel="touching", landmark=Pronoun(word="each other", span=p.span(k, j)), span=p.span(k, j))
         yield Clause(verb="be", theme=theme, adjuncts=(touch,), negated=negated, mode=mode, span=p.span(i, j)), j
+        if (end := p.seq(j, "side by side")) and not negated:
+            level = (replace(touch, rel="side_by_side"), touch)
+            yield Clause(verb="be", theme=theme, adjuncts=level, mode=mode, span=p.span(i, end)), end

@@ -14,6 +14,7 @@ from rpg.language.grammar.clauses.states import state
 from rpg.language.grammar.clauses.terse import about, said_of, terse
 from rpg.language.grammar.clauses.there import exists, listed_there, on_what_is_named, stands_there
 from rpg.language.grammar.clauses.verbs import PARTICLES, ever, verb_phrase
+from rpg.language.grammar.clauses.weighed import rows_forming, weighed
 from rpg.language.grammar.clauses.wheres import is_where, trading_places
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.gaps import gap
@@ -60,8 +61,8 @@ def clause(p: Parser, i: int) -> Results[Meaning]:
         if mode == "denied":
             yield from _unwanted(p, start)
             continue
-        yield from ((_weighed(piled(found)), j) for found, j in _plain(p, start, mode))
-        yield from ((_weighed(piled(found)), j) for found, j in _fronted(p, start, mode))
+        yield from ((weighed(piled(found)), j) for found, j in _plain(p, start, mode))
+        yield from ((weighed(piled(found)), j) for found, j in _fronted(p, start, mode))
 
 
 _EVERY = ("all", "each", "both", "no")
@@ -339,44 +340,16 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 )
         colon = p.opt(p.opt(j, ",", ":"), "all")
         for apposed, k in noun_phrase(p, colon) if colon > j else ():
-            if isinstance(apposed, Structure) and apposed.members is None and not shaped:
+            if (
+                isinstance(apposed, Structure)
+                and apposed.members is None
+                and (not shaped or rows_forming(theme, apposed))
+            ):
+                into = Into(structure=apposed, span=apposed.span)
+                said = Clause(verb="build" if shaped else "arrange", theme=theme, mode=mode, span=p.span(i, k), cost=1)
                 for found, end in adjuncts(p, k):
-                    into = Into(structure=apposed, span=apposed.span)
-                    yield (
-                        Clause(
-                            verb="arrange", theme=theme, adjuncts=(into, *found), mode=mode, span=p.span(i, end), cost=1
-                        ),
-                        end,
-                    )
+                    yield replace(said, adjuncts=(into, *found), span=p.span(i, end)), end
         yield from _participle(p, i, p.opt(j, "all", "both", "each", "being"), theme, mode)
-
-
-def _told_one_by_one(theme: Meaning | None) -> bool:
-    """ "Two stacks of two, a red one and a blue one", "a red tower and a blue tower, the red one": the stacks."""
-    first, *more = theme.items if isinstance(theme, Coord) and theme.op == "and" else (theme,)
-    last = more[-1] if more else None
-    if isinstance(first, Structure) and isinstance(last, Noun) and (last.head, last.det) == ("any", "the"):
-        return bool(last.traits.colors) and not last.plural and isinstance(more[0], Structure)
-    many = first.amount.low if isinstance(first, Structure) and first.plural and first.amount is not None else 0
-    ones = all(isinstance(x, Noun) and (x.head, x.det) == ("any", "a") for x in more)
-    return many > 1 and ones and len(more) == many
-
-
-def _weighed(found: Meaning) -> Meaning:
-    """ "First a row of three, then a red block on one of them": what comes then has its own place, not both of them."""
-    theme, place = (found.theme, found.adjuncts[0]) if isinstance(found, Clause) and found.adjuncts else (None, None)
-    kinds = isinstance(found, Clause) and found.verb == "be" and {getattr(a, "kind", "") for a in found.adjuncts}
-    if isinstance(found, Clause) and (kinds == {"idle"} or _told_one_by_one(found.theme)):
-        return replace(found, cost=found.cost + 4)  # "a T, 5 blue cubes, any orientation" says it of the T
-    if not isinstance(place, Loc):
-        return found
-    inside = theme.members if isinstance(theme, Structure) else None
-    mark = place.landmark.part_of if isinstance(place.landmark, Noun) else place.landmark
-    told = isinstance(mark, Pronoun) and mark.word != "each other"
-    later = told and isinstance(inside, Coord) and inside.op == "then"
-    if isinstance(theme, Coord) and theme.op == "then" and any(isinstance(x, Structure) for x in theme.items):
-        later = True
-    return replace(found, cost=found.cost + 3) if later else found
 
 
 def _participle(p: Parser, i: int, j: int, theme: Meaning, mode: str) -> Results[Meaning]:

@@ -47,9 +47,9 @@ _SWAPPED = tuple(
     "switched") for places in ("places", "positions")
 )  # fmt: skip
 _SWAP = (
-    *_SWAPPED, "be swapped", "swap",
-    *(f"{swap} {places}" for swap in ("swap", "trade", "change", "exchange", "switch")
-      for places in ("places", "positions", "their places", "their positions")),
+    *_SWAPPED, "be swapped", "swap", "swaps",
+    *(f"{swap}{s} {places}" for swap in ("swap", "trade", "change", "exchange", "switch") for s in ("", "s")
+      for places in ("places", "positions", "place", "their places", "their positions", "its place")),
 )  # fmt: skip
 _MOVE = frozenset({"move", "shift", "budge"})
 _HAVE = frozenset({"have", "has"})
@@ -98,7 +98,8 @@ def state(p: Parser, i: int, mode: str) -> Results[Meaning]:
             continue
         negated = bool(words & _NOT) or bool(barred)
         if inverted:
-            yield from _predicate(p, i, j, theme, mode, False)
+            new = 3 * (isinstance(theme, Structure) and theme.det == "a")  # "is a tower with ...": that is built
+            yield from ((replace(x, cost=x.cost + new), k) for x, k in _predicate(p, i, j, theme, mode, False))
             continue
         readings = [*_predicate_after_be(p, i, k, theme, mode, negated), *_subject_verb(p, i, k, theme, mode, negated)]
         readings += staying(p, i, k, theme, mode) if negated else becoming(p, i, k, theme, mode)
@@ -327,12 +328,12 @@ def _subject_verb(p: Parser, i: int, k: int, theme: Meaning, mode: str, negated:
             for found, end in readings:
                 yield replace(found, adjuncts=(using, *found.adjuncts), negated=negated, mode=mode), end
     if (j := p.any_of(k, _SWAP)) and not negated:
-        yield Clause(verb="swap", lemma="swap", theme=theme, mode=mode, span=p.span(i, j)), j
+        for other, end in adjuncts(p, j) if p.stands(j, ("with",)) else [((), j)]:
+            yield Clause(verb="swap", lemma="swap", theme=theme, adjuncts=other, mode=mode, span=p.span(i, end)), end
     if j := p.one(k, frozenset({"alternate", "alternates"})):
         for turns_, end in adjuncts(p, j):
-            turns = Clause(
-                verb="arrange", lemma="alternate", theme=theme, adjuncts=turns_, mode=mode, span=p.span(i, end)
-            )
+            turns = Clause(verb="arrange", lemma="alternate", theme=theme, adjuncts=turns_, mode=mode,
+                           span=p.span(i, end), cost=p.follows(i, ("where", "which")))  # fmt: skip
             yield replace(turns, negated=negated), end
     if negated and (j := p.one(k, _MOVE)):
         unmoved = Clause(verb="place", lemma="move", theme=theme, negated=True, mode=mode, span=p.span(i, j))

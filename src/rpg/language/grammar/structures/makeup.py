@@ -175,8 +175,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
     ):
         yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
-    if k := p.any_of(j, (", lying flat on the table", "lying flat on the table", ", lying flat", "lying flat",
-                         ", flat on the table", "flat on the table")):  # fmt: skip
+    drawn = base.kind in LIMBED or base.kind in _DRAWN
+    if k := p.any_of(j, _LYING_FLAT) or (p.any_of(j, ("lying on the table", ", lying on the table")) if drawn else 0):
         yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
     plain = base.members is None and not base.traits.colors
     for blocks, k in apposed_blocks(p, j, not base.plural) if plain else ():
@@ -186,8 +186,11 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     comma = p.opt(j, ",") if base.kind != "checkerboard" else p.opt(j, ",", "in")
     flat = base.kind in _FLAT
     every = p.any_of(j, _ALL_ARE) if flat else 0
-    if plain and not amounts.of_more(p, comma) and (comma > j or every or base.kind == "checkerboard"):
+    bare = flat and comma == j and not every and bool(base.dims or base.sizes) and "and" not in p.words[:i]
+    if plain and not amounts.of_more(p, comma, i) and (comma > j or every or base.kind == "checkerboard" or bare):
         for (named, either), k in colors(p, every or p.any_of(comma, _ALL_IN) or comma):
+            if bare and k < p.end:
+                continue  # "filled 3x3 square purple"
             k = p.opt(k, "blocks", "cubes", "bricks") if len(named) == 1 or not flat else k
             k = p.opt(k, "everywhere") if flat else k
             closed = k >= p.end or p.words[k] == "," or (flat and p.words[k] in _CLOSED)
@@ -221,6 +224,9 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         yield from _sized(p, i, k, changed)
 
 
+_DRAWN = ("V", "U", "X", "grid", "square", "circle", "rectangle", "plus", "triangle")
+_LYING_FLAT = (", lying flat on the table", "lying flat on the table", ", lying flat", "lying flat",
+               ", flat on the table", "flat on the table")  # fmt: skip
 _LINE_WORDS = frozenset({"row", "rows", "column", "columns"})
 """What tells how a rectangle lies: it is a grid."""
 _LINED = ("grid", "square", "rectangle", "wall")

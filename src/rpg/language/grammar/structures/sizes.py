@@ -153,7 +153,7 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
     for lead, told in p.standing(i, _MEASURES):
         for found, k in amounts.amount(p, told):
             yield Size(what=_MEASURES[lead], amount=found, span=p.span(i, k)), p.opt(k, *_BLOCKS)
-    k = p.any_of(j, _WITH) or (j if j > i else 0)
+    k = p.any_of(j, _WITH) or (j if j > i or p.stands(j, ("base",)) else 0)
     if not k:
         return
     k = p.opt(k, "a", "an", "the", "its")
@@ -177,8 +177,9 @@ def _led(p: Parser, i: int, j: int) -> Results[Size]:
 
 def _based(p: Parser, i: int, k: int) -> Results[Size]:
     """ "base of 3 blocks", "base is 3 x 3"."""
-    e = p.any_of(k, _BASES)
-    e = p.any_of(e, ("of", "is", "that is", "which is", "being", "should be")) if e else 0
+    base = p.any_of(k, _BASES)
+    e = p.any_of(base, ("of", "is", "that is", "which is", "being", "should be", ":")) if base else 0
+    e = e or (base if base and (p.number(base) or any(True for _ in dimensions(p, base))) else 0)
     if not e:
         return
     for dims, m in dimensions(p, p.opt(e, "a")):

@@ -250,7 +250,7 @@ def _dims_told(p: Parser) -> bool:
 
 def _made_up(p: Parser, k: int) -> bool:
     """Whether a cube is one of several blocks, as what follows the word tells."""
-    if p.any_of(k, ("of", "out of", "made of", "made from", "from", "that is made of", "built of")):
+    if p.any_of(k, ("of", "out of", "made of", "made out of", "made from", "from", "that is made of", "built of")):
         return True
     if (m := p.any_of(k, ("with", ","))) and (p.number(m) is not None or p.lex(m, EDGES)):
         return True

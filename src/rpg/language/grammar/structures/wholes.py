@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from rpg.core.diagnostics import Span
 from rpg.language.grammar.core import Parser, Results, rule
 from rpg.language.grammar.places.sides import toward
@@ -62,7 +64,21 @@ def wholes(p: Parser, i: int) -> Results[Coord]:
         yield from _piles(p, i, start)
         for found, j in _wholes(p, i, start, ()):
             if len(found.items) > 1 and _heights_fit(p, found):
-                yield found, j
+                yield _all_in_color(p, found, j), j
+
+
+def _all_in_color(p: Parser, found: Coord, j: int) -> Coord:
+    """ "one 2 high, one 3 high, pink": set off from heights alone, a colour is that of all of them."""
+    themes = [x.theme for x in found.items if isinstance(x, Absolute) and isinstance(x.theme, Noun)]
+    looks = [theme.traits for theme in themes if theme.amount is not None]
+    named = j - 1 if p.stands(j - 1, ("blocks", "cubes")) else j
+    if len(looks) < len(found.items) or not p.stands(named - 2, (",", "all")) or not looks[-1].colors:
+        return found
+    if any(look != Traits() for look in looks[:-1]):
+        return found
+    painted = [replace(x, theme=replace(y, traits=looks[-1])) for x, y in zip(found.items, themes, strict=True)
+               if isinstance(x, Absolute)]  # fmt: skip
+    return replace(found, items=tuple(painted))
 
 
 def _piles(p: Parser, i: int, at: int) -> Results[Coord]:

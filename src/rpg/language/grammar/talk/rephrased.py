@@ -49,6 +49,7 @@ _PHRASES = {
     **{f"{verb} like the": f"{verb} the" for verb in ("put", "place", "move", "take", "stack", "set", "get")},
     "just not": "but not", "only not": "but not", "please to": "please",
     "fill a": "build a filled", "fill the": "build the filled", "fill one": "build one filled",
+    "in rainbow colors": "in the colors of the rainbow",
     "outline a": "draw the outline of a", "outline one": "draw the outline of one",
     "in front from": "in front of", "behind from": "behind", "in behind": "behind",
     "consists out of": "consists of", "consist out of": "consist of", "consisting out of": "consisting of",
@@ -98,7 +99,7 @@ _PHRASES = {
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
     phrases = by_first(tuple(_PHRASES))
-    tokens = _was_so(_grouped(_so_many_colors(tokens)))
+    tokens = _was_so(_grouped(_so_many_colors(_spaced_behind(tokens))))
     out: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -126,6 +127,27 @@ def rephrased(tokens: list[Token]) -> list[Token]:
         out += [Token("punct" if word == "," else "word", word, word, span) for word in plain]
         at += len(said)
     return out
+
+
+_SPACED = (("touching",), ("evenly", "spaced"), ("equally", "spaced"), ("tightly", "packed"))
+_LINED = frozenset({"row", "line", "column"})
+
+
+def _spaced_behind(tokens: list[Token]) -> list[Token]:
+    """ "Six evenly spaced red blocks in a row", "a row of six touching blocks": how they stand, said behind them."""
+    words = [token.word for token in tokens]
+    at = next((n for n, word in enumerate(words) if n and word in ("touching", "spaced", "packed")), 0)
+    said = next((x for x in _SPACED if at and tuple(words[at + 1 - len(x) : at + 1]) == x), ())
+    begin = at + 1 - len(said)
+    noun = next((n for n in range(at + 1, min(at + 4, len(words))) if words[n] in lexicon.BLOCK), 0)
+    counted = begin > 0 and (tokens[begin - 1].kind == "number" or words[begin - 1] in lexicon.NUMBER)
+    if not said or not noun or not counted or any(tokens[n].kind != "word" for n in range(at, noun)):
+        return tokens
+    lined = words[noun + 1 : noun + 3] in (["in", "a"], ["in", "one"]) and {*words[noun + 3 : noun + 4]} & _LINED
+    end = noun + 4 if lined else noun + 1
+    if not lined and not (words[begin - 2] == "of" and _LINED & {*words[max(0, begin - 4) : begin - 2]}):
+        return tokens
+    return [*tokens[:begin], *tokens[at + 1 : end], *tokens[begin : at + 1], *tokens[end:]]
 
 
 _SHARES = frozenset({"half", "third", "row", "column", "layer", "rest", "others"})

@@ -290,6 +290,6 @@ def makes_number(p: Parser, k: int) -> bool:
     )
 
 
-def of_more(p: Parser, i: int) -> bool:
+def of_more(p: Parser, i: int, begin: int | None = None) -> bool:
     """ "a tower of three and a row of four, all green": said of more than the last of several that have no look."""
-    return p.stands(i, ("all",)) and "and" in p.words[:i] and lexicon.COLOR.keys().isdisjoint(p.words[:i])
+    return p.stands(i, ("all",)) and "and" in p.words[:i][:begin] and lexicon.COLOR.keys().isdisjoint(p.words[:i])

@@ -120,21 +120,38 @@ def with_commas(tokens: list[Token]) -> list[Token] | None:
                 found = True
             out.append(token)
         at += len(run)
-        if _next_counted(tokens, at - 1):
+        if _next_counted(tokens, at - 1) or _next_placed(tokens, at):
             out.append(Token("punct", ",", ",", tokens[at - 1].span))
             found = True
     return out if found else None
 
 
 def _next_counted(tokens: list[Token], at: int) -> bool:
-    """ "one red cube | one blue cube": a block that is counted, and right behind it another one."""
+    """ "one red cube | one blue cube", "2 red | 2 blue": a block that is counted, and right behind it another one."""
+    bare = 0 < at < len(tokens) - 2 and _colored(tokens, at) and _colored(tokens, at + 2)
+    if bare and _number(tokens[at - 1]) and _number(tokens[at + 1]):
+        return True
     return _counted(tokens, at - 2) and _counted(tokens, at + 1)
+
+
+def _next_placed(tokens: list[Token], at: int) -> bool:
+    """ "red on the left column | blue on the right column": where one look is, and right behind it where another is."""
+    ended = 2 < at < len(tokens) - 1 and tokens[at - 1].word in ("column", "row", "layer", "side", "end")
+    placed = ended and {token.word for token in tokens[at - 4 : at - 2]} & _AT
+    return bool(placed) and _colored(tokens, at) and tokens[at + 1].word in _AT
+
+
+_AT = frozenset({"on", "in", "at"})
+
+
+def _number(token: Token) -> bool:
+    return token.kind == "number" or token.word in lexicon.NUMBER
 
 
 def _counted(tokens: list[Token], at: int) -> bool:
     if at < 0 or at + 2 >= len(tokens) or not _colored(tokens, at + 1) or tokens[at + 2].word not in lexicon.BLOCK:
         return False
-    return tokens[at].word in ("a", "an") or tokens[at].word in lexicon.NUMBER or tokens[at].kind == "number"
+    return tokens[at].word in ("a", "an") or _number(tokens[at])
 
 
 def _colored(tokens: list[Token], at: int) -> bool:

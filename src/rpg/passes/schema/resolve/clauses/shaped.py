@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from rpg.language.meaning import (
     Amount,
+    Chain,
     Clause,
     Coord,
     In,
@@ -16,6 +17,7 @@ from rpg.language.meaning import (
     OrderBy,
     Pronoun,
     Size,
+    Spacing,
     Structure,
     That,
     Traits,
@@ -260,7 +262,8 @@ def _part(shape: Meaning, clause: Clause, spec: Spec, scene: Scene, scope: Scope
             raise refuse("misplaced", "piles lie on the table", shape.span)
         if shape.det == "the" and clause.verb not in ("build", "arrange"):
             check_built(shape)
-        shape = by_layers(by_corners(lined_up(_laid_in(_as_long(shape, clause), spec), spec), spec), spec)
+        shape = _as_long(_of_neighbors(shape, spec, scene), clause)
+        shape = by_layers(by_corners(lined_up(_laid_in(shape, spec), spec), spec), spec)
         built, atoms = make(shape, spec, None, scene, scope)
         atoms = [*atoms, line_of(built, spec, scene, shape.span)] if spec.lined else atoms
         spec.intos = [i for i in spec.intos if getattr(i.structure, "kind", "") != "set"]
@@ -288,6 +291,27 @@ def _as_long(shape: Structure, clause: Clause) -> Structure:
         return shape
     many = Amount(len(words[0].letter), len(words[0].letter))
     return replace(shape, sizes=(Size(what="size", amount=many, span=words[0].span),))
+
+
+def _of_neighbors(shape: Structure, spec: Spec, scene: Scene) -> Structure:
+    """ "a row in which the six pink blocks touch each other": what it is made of, and how close they stand."""
+    inner = spec.thats[0].clauses if len(spec.thats) == 1 and spec.thats[0].kind == "so" else None
+    told = inner.clauses[0] if isinstance(inner, Chain) and len(inner.clauses) == 1 else None
+    place = told.adjuncts[0] if isinstance(told, Clause) and len(told.adjuncts) == 1 else None
+    plain = shape.kind in _LINES and not (shape.members or shape.sizes or shape.plural) and shape.traits == Traits()
+    if not plain or not isinstance(told, Clause) or not isinstance(place, Loc) or told.verb != "be" or told.negated:
+        return shape
+    mutual = getattr(place.landmark, "word", "") in ("each other", "one another") and not place.negated
+    blocks = told.theme.items if isinstance(told.theme, Coord) and told.theme.op == "and" else (told.theme,)
+    counted = [x for x in blocks if isinstance(x, Noun) and x.amount is not None and x.det in ("the", "bare", "all")]
+    if not mutual or place.rel not in ("touching", "adjacent", "side_by_side") or len(counted) < len(blocks):
+        return shape
+    if any(all(thing.color not in x.traits.colors for x in counted) for thing in scene.blocks()):
+        return shape  # the row may have these, too
+    spec.thats = []
+    if place.rel == "touching" and shape.kind != "stack":
+        spec.spacings.append(Spacing(kind="touching", span=place.span))
+    return replace(shape, members=told.theme)
 
 
 def _laid_in(shape: Structure, spec: Spec) -> Structure:

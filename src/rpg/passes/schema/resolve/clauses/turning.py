@@ -367,7 +367,8 @@ def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene,
             span,
             "use a letter block, or say 'by 90 degrees'",
         )
-    toward = str(facing.value) if facing is not None else "up"
+    piled = any(b.kind == "word" and b.side == "top" and name in b.members for b in scene.built)
+    toward = str(facing.value) if facing is not None else "viewer" if piled else "up"
     label = label_of(thing, scene)
     turned = float(flat.value or 0.0) if flat is not None else None
     if flat is None and toward == "viewer" and (name in scene.on_top or name in scene.on_top.values()):
@@ -375,7 +376,7 @@ def _facing(name: str, facing: Manner | None, flat: Manner | None, scene: Scene,
     elif flat is None and thing.faces is None:
         thing.faces = {"front": label}
         scene.assume(f"{label} shows on one face of its block; the other faces are blank")
-    if facing is None:
+    if facing is None and not piled:
         scene.assume("the letter is read from above")
     return r.Facing(block=name, label=label, toward=toward, turn=turned, span=span)  # type: ignore[arg-type]
 

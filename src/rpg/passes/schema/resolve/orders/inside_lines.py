@@ -78,22 +78,28 @@ def _look(item: Meaning) -> tuple[tuple[str, ...], tuple[str, ...]] | None:
     return look if plain and item.part_of is None and not item.conditions else None
 
 
+_BOARDS = ("grid", "square", "rectangle")
+
+
 def as_a_grid(clause: Clause) -> Clause:
-    """ "three columns of two in a grid": a grid of so many by so many."""
+    """ "three columns of two in a grid", "..., a filled rectangle": a grid of so many by so many."""
     intos = [a for a in clause.adjuncts if isinstance(a, Into)]
     into = intos[0].structure if len(intos) == 1 else None
     lines = clause.theme
-    if not isinstance(lines, Structure) or not isinstance(into, Structure) or into.kind != "grid":
+    if not isinstance(lines, Structure) or not isinstance(into, Structure) or into.kind not in _BOARDS:
         return clause
     if lines.kind not in ("row", "column") or not lines.plural or lines.amount is None or lines.details:
         return clause
     size = lines.size if lines.size is not None else getattr(lines.members, "amount", None) if lines.each_size else None
-    plain = not (into.plural or into.members or into.details or into.dims or into.sizes)
+    plain = not (into.plural or into.members or into.details or into.sizes) and into.filled is not False
     plain = plain and all(z.what != f"{lines.kind}s" for z in lines.sizes)  # "three rows and four rows in a grid"
     if not plain or size is None or size.low != size.high or lines.amount.low != lines.amount.high:
         return clause
     many, long = lines.amount.low, size.low
+    dims = (many, long) if lines.kind == "row" else (long, many)
+    if into.dims not in ((), dims) or (into.kind == "square" and many != long):
+        return clause
     members = replace(lines.members, amount=None) if isinstance(lines.members, Noun) else lines.members
     grid = replace(lines, kind="grid", det="a", plural=False, amount=None, sizes=(), members=members, each_size=False,
-                   dims=(many, long) if lines.kind == "row" else (long, many))  # fmt: skip
+                   dims=dims)  # fmt: skip
     return replace(clause, theme=grid, adjuncts=tuple(a for a in clause.adjuncts if a is not intos[0]))

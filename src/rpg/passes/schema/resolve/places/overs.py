@@ -33,7 +33,7 @@ def in_one_tower(clause: Clause) -> tuple[Clause, ...]:
     """The clauses that build the tower and say what is above what in it; none where this is not said."""
     if clause.verb not in ("be", "place", "stack", "build") or clause.negated or clause.mode == "start":
         return ()
-    if (between := _sandwiched(clause) or _with_one_between(clause)) is not None:
+    if (between := _sandwiched(clause) or _with_one_between(clause) or _in_a_row_with(clause)) is not None:
         return (between,)
     towers = [shape for a in clause.adjuncts if (shape := _tower(a)) is not None]
     places = [a for a in clause.adjuncts if isinstance(a, Loc) and _tower(a) is None]
@@ -89,14 +89,35 @@ def _with_one_between(clause: Clause) -> Clause | None:
     if not upright or not _two(ends) or len(middles) != 1 or 1 + len(towers) != len(clause.adjuncts):
         return None
     shapes = [shape for a in towers if (shape := _tower(a)) is not None]
-    place = middles[0].adjuncts[0] if len(middles[0].adjuncts) == 1 else None
-    inside = isinstance(place, Places) and (place.side, place.unit) == ("rest", "block")
-    inside = inside or (isinstance(place, Loc) and place.rel in ("between", "sandwiched") and not place.negated
-                        and isinstance(place.landmark, Pronoun))  # fmt: skip
-    if not inside or not _one(middles[0].theme) or not all(map(_is_bare_stack, shapes)):
+    if not _between_them(middles[0]) or not _one(middles[0].theme) or not all(map(_is_bare_stack, shapes)):
         return None
     between = Loc(rel="sandwiched", landmark=ends, span=middles[0].span)
     return replace(clause, verb="be", lemma="", theme=middles[0].theme, adjuncts=(between,))
+
+
+def _in_a_row_with(clause: Clause) -> Clause | None:
+    """ "two red blocks with two blue ones between them, in a row": a row of all of them, with red ends."""
+    ends, middles = clause.theme, [a for a in clause.adjuncts if isinstance(a, Absolute)]
+    rows = [a.structure for a in clause.adjuncts if isinstance(a, Into) and isinstance(a.structure, Structure)]
+    if not isinstance(ends, Noun) or not _two(ends) or len(middles) != 1 or len(rows) + 1 != len(clause.adjuncts):
+        return None
+    row, inner = rows[0] if len(rows) == 1 else None, middles[0].theme
+    if row is None or row.kind not in ("row", "line", "column") or row.members or row.details or row.sizes:
+        return None
+    if not _between_them(middles[0]) or not isinstance(inner, Noun) or len(inner.traits.colors) != 1 or row.plural:
+        return None
+    end = replace(ends, det="bare", amount=None, plural=False)
+    order = OrderBy(by="named", items=(end, replace(inner, det="bare"), end), span=clause.span)
+    return Clause(verb="build", theme=replace(row, det="a"), adjuncts=(order,), mode="goal", span=clause.span)
+
+
+def _between_them(middle: Absolute) -> bool:
+    """ "with ... in between", "with ... between them"."""
+    place = middle.adjuncts[0] if len(middle.adjuncts) == 1 else None
+    if isinstance(place, Loc):
+        them = isinstance(place.landmark, Pronoun) and not place.negated
+        return them and place.rel in ("between", "sandwiched")
+    return isinstance(place, Places) and (place.side, place.unit) == ("rest", "block")
 
 
 def _is_bare_stack(shape: Structure) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from random import Random
 from typing import Any
 
-from rpg.ir.artifact import Placement, Program, Scene
+from rpg.ir.artifact import GateReport, Placement, Program, Scene
 from rpg.ir.assets import ColoredCube, GoalPatch, SemanticCube
 from rpg.ir.goal import All, Always, Count, Goal, Not, Sequence, Stage
 from rpg.ir.goal import Any as Either
@@ -41,6 +41,11 @@ def program(schema: TaskSchema, seed: int = 0) -> Program:
     ready = prepared(schema)
     path = goal_path(ready, Random(seed))
     return Program(task=ready, path=path, code=lower(ready), goal_code=lower_goal(ready, path))
+
+
+def measured(report: GateReport) -> dict[str, Any]:
+    """What a gate measured, but for other goal states: our own lowering is run on one of them."""
+    return {name: value for name, value in report.figures.items() if name != "other_goals"}
 
 
 def placed(source: Program, **moves: tuple[float, float, float]) -> Program:

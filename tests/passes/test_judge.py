@@ -10,7 +10,7 @@ from rpg.passes.validate import Measures
 from rpg.passes.validate.bench import Bench
 from rpg.passes.validate.gates import GATES
 from tests.passes import tasks
-from tests.passes.tasks import program
+from tests.passes.tasks import measured, program
 
 FAST = Measures(resets=3)
 
@@ -25,7 +25,7 @@ def reports(subject: Program, trusted: bool) -> tuple[Bench, list[GateReport]]:
 def test_gates_say_the_same_of_the_goal_and_of_the_code(schema: TaskSchema) -> None:
     subject = program(schema)
     (trusted, told), (_, run) = reports(subject, True), reports(subject, False)
-    assert [report.figures for report in told] == [report.figures for report in run]
+    assert [measured(report) for report in told] == [measured(report) for report in run]
     assert (trusted.judge is None) == (schema is tasks.STAGES)
 
 

@@ -7,7 +7,7 @@ task with, so that adding, removing or renaming other blocks leaves it where it 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from random import Random
 
@@ -17,7 +17,7 @@ from rpg.blocks.arrange import arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
 from rpg.blocks.geometry import Polygon, footprint, polygon_gap, rectangle
 from rpg.blocks.heaps import Heap, above, dropped, in_one_piece, shaft
-from rpg.blocks.physics import settled_state
+from rpg.blocks.physics import Physics, settled_state
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.goal import All
@@ -112,8 +112,11 @@ def _middle(outline: Polygon) -> tuple[float, float]:
     return (sum(x for x, _ in outline) / len(outline), sum(y for _, y in outline) / len(outline))
 
 
-def sample_start(init: InitialState, world: World, seed: int, attempt: int = 0) -> BlockState:
-    """The start that `seed` draws from `init`, at rest. Attempts give independent starts.
+def sample_start(
+    init: InitialState, world: World, seed: int, attempt: int = 0, own: Callable[[], Physics | None] = lambda: None
+) -> BlockState:
+    """The start that `seed` draws from `init`, at rest. Attempts give independent starts. `own`: a simulation of the
+    world that starts may settle in.
 
     Raises Refusal (`start-no-room`, `start-unstable`) where there is none.
     """
@@ -126,7 +129,7 @@ def sample_start(init: InitialState, world: World, seed: int, attempt: int = 0) 
         found, heaps = layout.state(), tuple(layout.heaps)
         if not (init.arranged or heaps):
             return found
-        state = dropped(found, heaps) if heaps else settled_state(found)
+        state = dropped(found, heaps) if heaps else settled_state(found, own())
         if state is not None and _acceptable(heaps, found, state):
             return _rounded(state)
         unstable = True

@@ -131,9 +131,10 @@ def _of(world: World) -> Physics:
     return Physics(world)
 
 
-def settled_state(state: BlockState) -> BlockState | None:
-    """`state` after it has come to rest by itself; None where it does not."""
-    physics = _of(state.world)
+def settled_state(state: BlockState, physics: Physics | None = None) -> BlockState | None:
+    """`state` after it has come to rest by itself, in a simulation of its world if there is one at hand; None where it
+    does not."""
+    physics = physics or _of(state.world)
     physics.write(state)
     return physics.read(state.start) if physics.settle() and physics.sane() else None
 

@@ -33,6 +33,15 @@ TRUE = Verdict(True, 1.0)
 FALSE = Verdict(False, -1.0)
 
 
+def as_verdict(value: Verdict | bool) -> Verdict:
+    """What a hook returns; a plain truth value has no slack to tell of."""
+    if isinstance(value, Verdict):
+        return value
+    if isinstance(value, bool):
+        return Verdict(value, 1.0 if value else -1.0)
+    raise TypeError(f"_success and _fail return a verdict, not {value!r}")
+
+
 ROUNDING = 1e-6
 """Exactly at a tolerance counts as within it, whatever the last bits of a sum of floats say."""
 

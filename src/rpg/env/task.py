@@ -19,7 +19,7 @@ from rpg.blocks.namings import all_namings
 from rpg.blocks.physics import Physics
 from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import Cells
-from rpg.blocks.verdict import FALSE, Verdict, between
+from rpg.blocks.verdict import FALSE, Verdict, as_verdict, between
 from rpg.blocks.verdicts import Looked, Verdicts, counted
 from rpg.blocks.waypoints import FIXING, always_ahead, leaves_room
 from rpg.core.diagnostics import Refusal
@@ -262,7 +262,7 @@ class BlockTask(Relations, Structures, Setup):
         fallback: BlockState | None = None
         narrow = False
         for attempt in range(ATTEMPTS):
-            start = sample_start(init, self.world, seed, attempt)
+            start = sample_start(init, self.world, seed, attempt, self._plainly)
             self._begin(start)
             if self._past():
                 continue
@@ -279,6 +279,11 @@ class BlockTask(Relations, Structures, Setup):
             raise Refusal([crowded(ATTEMPTS) if narrow else solved_at_start(ATTEMPTS)])
         self._begin(fallback)
         return fallback
+
+    def _plainly(self) -> Physics | None:
+        """The simulation, where it has nothing but the blocks in it; the episode has no start yet."""
+        self._written = None
+        return self.physics if self._embodiment is None and not self._textures else None
 
     def _begin(self, start: BlockState) -> None:
         """An episode begins with `start`."""
@@ -319,8 +324,8 @@ class BlockTask(Relations, Structures, Setup):
             self._begin_naming(number)
             self._memory = memory
             memory.begin(at_rest.value)
-            success = _as_verdict(self._success())
-            failed = _as_verdict(self._fail()).value
+            success = as_verdict(self._success())
+            failed = as_verdict(self._fail()).value
             lost = lost and failed
             rank = (success.value, not failed, memory.stage, success.margin)
             if best is None or rank > best[0]:
@@ -389,12 +394,3 @@ class BlockTask(Relations, Structures, Setup):
         if name is None:
             name = self._names_of_conditions[id(node)] = clause(node, self.world)  # type: ignore[arg-type]
         return name
-
-
-def _as_verdict(value: Verdict | bool) -> Verdict:
-    """What a hook returns; a plain truth value has no slack to tell of."""
-    if isinstance(value, Verdict):
-        return value
-    if isinstance(value, bool):
-        return Verdict(value, 1.0 if value else -1.0)
-    raise TypeError(f"_success and _fail return a verdict, not {value!r}")

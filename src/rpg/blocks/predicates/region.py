@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import cache, lru_cache
 from random import Random
 from typing import Any, get_args
 
@@ -28,6 +28,9 @@ INSET = 0.025
 CORNERS: tuple[Region, ...] = ("near_left_corner", "near_right_corner", "far_left_corner", "far_right_corner")
 EDGES: tuple[Region, ...] = ("left_edge", "right_edge", "near_edge", "far_edge")
 MIDDLE = (sum(WORKSPACE_X) / 2, sum(WORKSPACE_Y) / 2)
+BEST = 12
+"""So many of the places that are farthest inside of a region are proposed."""
+Place = tuple[float, float]
 _WORDS = {str(region): region.split("_") for region in get_args(Region)}
 
 
@@ -76,9 +79,10 @@ class InRegionPredicate(Predicate[InRegion]):
         if len(members(node.a)) > 1:
             yield from side_by_side(node.region, state.world.edge[block])
             return
-        rated = [(-margin, rng.random(), place) for place, margin in _rated(node.region)]
-        yield from (place for *_, place in sorted(rated)[:12])
-        places = [place for place, margin in _rated(node.region) if margin > 0.2]
+        best, good = _rated(node.region)
+        draws = [rng.random() for _ in _grid()]
+        yield from (place for *_, place in sorted([(-margin, draws[k], place) for k, margin, place in best])[:BEST])
+        places = list(good)
         rng.shuffle(places)
         yield from places[:24]
 
@@ -88,12 +92,13 @@ class InRegionPredicate(Predicate[InRegion]):
             return
         x, y, _ = state.position[a]
         edge = state.world.edge[a]
-        far = min(_grid(), key=lambda p: region_margin(node.region, p[0], p[1], edge))
-        for place, what in ((_way_out(node.region, x, y, edge), "just outside of"), (far, "far from")):
+        out = (_way_out(node.region, x, y, edge), "just outside of"), (_farthest(node.region, edge), "far from")
+        for place, what in out:
             yield NearMiss(f"{a} {what} the region", shift(state, carried(state, a), place[0] - x, place[1] - y))
 
 
-def _grid() -> list[tuple[float, float]]:
+@cache
+def _grid() -> list[Place]:
     """Places all over the workspace, 2.5 cm apart."""
     (x0, x1), (y0, y1) = WORKSPACE_X, WORKSPACE_Y
     xs = [x0 + INSET + k * (x1 - x0 - 2 * INSET) / 10 for k in range(11)]
@@ -102,9 +107,18 @@ def _grid() -> list[tuple[float, float]]:
 
 
 @lru_cache(maxsize=32)
-def _rated(region: Region) -> tuple[tuple[tuple[float, float], float], ...]:
-    """Places all over the workspace, each with its slack in a region for a block of the usual size."""
-    return tuple((place, region_margin(region, *place, 0.04)) for place in _grid())
+def _rated(region: Region) -> tuple[list[tuple[int, float, Place]], list[Place]]:
+    """For a block of the usual size, the places among which the BEST in a region are, each with its number and its
+    slack; and all the good ones."""
+    rated = [(k, region_margin(region, *place, 0.04), place) for k, place in enumerate(_grid())]
+    least = sorted((margin for _, margin, _ in rated), reverse=True)[BEST - 1]
+    return [found for found in rated if found[1] >= least], [place for _, margin, place in rated if margin > 0.2]
+
+
+@lru_cache(maxsize=64)
+def _farthest(region: Region, edge: float) -> Place:
+    """The place that is least in a region."""
+    return min(_grid(), key=lambda place: region_margin(region, place[0], place[1], edge))
 
 
 @lru_cache(maxsize=32)
@@ -127,7 +141,7 @@ def _way_out(region: Region, x: float, y: float, edge: float) -> tuple[float, fl
             outside = min(border_distances(*place).values()) < 0.0
             if not outside and region_margin(region, *place, edge) < -0.02:
                 return place
-    return min(_grid(), key=lambda p: region_margin(region, p[0], p[1], edge))
+    return _farthest(region, edge)
 
 
 TABLE: dict[str, Predicate[Any]] = {"in_region": InRegionPredicate()}

@@ -51,7 +51,7 @@ def best_line(state: BlockState, names: Sequence[str]) -> Line:
     """Blocks along the line with the least squared distance from their centres."""
     points = [state.position[name] for name in names]
     n = len(points)
-    cx, cy = sum(p[0] for p in points) / n, sum(p[1] for p in points) / n
+    cx, cy = sum([x for x, _, _ in points]) / n, sum([y for _, y, _ in points]) / n
     xx = yy = xy = 0.0
     for x, y, _ in points:
         dx, dy = x - cx, y - cy
@@ -63,8 +63,10 @@ def best_line(state: BlockState, names: Sequence[str]) -> Line:
     if (uy > 0.0) if abs(uy) >= abs(ux) else (ux < 0.0):
         ux, uy = -ux, -uy
     ranked = sorted(
-        ((p[0] - cx) * ux + (p[1] - cy) * uy, name, (p[1] - cy) * ux - (p[0] - cx) * uy)
-        for name, p in zip(names, points, strict=True)
+        [
+            ((x - cx) * ux + (y - cy) * uy, name, (y - cy) * ux - (x - cx) * uy)
+            for name, (x, y, _) in zip(names, points, strict=True)
+        ]
     )
     return Line([name for _, name, _ in ranked], [a for a, _, _ in ranked], [o for _, _, o in ranked], (ux, uy))
 

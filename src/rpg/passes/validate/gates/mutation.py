@@ -59,11 +59,11 @@ class MutationGate:
         misses = doubtful + known
         sampled, moving = other_goals(program, bench), unsettled(goal)
         if judge is not None:
-            # the code tells the goal of the schema word for word, by which the others are found: one shows that it does
             survivors = [miss for miss in doubtful if judge.as_named(_begun(miss.state, history))]
-            others = list(islice(sampled, 1))
         else:
-            survivors, others = surviving(bench.task, history, misses), list(sampled)
+            survivors = surviving(bench.task, history, misses)
+        # our own lowering says word for word what the others are found by: one shows that it does
+        others = list(islice(sampled, 1 if bench.trusted else None))
         # where stages count, the goal was met before it moves again
         survivors += surviving(bench.task, (*history, goal) if history else (), moving)
         judged = zip(others, judge_each(bench.task, history, others), strict=True)

@@ -196,11 +196,22 @@ _RELATIVE = frozenset({"where", "as", "what", "how", "that", "which"})
 """With these "is" at the end is no predicate that is left out: "where it is"."""
 
 
+_NO_MORE = {
+    (*there, "nothing", "else", *where)
+    for there in ((), ("there", "is")) for where in ((), ("there",), ("on", "the", "table"))
+}  # fmt: skip
+"""Sentences that say no more than that what was told is all there is."""
+
+
 def _with_predicates(parts: list[list[Token]]) -> list[list[Token]]:
     """ "A must be on the patch. C must not be.": one sentence, for the second has no predicate of its own; and so are
     "The table looks like this." and what follows it."""
     out: list[list[Token]] = []
     for part in parts:
+        if out and tuple(token.word for token in part) in _NO_MORE:
+            comma = replace(part[0], kind="punct", word=",", raw=",", value=None)
+            out[-1] = [*out[-1], comma, *(token for token in part if token.word in ("nothing", "else"))]
+            continue
         if out and announces(out[-1]):
             out[-1] = [*out[-1], replace(part[0], kind="punct", word=":", raw=":", value=None), *part]
             continue

@@ -29,6 +29,7 @@ from rpg.language.meaning import (
 _IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")
 _THERE = frozenset({"seen", "shown", "visible", "present", "needed", "required", "wanted", "desired", "expected",
                     "observed", "displayed"})  # fmt: skip
+_EXISTS = frozenset({"appear", "exist"})
 _CONSISTS = (
     "consists of", "consist of", "is made of", "is made from", "is made up of", "is made out of", "is composed of",
     "comprises", "is built from", "is built of", "be made of", "be made from", "consist only of", "be built from",
@@ -85,7 +86,7 @@ def becoming(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[t
 def _there(p: Parser, i: int, k: int, theme: Meaning, mode: str) -> Iterator[tuple[Meaning, int]]:
     """ "a row of blocks is seen: cyan, white", "a yellow block should be visible in front of it"."""
     be = p.any_of(k, _IS)
-    j = p.one(be, _THERE) if be else 0
+    j = p.one(be, _THERE) if be else p.one(k, _EXISTS)
     if not j:
         return
     shaped = isinstance(theme, Structure)

@@ -354,6 +354,8 @@ def _shared(had: tuple[Meaning, ...], item: Meaning, link: str) -> tuple[Meaning
         return (*had[:-1], replace(last, adjuncts=(of_one_kind(last.adjuncts[0], item.adjuncts[0]),)))
     if not last.verb == item.verb == "spell" or any(not isinstance(a, Using) for a in last.adjuncts):
         return had
+    if last.adjuncts and any(isinstance(a, Using) for a in item.adjuncts):
+        return had  # "UP in red letters and DOWN in blue letters"
     own = tuple(a for a in item.adjuncts if not isinstance(a, Using) or not isinstance(a.members, Pronoun))
     return (*had[:-1], replace(last, adjuncts=tuple(dict.fromkeys((*last.adjuncts, *own)))))
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
+from rpg.language.grammar.clauses.again import meant_again, said_too
 from rpg.language.grammar.clauses.manners import direction
 from rpg.language.grammar.clauses.remade import put_down, remade, reverse, taken_off
 from rpg.language.grammar.core import Parser, Results, rule
@@ -262,28 +263,6 @@ def _pairs(found: tuple[Meaning, ...]) -> bool:
     return all(isinstance(a, Manner) and a.kind == "respectively" for a in found)
 
 
-_SO = ("should not be", "must not be", "is not", "are not", "should be", "must be", "is too", "are too", "is", "are")
-
-
-def _too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[Meaning]:
-    """ "... or the green block is", "before the red one is": the same is said of something else."""
-    if (k := p.any_of(j, _SO)) and before.verb in ("be", "place") and before.adjuncts:
-        negated = "not" in p.words[j:k]
-        kept = tuple(a for a in before.adjuncts if not isinstance(a, Manner | That))
-        said = replace(before, theme=theme, adjuncts=kept, negated=negated, span=p.span(i, k), cost=1)
-        for end in dict.fromkeys((p.any_of(k, (", but not both", "but not both", ", not both")) or k, k)):
-            both = Manner(kind="xor", span=p.span(k, end))
-            yield (replace(said, adjuncts=(*kept, both)) if end > k else said), end
-
-
-_SO_ARE = (
-    "not", "should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
-    "must not", "should not be", "must not be", "is not", "are not", "can be", "may be", "has to", "have to", "will be",
-    "will", "shall", "does not", "do not", "may not", "can not", "shall not", "will not", "can not be", "may not be",
-)  # fmt: skip
-"""What stands for the whole predicate of the clause before: "... and the blue one should be"."""
-
-
 _SO_IS = ("so is", "so are", "so should", "so must", "so does", "so do", "so will", "so shall", "likewise")
 
 
@@ -357,17 +336,16 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
     for theme, j in noun_phrase(p, so) if so else ():
         if isinstance(theme, Noun | Coord):
             yield replace(before, theme=theme, span=p.span(i, j), cost=1), p.opt(j, "be")
-    yield from _elsewhere(p, i, before)
-    yield from _next_one(p, i, before)
+    yield from (*_elsewhere(p, i, before), *_next_one(p, i, before))
     if before.verb == "spell" and isinstance(before.theme, Structure) and (text := literal(p, i)) is not None:
         word = Structure(kind="word", det="the", letter=text, span=p.span(i, i + 1))
-        own = tuple(a for a in before.adjuncts if isinstance(a, Using))
         for found, k in adjuncts(p, i + 1) if len(text) > 1 else ():
+            own = tuple(a for a in before.adjuncts if isinstance(a, Using) and Using not in map(type, found))
             yield replace(before, theme=word, adjuncts=(*own, *found), span=p.span(i, k)), k
     said = bool(before.adjuncts) and not (before.verb == "exist" and before.theme is None)
     forms = before.lemma == "form" and len(before.adjuncts) == 1 and isinstance(before.adjuncts[0], Using)
     for theme, j in noun_phrase(p, i) if said else ():
-        yield from _too(p, i, j, theme, before)
+        yield from said_too(p, i, j, theme, before)
         for shape, k in simple(p, j) if forms and p.stands(j, ("a", "an", "one")) else ():
             if isinstance(shape, Structure):  # "three reds form a row, three blues a column"
                 own = (Using(members=theme, span=theme.span),)
@@ -382,15 +360,7 @@ def gapped(p: Parser, i: int, before: Clause) -> Results[Meaning]:
                 beside = beside or (timed and before.verb == "place")
                 cost += (2 if _bare_count(theme) or beside else 0) + isinstance(before.adjuncts[-1], That)
                 yield replace(before, theme=theme, adjuncts=found, span=p.span(i, k), cost=cost), k
-    done = before.mode == "goal" and (before.verb == "stack" or (before.verb == "place" and bool(before.adjuncts)))
-    for theme, j in noun_phrase(p, i) if done or (before.verb == "be" and before.adjuncts) else ():
-        k = p.any_of(p.opt(j, "all"), _SO_ARE)
-        unbuilt = isinstance(theme, Structure) and p.words[k - 1] == "not"
-        if k and not unbuilt and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
-            leave = p.words[k - 1] in ("may", "can") or p.words[k - 2] in ("may", "can")
-            kept = tuple(a for a in before.adjuncts if leave or not (isinstance(a, Manner) and a.kind == "allowed"))
-            yield replace(before, theme=theme, negated=p.words[k - 1] == "not" or p.words[k - 2] == "not",
-                          adjuncts=kept, span=p.span(i, k), cost=1), k  # fmt: skip
+    yield from meant_again(p, i, before)
     if before.theme is not None and before.verb in ("place", "stack", "be", "arrange", "build"):
         for found, k in adjuncts(p, i):
             if not before.adjuncts and found and getattr(getattr(found[0], "landmark", None), "word", "") == "it":

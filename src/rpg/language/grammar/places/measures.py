@@ -153,6 +153,9 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
                 yield from measured_so(p, far, i, end)
                 for most, last in _at_most(p, end) if low is not None and high is None else ():
                     yield replace(far, high=most, span=p.span(i, last)), last
+        for side, k in p.standing(p.any_of(j, ("to its", "on its")), ("left", "right")) if p.stands(j, _AT) else ():
+            far = Loc(rel=side, landmark=Pronoun(word="it", span=p.span(j, k)), low=low, high=high, span=p.span(i, k))
+            yield from measured_so(p, far, i, k)
         for (name, mods), k in relation(p, j):
             if name not in ("left", "right", "front", "behind"):
                 continue
@@ -173,6 +176,7 @@ def measured(p: Parser, i: int) -> Results[Meaning]:
                     )
 
 
+_AT = frozenset({"to", "on"})
 _CLOSER = ("closer to", "nearer to")
 _FARTHER = ("farther from", "further from", "farther away from", "further away from")
 _NO_CLOSER = ("no closer to", "not closer to", "no nearer to", "not nearer to", "never closer to")

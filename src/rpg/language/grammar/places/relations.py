@@ -8,7 +8,7 @@ from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.diagonals import diagonal
 from rpg.language.grammar.places.flanks import flanking
-from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare
+from rpg.language.grammar.places.measures import bounds, limited, measured, measured_bare, measured_so
 from rpg.language.grammar.places.offsets import centred_on
 from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
@@ -245,9 +245,10 @@ def _bare(p: Parser, i: int) -> Results[Meaning]:
     for phrase, j in p.standing(i, _UNSAID):
         landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
-        if _UNSAID[phrase] == "apart" and p.words[j : j + 1] == [","]:
+        if _UNSAID[phrase] == "apart" and p.stands(j, (",", ":")):
             for (low, high), k in bounds(p, j + 1):
-                yield Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, k)), k
+                far = Loc(rel="distance", landmark=landmark, low=low, high=high, span=p.span(i, k))
+                yield from measured_so(p, far, i, k)
 
 
 _UNSAID = {

@@ -49,6 +49,7 @@ _PHRASES = {
     **{f"{verb} like the": f"{verb} the" for verb in ("put", "place", "move", "take", "stack", "set", "get")},
     "just not": "but not", "only not": "but not", "please to": "please",
     "fill a": "build a filled", "fill the": "build the filled", "fill one": "build one filled",
+    **{f"{kind} together": f"{kind} numbers together" for kind in ("odd", "even")},
     "in rainbow colors": "in the colors of the rainbow",
     "outline a": "draw the outline of a", "outline one": "draw the outline of one",
     "in front from": "in front of", "behind from": "behind", "in behind": "behind",
@@ -89,6 +90,8 @@ _PHRASES = {
        for free in ("as you like", "however you like", "as you please", "as you wish", "any way you like")},
     **{f"{makes} {n}{what}": f"{n}{what} in all" for makes in ("that makes", "which makes")
        for n in lexicon.NUMBER for what in ("", " blocks", " cubes")},
+    **{f"{has}{crept} into": f"{be} in" for has, be in (("has ", "is"), ("have ", "are"))
+       for crept in ("crept", "slipped", "sneaked", "strayed", "wandered")},
     "square frame": "square outline", "rectangular frame": "rectangle outline",
     "but not both of them": "but not both", "not both of them": "not both", "and not both of them": "but not both",
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
@@ -99,7 +102,7 @@ _PHRASES = {
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
     phrases = by_first(tuple(_PHRASES))
-    tokens = _was_so(_grouped(_so_many_colors(_spaced_behind(tokens))))
+    tokens = _was_so(_grouped(_so_many_colors(_spaced_behind(_from_end_to_end(_in_the_corners(tokens))))))
     out: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -169,6 +172,48 @@ def _so_many_colors(tokens: list[Token]) -> list[Token]:
         if named and (told or not _BY_TURNS.isdisjoint(words[at:end])):
             tokens = [*tokens[: at - 2], *tokens[at + 1 :]]
     return tokens
+
+
+def _in_the_corners(tokens: list[Token]) -> list[Token]:
+    """ "Red takes the corners": the corners are red."""
+    words = [token.word for token in tokens]
+    for at in range(len(words) - 3):
+        took = words[at + 1] in ("takes", "gets", "occupies") and words[at + 2 : at + 4] == ["the", "corners"]
+        if took and words[at] in lexicon.COLOR and (at + 4 == len(words) or words[at + 4] in (*_ENDS, ",")):
+            are = replace(tokens[at + 1], word="are")
+            return [*tokens[:at], *tokens[at + 2 : at + 4], are, tokens[at], *_in_the_corners(tokens[at + 4 :])]
+    return tokens
+
+
+_OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top", "front": "back", "back": "front"}
+_EXTREMES = frozenset({"smallest", "largest", "biggest", "lowest", "highest", "greatest"})
+
+
+def _from_end_to_end(tokens: list[Token]) -> list[Token]:
+    """ "from the smallest on the left to the biggest on the right": from the smallest to the biggest, from left to
+    right."""
+    words = [token.word for token in tokens]
+    for at in range(len(words) - 9):
+        first = _extreme_at(words, at + 1) if words[at] == "from" else None
+        second = (
+            _extreme_at(words, first[1] + 1) if first is not None and words[first[1] : first[1] + 1] == ["to"] else None
+        )
+        if first is not None and second is not None and words[second[0]] == _OPPOSITE[words[first[0]]]:
+            kept = [*range(at, at + 3), *range(first[1], first[1] + 3), at, first[0], first[1], second[0]]
+            return [*tokens[:at], *(tokens[n] for n in kept), *tokens[second[1] :]]
+    return tokens
+
+
+def _extreme_at(words: list[str], at: int) -> tuple[int, int] | None:
+    """Where the side is, and the end, of "the smallest (one) on the left (end)"."""
+    if words[at : at + 1] != ["the"] or words[at + 1 : at + 2] == [] or words[at + 1] not in _EXTREMES:
+        return None
+    on = at + 2 + (words[at + 2 : at + 3] in (["one"], ["number"], ["digit"], ["block"], ["cube"]))
+    side = on + 2
+    if words[on:side] not in (["on", "the"], ["at", "the"]) or side >= len(words) or words[side] not in _OPPOSITE:
+        return None
+    end = side + 1 + (words[side + 1 : side + 2] == ["end"])
+    return (side, end)
 
 
 _LINES = frozenset({"tower", "stack", "row", "line", "column", "pile"})

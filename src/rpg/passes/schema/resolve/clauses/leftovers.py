@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Clause
+from rpg.language.meaning import Clause, Noun, parts_of
 from rpg.passes.schema.resolve.clauses.spec import Spec
 from rpg.passes.schema.resolve.things.world import refuse
 
@@ -30,8 +30,9 @@ def nothing_left(spec: Spec, clause: Clause) -> None:
                 item.span,
                 "say it in a sentence of its own",
             )
+    said_again = {"extra"} if any(isinstance(x, Noun) and x.traits.extra for x in parts_of(clause)) else set()
     for manner in spec.manners:
-        if manner.kind not in ("idle", "finally", "always"):
+        if manner.kind not in {"idle", "finally", "always", *said_again}:
             raise refuse(
                 "misplaced",
                 "this is understood, but does not fit what is said here",

@@ -297,7 +297,8 @@ def _refine(goal: g.Goal, node: s.Stack | s.Row, loose: list[Loose], scene: Scen
         if settled is None:
             hint = "keep one of them"
             raise refuse("order-conflict", "the order of these blocks is given already", loose[0][2], hint)
-        return transform(goal, lambda x: node.model_copy(update={"order": settled}) if x == node else x)
+        along = {"axis": "y"} if isinstance(node, s.Row) and settled.first in ("left", "right") else {}
+        return transform(goal, lambda x: node.model_copy(update={"order": settled, **along}) if x == node else x)
     bunches = [ref.names for ref, _, _ in loose if len(ref.names) > 1]
     told = ranks_from({index: (name,) for index, name in places.items()}, node.blocks, scene, bunches)
     ranks = by_symbols(tuple(told), node.blocks, scene)

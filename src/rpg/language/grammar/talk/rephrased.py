@@ -141,10 +141,12 @@ def _spaced_behind(tokens: list[Token]) -> list[Token]:
     words = [token.word for token in tokens]
     at = next((n for n, word in enumerate(words) if n and word in ("touching", "spaced", "packed")), 0)
     said = next((x for x in _SPACED if at and tuple(words[at + 1 - len(x) : at + 1]) == x), ())
+    if not said:
+        return tokens
     begin = at + 1 - len(said)
     noun = next((n for n in range(at + 1, min(at + 4, len(words))) if words[n] in lexicon.BLOCK), 0)
-    counted = begin > 0 and (tokens[begin - 1].kind == "number" or words[begin - 1] in lexicon.NUMBER)
-    if not said or not noun or not counted or any(tokens[n].kind != "word" for n in range(at, noun)):
+    counted = bool(said) and begin > 0 and (tokens[begin - 1].kind == "number" or words[begin - 1] in lexicon.NUMBER)
+    if not noun or not counted or any(tokens[n].kind != "word" for n in range(at, noun)):
         return tokens
     lined = words[noun + 1 : noun + 3] in (["in", "a"], ["in", "one"]) and {*words[noun + 3 : noun + 4]} & _LINED
     end = noun + 4 if lined else noun + 1

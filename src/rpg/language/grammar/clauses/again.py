@@ -1,0 +1,49 @@
+"""Predicates that are left out because they were said before: "... and the blue one is", "... but C yes"."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rpg.language.grammar.core import Parser, Results
+from rpg.language.grammar.things.nouns import noun_phrase
+from rpg.language.meaning import Clause, In, Loc, Manner, Meaning, Structure, That
+
+_SO = ("should not be", "must not be", "is not", "are not", "should be", "must be", "is too", "are too", "is", "are",
+       "yes")  # fmt: skip
+
+
+def said_too(p: Parser, i: int, j: int, theme: Meaning, before: Clause) -> Results[Meaning]:
+    """ "... or the green block is", "before the red one is": the same is said of something else."""
+    if (k := p.any_of(j, _SO)) and before.verb in ("be", "place") and before.adjuncts:
+        negated = "not" in p.words[j:k]
+        kept = tuple(a for a in _affirmed(before) if not isinstance(a, Manner | That))
+        said = replace(before, theme=theme, adjuncts=kept, negated=negated, span=p.span(i, k), cost=1)
+        for end in dict.fromkeys((p.any_of(k, (", but not both", "but not both", ", not both")) or k, k)):
+            both = Manner(kind="xor", span=p.span(k, end))
+            yield (replace(said, adjuncts=(*kept, both)) if end > k else said), end
+
+
+def _affirmed(before: Clause) -> tuple[Meaning, ...]:
+    """The places of "A not on the mat", of which "but B is" says that B is there."""
+    return tuple(replace(a, negated=False) if isinstance(a, Loc | In) and a.negated else a for a in before.adjuncts)
+
+
+_SO_ARE = (
+    "not", "should be", "must be", "should", "must", "is", "are", "does", "do", "has to be", "have to be", "should not",
+    "must not", "should not be", "must not be", "is not", "are not", "can be", "may be", "has to", "have to", "will be",
+    "will", "shall", "does not", "do not", "may not", "can not", "shall not", "will not", "can not be", "may not be",
+)  # fmt: skip
+"""What stands for the whole predicate of the clause before: "... and the blue one should be"."""
+
+
+def meant_again(p: Parser, i: int, before: Clause) -> Results[Meaning]:
+    """ "... and the blue one should be", "... all others may", closed by a comma: what was said before, of others."""
+    done = before.mode == "goal" and (before.verb == "stack" or (before.verb == "place" and bool(before.adjuncts)))
+    for theme, j in noun_phrase(p, i) if done or (before.verb == "be" and before.adjuncts) else ():
+        k = p.any_of(p.opt(j, "all"), _SO_ARE)
+        unbuilt = isinstance(theme, Structure) and p.words[k - 1] == "not"
+        if k and not unbuilt and (p.opt(k, "too", "as") >= p.end or p.words[k] in (",", ";")):
+            leave = p.words[k - 1] in ("may", "can") or p.words[k - 2] in ("may", "can")
+            kept = tuple(a for a in _affirmed(before) if leave or not (isinstance(a, Manner) and a.kind == "allowed"))
+            yield replace(before, theme=theme, negated=p.words[k - 1] == "not" or p.words[k - 2] == "not",
+                          adjuncts=kept, span=p.span(i, k), cost=1), k  # fmt: skip

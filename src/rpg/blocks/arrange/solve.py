@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
-from itertools import islice, product
+from itertools import count, islice, product
 from random import Random
+from threading import Lock
 from typing import NamedTuple
 
 from rpg.blocks.arrange.alternatives import Conjunction, alternatives, single
@@ -83,8 +84,9 @@ class Solver:
     def solve(self, rng: Random, vary: bool = False) -> BlockState | None:
         """A goal state; None where none is found. `vary`: any one rather than the most natural one."""
         budget = Budget(self.tries)
-        ways = list(_ways(self.goal, tuple(self.world.assets.values())))
+        ways: Iterable[Conjunction] = _ways(self.goal, tuple(self.world.assets.values()))
         if vary:
+            ways = list(ways)
             rng.shuffle(ways)
         try:
             for effort in self.efforts:
@@ -202,10 +204,28 @@ class Solver:
             assembly.turn(name, quat)
 
 
+class _Ways:
+    """The alternatives of a goal that are tried, each made when it is asked for first: most often one will do."""
+
+    def __init__(self, goal: g.Goal, world: World) -> None:
+        self._made: list[Conjunction] = []
+        self._coming = map(single, islice(alternatives(goal, world), MAX_ALTERNATIVES))
+        self._making = Lock()
+
+    def __iter__(self) -> Iterator[Conjunction]:
+        for number in count():
+            if number == len(self._made):
+                with self._making:
+                    self._made += islice(self._coming, number + 1 - len(self._made))
+            if number == len(self._made):
+                return
+            yield self._made[number]
+
+
 @lru_cache(maxsize=32)
-def _ways(goal: g.Goal, assets: tuple[Asset, ...]) -> tuple[Conjunction, ...]:
-    """The alternatives of a goal that are tried: the same ones for every start and every further goal state."""
-    return tuple(map(single, islice(alternatives(goal, World(assets)), MAX_ALTERNATIVES)))
+def _ways(goal: g.Goal, assets: tuple[Asset, ...]) -> _Ways:
+    """The same ones for every start and every further goal state."""
+    return _Ways(goal, World(assets))
 
 
 def imagined_start(world: World, rng: Random) -> BlockState | None:

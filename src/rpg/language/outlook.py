@@ -34,12 +34,15 @@ def head_of(token: Token) -> str | None:
     return token.word if plain and token.value is None else None
 
 
-Firsts = tuple[frozenset[str], frozenset[str], frozenset[str], tuple[Any, ...]]
+Firsts = tuple[frozenset[str], frozenset[str], frozenset[str], frozenset[str] | None, tuple[Any, ...]]
 """What a rule asks of the word where it begins.
 
-The words that it asks for; those that it asks for in front of that word, and anywhere in the sentence; its readings
-before all other words and at the end of the sentence, of no length.
+The words that it asks for; those that it asks for in front of that word, and anywhere in the sentence; the words that
+it asks for where it finds some of these (None: any); its readings before all other words and at the end of the
+sentence, of no length.
 """
+MOST_TRIED = 400
+"""As many answers at most are tried on a rule that asks for words at other places."""
 
 
 class Asked:
@@ -51,6 +54,30 @@ class Asked:
         self.words: set[str | None] = set()
         self.behind: set[str] = set()
         self.anywhere: set[str] = set()
+        self.further: set[str | None] | None = set()
+        self.answers: list[bool] = []
+        self.given = self.tried = 0
+
+    def answer(self) -> bool:
+        """Whether words that a rule asks for stand at other places: every row of answers is tried, beginning with "no"
+        to all."""
+        if self.given == len(self.answers):
+            self.answers.append(False)
+        self.given += 1
+        return self.answers[self.given - 1]
+
+    def others(self) -> bool:
+        """Whether there are further answers to try, which are given then, and too few of them to give up."""
+        while self.answers and self.answers[-1]:
+            self.answers.pop()
+        if self.answers:
+            self.answers[-1] = True
+        self.given, self.tried = 0, self.tried + 1
+        if self.tried > MOST_TRIED:
+            self.further = None
+        if self.further is None:
+            self.answers.clear()
+        return bool(self.answers)
 
     def here(self, index: int) -> None:
         if index != self.base:
@@ -59,12 +86,16 @@ class Asked:
     def note(self, index: int, words: Iterable[str | None]) -> None:
         """The rule asks whether the word at an index is one of these."""
         self.here(index)
-        self.words.update(words)
+        if not any(self.answers[: self.given]):
+            self.words.update(words)
+        elif self.further is not None:
+            self.further.update(words)
 
     def firsts(self, found: tuple[Any, ...]) -> Firsts:
         """What the rule asks for, with its readings before all other words."""
         words = frozenset(word for word in self.words if word)
-        return words, frozenset(self.behind), frozenset(self.anywhere), found
+        further = None if self.further is None else frozenset(word for word in self.further if word)
+        return words, frozenset(self.behind), frozenset(self.anywhere), further, found
 
 
 class _Part:
@@ -99,7 +130,7 @@ class AnyWord(_Part):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, str):
             raise Hidden
-        self.asked.words.add(other)
+        self.asked.note(self.asked.base, (other,))
         return False
 
     def __bool__(self) -> bool:

@@ -247,23 +247,25 @@ class Inquiry(Parser):
     def follows(self, i: int, words: Collection[str]) -> bool:
         self.asked.here(i)
         self.asked.behind.update(words)
-        return False
+        return self.asked.answer()
 
     def anywhere(self, words: frozenset[str]) -> bool:
         return True
 
     def rarely(self, words: frozenset[str]) -> bool:
         self.asked.anywhere.update(words)
-        return False
+        return self.asked.answer()
 
     def last(self, body: Callable[[Parser, int], Iterable[object]]) -> int:
         return sys.maxsize
 
     def told(self, i: int, firsts: Firsts) -> list[tuple[Any, int]] | None:
-        words, behind, anywhere, found = firsts
+        words, behind, anywhere, further, found = firsts
         self.asked.note(i, words)
         self.asked.behind |= behind
         self.asked.anywhere |= anywhere
+        if self.asked.further is not None:
+            self.asked.further = None if further is None else self.asked.further | further
         return [(meaning, i) for meaning in found]
 
 
@@ -289,12 +291,18 @@ class Beginning:
         found = []
         for asked.kind in ("word", "punct", END):
             for asked.base in (0, 1000):
-                try:
-                    readings = _distinct(self.body(Inquiry(asked), asked.base, *args))
-                except Hidden:
-                    return None
-                found.append(tuple(meaning for meaning, _ in readings))
-        return asked.firsts(found[0]) if len(set(found)) == 1 else None
+                found.append(self._tried(asked, args))
+                while asked.others():
+                    if self._tried(asked, args) != found[0]:
+                        asked.further = None
+        return asked.firsts(found[0]) if len(set(found)) == 1 and found[0] is not None else None
+
+    def _tried(self, asked: Asked, args: tuple[Any, ...]) -> tuple[Any, ...] | None:
+        """The readings of no length that the rule has there; None: it asks too much."""
+        try:
+            return tuple(meaning for meaning, _ in _distinct(self.body(Inquiry(asked), asked.base, *args)))
+        except Hidden:
+            return None
 
 
 _NOTHING: list[Any] = []
@@ -327,15 +335,15 @@ def _sparing(body: Callable[..., Any], name: str | None) -> Callable[..., Any]:
     def apply(p: Parser, i: int, *args: Any) -> Any:
         known = firsts.get(args) if free else None
         if known is not None:
-            words, behind, anywhere, found = known
+            words, behind, anywhere, further, found = known
             head = p.heads[i]
             if head is None:
                 if (told := p.told(i, known)) is not None:
                     return told
             elif not (
                 head in words
-                or (behind and i > 0 and p.words[i - 1] in behind)
-                or (anywhere and not p.all.isdisjoint(anywhere))
+                or (behind and (further is None or head in further) and i > 0 and p.words[i - 1] in behind)
+                or (anywhere and (further is None or head in further) and not p.all.isdisjoint(anywhere))
             ):
                 if i > p.far:
                     p.far = i

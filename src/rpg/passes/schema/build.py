@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from contextlib import suppress
 from itertools import product
 from typing import Any
@@ -66,6 +66,7 @@ from rpg.passes.schema.resolve.things.spare import definite, none_ignored, witho
 from rpg.passes.schema.resolve.things.taken import plainly
 from rpg.passes.schema.resolve.things.things import fits, matching
 from rpg.passes.schema.resolve.things.world import Scene, refuse, said
+from rpg.passes.schema.wordings import wording
 
 MAX_COMBINATIONS = 48
 
@@ -78,9 +79,16 @@ def build(
     first: tuple[Refusal, tuple[Chain, ...]] | None = None
     best: tuple[int, Feasibility] | None = None
     limit: int | None = None
-    for cost, chosen in _combinations(sentences):
+    combinations = _combinations(sentences)
+    said_before: set[Hashable] = set()
+    known: dict[int, Hashable] = {}
+    for cost, chosen in combinations:
         if (best is not None and cost > best[0]) or (limit is not None and cost > limit):
             break
+        if len(combinations) > 1:
+            if (told := wording(chosen, known)) in said_before:
+                continue
+            said_before.add(told)
         try:
             found = resolve([s.link for s in sentences], chosen, text, notes, name, seed, author)
             if (token := unfounded(words, found.task, found.chosen)) is not None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
@@ -24,6 +23,7 @@ from rpg.language.meaning import (
     Structure,
     TableTop,
     Traits,
+    replace,
 )
 
 _IS = ("is to be", "are to be", "is", "are", "be", "being", "gets", "get")

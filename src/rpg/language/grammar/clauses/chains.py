@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.clauses import clause
@@ -39,6 +38,7 @@ from rpg.language.meaning import (
     Structure,
     Traits,
     Using,
+    replace,
 )
 
 _LEADS = {
@@ -102,7 +102,7 @@ def _alternatives(p: Parser, i: int, had: tuple[Chain, ...]) -> Results[Chain]:
 
 
 def _more(p: Parser, i: int, had: tuple[Meaning, ...], links: tuple[str, ...], at: int) -> Results[Chain]:
-    if len(had) > 16:
+    if len(had) > 16 or at >= p.end:
         return
     yield from _told_of_it(p, i, had, links, at)
     for place, k in done_there(p, at, had, links):

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.core.diagnostics import Span
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.adjuncts import adjuncts
@@ -38,6 +36,7 @@ from rpg.language.meaning import (
     That,
     Toward,
     Traits,
+    replace,
 )
 
 _HAS = (

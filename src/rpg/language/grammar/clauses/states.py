@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.clauses.absent import nothing_at_all
 from rpg.language.grammar.clauses.adjuncts import adjuncts, throughout
@@ -34,6 +32,7 @@ from rpg.language.meaning import (
     TableTop,
     Traits,
     Using,
+    replace,
 )
 from rpg.language.phrases import Classes
 

@@ -78,6 +78,7 @@ _BETWEEN = (
 )  # fmt: skip
 """What two colours follow."""
 _AFTER = ("alternating", "in alternation", "alternately", "alternate", "taking turns", "take turns")
+_TURNING = frozenset(phrase.split()[-1] for phrase in _AFTER)
 _WHERE = ("in which", "where", "with", "so that", "such that", "so", ",")
 _ONE = ("every other one", "every second one", "every other block", "every second block", "every other cube",
         "every second cube", "every other", "every second")  # fmt: skip
@@ -103,7 +104,7 @@ def alternation(p: Parser, i: int) -> Results[Meaning]:
             if not any(isinstance(x, Noun) and x.amount for x in parts_of(found)):
                 yield found, k
     for j in dict.fromkeys((i, p.any_of(i, _WHERE) or i)):
-        for items, k in listed(p, j):
+        for items, k in listed(p, j) if p.anywhere(_TURNING) else ():
             if end := p.any_of(k, _AFTER):
                 yield OrderBy(by="alternating", items=items, span=p.span(i, end)), end
         if k := p.any_of(j, _ONE):

@@ -62,9 +62,8 @@ def noun_phrase(p: Parser, i: int) -> Results[Meaning]:
         )
     for item, j in simple(p, i):
         yield item, j
-        yield from all_but(p, i, item, j)
-        yield from apposed(p, i, item, j)
-        yield from of_each(p, i, item, j)
+        for behind in (all_but, apposed, of_each) if j < p.end else ():
+            yield from behind(p, i, item, j)
         if not (isinstance(item, Noun) and item.det == "both" and item.head == "any") or p.words[j + 1] == "both":
             yield from ((beside_heap(item, found), k) for found, k in more(p, i, (item,), j, None))
 
@@ -339,6 +338,8 @@ def _after(p: Parser, i: int, j: int, noun: Noun) -> Results[Meaning]:
     from rpg.language.grammar.things.relatives import relative
 
     yield noun, j
+    if j >= p.end:
+        return
     tried = [(noun, j)]
     if k := p.any_of(j, _PRESENT if noun.traits.extra else _YOU_LIKE if noun.det != "the" else ()):
         yield noun, k

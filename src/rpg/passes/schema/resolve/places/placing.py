@@ -261,12 +261,8 @@ def parts_alone(spec: Spec, scene: Scene, scope: Scope, span: Span) -> Goals:
     spec.absolutes = in_between(spec.absolutes)
     blocks = [part for part in spec.absolutes if isinstance(part.adjuncts[0], At) and not is_shape(part.theme)]
     if not blocks or len(blocks) < len(spec.absolutes) or scene.built:
-        raise refuse(
-            "no-referent",
-            "it is not clear of which structure this is a part",
-            span,
-            "say it in the sentence that builds the structure",
-        )
+        raise refuse("no-referent", "it is not clear of which structure this is a part", span,
+                     "say it in the sentence that builds the structure")  # fmt: skip
     for part in spec.absolutes:
         inner = sort_adjuncts(part.adjuncts)
         goals += loose_ats(refer(part.theme, scene, replace(scope, role="theme")), inner, scene, part.span)
@@ -300,12 +296,8 @@ def absolutes(ref: Ref, spec: Spec, scene: Scene, scope: Scope) -> Goals:
         _merge_sides(inner)
         goals += _at_its_ends(theme, ref, inner, scene, item.span)
         if inner.ats and ref.built and not set(theme.names) & set(ref.names):
-            raise refuse(
-                "misplaced",
-                "this place does not fit the structure",
-                inner.ats[0].span,
-                "say 'on top', or name the block among its members",
-            )
+            raise refuse("misplaced", "this place does not fit the structure", inner.ats[0].span,
+                         "say 'on top', or name the block among its members")  # fmt: skip
         if inner.ats and len(ref.names) > 1 and not set(theme.names) & set(ref.names):
             raise refuse("ambiguous", "it is not clear of what this is a part", inner.ats[0].span, "say where it is")
         if inner.ats:
@@ -404,6 +396,4 @@ def _at_end(theme: Ref, ref: Ref, at_: At, scene: Scene, span: Span) -> Goals:
 
 
 def is_shape(theme: Meaning | None) -> bool:
-    return isinstance(theme, Structure) or (
-        isinstance(theme, Coord) and any(isinstance(i, Structure) for i in theme.items)
-    )
+    return any(isinstance(item, Structure) for item in (theme.items if isinstance(theme, Coord) else (theme,)))

@@ -244,6 +244,9 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
     two = tokens[index - 2].word if index > 1 else ""
     if before == "either" and index > 1:  # "spell either DOG or GOD"
         before, two = two, tokens[index - 3].word if index > 2 else ""
+        spelt = before in _SPELLERS or before == "write"
+        if spelt and tokens[index].raw.isupper() and not tokens[index - 2].raw.isupper():
+            return True  # "spell either ON or NO"
     if before == ":" and two in _WORD_LEADS | _SPELLERS:  # "word: robot", and no more
         alone = index + 1 == len(tokens) or tokens[index + 1].kind == "punct"
         return alone and word not in _NOT_LITERAL
@@ -254,6 +257,7 @@ def _is_literal(tokens: list[Token], index: int, known: frozenset[str]) -> bool:
         return word not in _NOT_LITERAL and not (word in _OF_A_WORD or (goes_on and said_of and not told))
     if before in _SPELLERS or (before == "out" and two in _SPELLERS):
         way = index + 1 < len(tokens) and tokens[index + 1].word == "to"  # "spelled left to right"
+        way = way or (word == "either" and any(token.word == "or" for token in tokens[index:]))
         return word not in _NOT_LITERAL and not way
     if (
         (before in _ORDERS or (before == "out" and two in _ORDERS))

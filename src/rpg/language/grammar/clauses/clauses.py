@@ -8,6 +8,7 @@ from rpg.language.grammar.clauses.addressed import addressed
 from rpg.language.grammar.clauses.adjuncts import adjunct, adjuncts
 from rpg.language.grammar.clauses.becoming import staying
 from rpg.language.grammar.clauses.covered import covered
+from rpg.language.grammar.clauses.dealt import one_for_each
 from rpg.language.grammar.clauses.denials import denied_of_all
 from rpg.language.grammar.clauses.having import finally_there, having, structure_is, topped
 from rpg.language.grammar.clauses.states import state
@@ -61,8 +62,8 @@ def clause(p: Parser, i: int) -> Results[Meaning]:
         if mode == "denied":
             yield from _unwanted(p, start)
             continue
-        yield from ((weighed(piled(found)), j) for found, j in _plain(p, start, mode))
-        yield from ((weighed(piled(found)), j) for found, j in _fronted(p, start, mode))
+        yield from ((weighed(one_for_each(p, piled(found))), j) for found, j in _plain(p, start, mode))
+        yield from ((weighed(one_for_each(p, piled(found))), j) for found, j in _fronted(p, start, mode))
 
 
 _EVERY = ("all", "each", "both", "no")
@@ -308,6 +309,7 @@ _WISHING = frozenset({"want", "like", "need", "see", "prefer", "have", "love"})
 
 
 _SET_OFF = frozenset({",", ":"})
+_SORTED = frozenset({"alphabetical", "alphabetically", "reverse", "sorted", "ordered", "numerical", "row", "line"})
 
 
 @rule
@@ -339,7 +341,8 @@ def _describe(p: Parser, i: int, mode: str) -> Results[Meaning]:
                     k,
                 )
         colon = p.opt(p.opt(j, ",", ":"), "all")
-        for apposed, k in noun_phrase(p, colon) if colon > j else ():
+        close = isinstance(theme, Noun) and len(theme.traits.labels) > 1 and p.stands(j, _SORTED)  # "A B C sorted row"
+        for apposed, k in noun_phrase(p, colon) if colon > j or close else ():
             if (
                 isinstance(apposed, Structure)
                 and apposed.members is None

@@ -35,6 +35,8 @@ def reverse(p: Parser, i: int, j: int) -> Results[Clause]:
         it = Pronoun(word="it", span=p.span(j, k))
         for found, end in adjuncts(p, k):
             yield _clause(p, i, end, "reverse", it, found), end
+    if p.stands(j, ("alphabetical", "alphabetic", "numerical")):
+        return  # "reverse alphabetical row of ..."
     start = p.any_of(j, _ORDER_OF) or j
     for theme, k in noun_phrase(p, start):
         for found, end in adjuncts(p, k):

@@ -350,7 +350,12 @@ def _nobody_there(p: Parser, i: int) -> Results[Meaning]:
 
 @choice
 def _left_empty(p: Parser, i: int) -> Results[Meaning]:
-    """ "yellow patch empty": a note that nothing lies there."""
+    """ "yellow patch empty", "everything off the yellow patch": a note that nothing lies there."""
+    off = p.any_of(i, ("everything off", "everything away from", "everything gone from"))
+    for theme, j in simple(p, off) if off else ():
+        if isinstance(theme, Noun) and theme.head == "patch" and (p.words[j] in ("", ",", "and")):
+            empty = Quality(traits=Traits(empty=True), span=p.span(i, off))
+            yield Clause(verb="be", theme=theme, adjuncts=(empty,), mode="goal", span=p.span(i, j), cost=1), j
     for theme, j in simple(p, i):
         end = p.one(j, frozenset(_CLEAR)) if isinstance(theme, Noun) and theme.head == "patch" else 0
         if end and (p.words[end] in ("", ",", "and")):

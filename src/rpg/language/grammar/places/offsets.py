@@ -14,9 +14,10 @@ _WITHIN = (
     "with an accuracy of", "with a precision of", "to an accuracy of", "to a precision of", "with an error of", "+ / -",
     "within a tolerance of",
 )  # fmt: skip
-_TOLERANCE = tuple(
-    f"{within} a {what} of" for within in ("within", "with", "to") for what in ("tolerance", "precision")
-)
+_TOLERANCE = (
+    *(f"{within} a {what} of" for within in ("within", "with", "to") for what in ("tolerance", "precision")),
+    "with tolerance", "with tolerance of", "tolerance", "tolerance of", "tolerance :",
+)  # fmt: skip
 _OFFSET = ("offset", "misalignment", "displacement", "deviation")
 _SIDEWAYS = ("horizontal", "lateral", "sideways", "center")
 _MOST = frozenset({"maximal", "maximum", "largest"})

@@ -96,6 +96,8 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
                 + (1 if p.words[i] == "side" and p.words[j - 1] == "with" else 0)
                 + (2 if name == "in" or p.words[i] == "by" else 0)
             )
+            if isinstance(landmark, Noun) and (landmark.det, landmark.amount) == ("some", None):
+                landmark = replace(landmark, det="a", plural=False) if _of_one_look(landmark) else landmark
             placed = Loc(rel=name, landmark=landmark, mods=mods, span=p.span(i, k), cost=cost)
             yield placed, k
             yield from _by_so_much(p, i, k, placed)
@@ -109,6 +111,12 @@ def _loc(p: Parser, i: int) -> Results[Meaning]:
     yield from _between(p, i)
     yield from _possessive(p, i)
     yield from _bare(p, i)
+
+
+def _of_one_look(mark: Noun) -> bool:
+    """ "on some red", "next to some red block": on any one of them."""
+    plain = mark.head == "any" or not mark.plural
+    return plain and mark.part_of is None and not mark.conditions and len(mark.traits.colors) == 1
 
 
 _SORTED_BY = frozenset(
@@ -243,7 +251,8 @@ def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
     yield from measured_bare(p, i)
     for phrase, j in p.standing(i, _UNSAID):
-        landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
+        between = _UNSAID[phrase] in ("between", "sandwiched")
+        landmark = Pronoun(word="them" if between else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
         if _UNSAID[phrase] == "apart" and p.stands(j, (",", ":")):
             for (low, high), k in bounds(p, j + 1):
@@ -286,6 +295,7 @@ _UNSAID = {
     "one next to the other": "side_by_side", "one beside the other": "side_by_side",
     "each next to the other": "side_by_side",
     "in between": "between", "between them": "between", "in between them": "between",
+    "sandwiched in between": "sandwiched",
     "between the two": "between", "in the space between them": "between",
     "one in front of the other": "one_behind", "one behind the other": "one_behind",
     "one row behind the other": "one_behind", "one row in front of the other": "one_behind",

@@ -28,6 +28,7 @@ from rpg.language.grammar.things.adjectives import colors
 from rpg.language.grammar.things.labels import run
 from rpg.language.meaning import (
     Absolute,
+    Amount,
     Coord,
     Into,
     Meaning,
@@ -175,6 +176,8 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
         j, (", filled", ", filled in", ", solid", "that is filled", "that is filled in", ", completely filled")
     ):
         yield from _sized(p, i, k, replace(base, filled=True, span=p.span(i, k)))
+    if p.stands(j, ("filled",)) and p.number(j + 1) is not None:
+        yield from _sized(p, i, j + 1, replace(base, filled=True, span=p.span(i, j + 1)))
     drawn = base.kind in LIMBED or base.kind in _DRAWN
     if k := p.any_of(j, _LYING_FLAT) or (p.any_of(j, ("lying on the table", ", lying on the table")) if drawn else 0):
         yield from _sized(p, i, k, replace(base, upright=False, span=p.span(i, k)))
@@ -198,6 +201,12 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 painted = replace(base.traits, colors=named)
                 cost = base.cost + (0 if every or p.words[comma] == "all" else 1)
                 yield replace(base, traits=painted, span=p.span(i, k), cost=cost), k
+    if base.traits.colors and base.members is None and not (base.sizes or base.plural) and base.kind in _COUNTED:
+        closed = j + 2 >= p.end or (p.words[j + 2] == "," and p.words[j + 3] in ("on", "in", "at", "near"))
+        many = p.number(j + 1) if p.stands(j, (",", ":")) and closed else None
+        if many:  # "red row, seven"
+            size = Size(what="size", amount=Amount(many, many), span=p.span(j, j + 2))
+            yield replace(base, sizes=(size,), span=p.span(i, j + 2)), j + 2
     for unit, named, k in one_line_each(p, j) if plain and base.kind in _LINED and p.anywhere(_ONE) else ():
         pattern = Pattern(unit=unit, span=p.span(j, k))
         traits = replace(base.traits, colors=named)
@@ -227,6 +236,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
 _DRAWN = ("V", "U", "X", "grid", "square", "circle", "rectangle", "plus", "triangle")
 _LYING_FLAT = (", lying flat on the table", "lying flat on the table", ", lying flat", "lying flat",
                ", flat on the table", "flat on the table")  # fmt: skip
+_COUNTED = ("row", "line", "column", "stack", "circle")
 _LINE_WORDS = frozenset({"row", "rows", "column", "columns"})
 """What tells how a rectangle lies: it is a grid."""
 _LINED = ("grid", "square", "rectangle", "wall")
@@ -299,6 +309,8 @@ _OF_EACH = ("each made of", "each of", "each made from", "each built of", "each 
 def _members(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     from rpg.language.grammar.things.nouns import noun_phrase
 
+    if base.filled is None and base.kind in ("square", "rectangle", "triangle") and p.stands(j, ("filled", "full")):
+        base = replace(base, filled=True)
     k = p.any_of(j, _OF) or p.any_of(p.opt(j, ","), _BUILT) or (p.one(j, "by") if p.number(j + 1) is not None else 0)
     k = k or (p.any_of(p.opt(j, ","), _OF_EACH) if base.plural else 0)
     for members, end in noun_phrase(p, j + 1) if base.plural and not base.sizes and p.stands(j, (",", ":")) else ():

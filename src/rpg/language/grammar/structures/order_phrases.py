@@ -93,6 +93,7 @@ NAMED: tuple[tuple[str, str, dict[str, bool]], ...] = (
     ("with the vowels before the consonants", "vowel_first", {}), ("even numbers then odd numbers", "even_first", {}),
     (", the rest in any order", "any", {}), (", the others in any order", "any", {}),
     ("and the rest in any order", "any", {}), (", the order of the rest does not matter", "any", {}),
+    (", the order of the rest is up to you", "any", {}), ("and the order of the rest is up to you", "any", {}),
     ("in any order", "any", {}), ("no matter in which order", "any", {}), (", no matter in which order", "any", {}),
     (", no matter the order", "any", {}), ("no matter the order", "any", {}), (", whatever the order", "any", {}),
     (", in which order does not matter", "any", {}),

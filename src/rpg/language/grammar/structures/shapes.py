@@ -84,7 +84,7 @@ def _letter_shapes(p: Parser, i: int) -> Results[tuple[str, bool]]:
     if letter:
         for tail, j in p.standing(i + 1, _TAILS):
             yield (letter, tail == "shapes"), j
-        if i == 0 and p.tokens[i].raw.isupper() and p.any_of(i + 1, _MADE_OF):
+        if i == 0 and p.tokens[i].raw.isupper() and (p.any_of(i + 1, _MADE_OF) or p.any_of(i + 1, _WITH_LIMBS)):
             yield (letter, False), p.reach(i + 1)
         if (
             p.words[i - 1 : i] in (["a"], ["an"])
@@ -113,6 +113,10 @@ _MADE_OF = tuple(
     f"{of} {n}" for of in ("of", "from", "out of", "made of", "made from", "built from")
     for n in ("three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", *map(str, range(3, 12)))
 )  # fmt: skip
+
+
+_WITH_LIMBS = tuple(f"with {the}{limb}" for the in ("", "a ", "the ", "its ") for limb in ("foot", "leg", "arm", "bar"))
+"""What only a figure has, and no block with a letter."""
 
 
 def _letter_at(p: Parser, i: int) -> str | None:

@@ -235,7 +235,8 @@ def lines_of(p: Parser, i: int, kind: str) -> Results[Size]:
                                                  ", i.e.", ", that is ,", ", so", "and"))):  # fmt: skip
         yield from layers_of(p, after)
     j = p.any_of(i, ("with", "of", "having", "in", "made of", ",", ":", ", with", ", in", ": with", "has", "that has"))
-    lines = p.number(j) if j else None
+    j = j or i  # "rectangle 2 rows of 3 orange blocks"
+    lines = p.number(j)
     what = p.words[j + 1] if lines is not None and j + 3 < p.end else ""
     each = p.number(j + 3) if what in _ROWS and p.words[j + 2] in ("of", "with") else None
     if lines is None or each is None or not (kind in _ROWS[what] or (kind == "wall" and what == "rows")):

@@ -170,7 +170,8 @@ def _piece(p: Parser, i: int) -> Iterator[tuple[_Before, int]]:
     for n, j in amounts.count(p, i):
         for unit, k in p.standing(j, _BEFORE_UNITS):
             yield _Before(sizes=(Size(what=_BEFORE_UNITS[unit], amount=Amount(n, n), span=p.span(i, k)),)), k
-        if j < p.end and p.tokens[j].joined and p.peek(j, lexicon.STRUCTURE) in _OF_SO_MANY:  # "a 2-tower"
+        close = j < p.end and (p.tokens[j].joined or (n > 1 and p.follows(i, ("a", "the"))))
+        if close and p.peek(j, lexicon.STRUCTURE) in _OF_SO_MANY:  # "a 2-tower"
             yield _Before(sizes=(Size(what="size", amount=Amount(n, n), span=p.span(i, j)),)), j
     for marks, j in adjective(p, i):
         if marks.keys() & {"size", "long"} or p.words[i] == "identical":

@@ -62,6 +62,8 @@ _FREE = (
     "up to you", "as you like", "you choose", "either is fine",
     "whichever", "whatever", "either will do", "either one will do", "either one is fine",
     "it does not matter which", "does not matter which", "no matter which",
+    "distance does not matter", "the distance does not matter", "at whatever distance", "no matter how far",
+    "i do not care where", "do not care where", "i do not mind where", "it does not matter where", "no matter where",
     "any color", "any colors", "of any color", "whatever color", "whatever colors",
     "the color does not matter",
     "color does not matter", "colors do not matter", "the colors do not matter", "any color will do",

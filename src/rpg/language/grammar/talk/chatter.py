@@ -16,7 +16,8 @@ _ERRAND = (
     "game|assignment"
 )
 _OPEN = (
-    "the_order|the_exact_order|order|which_order|which_one_goes_where|what_order|the_direction|which_direction|"
+    "the_order_of_the_rest|the_order_of_the_others|the_order|the_exact_order|order|which_order|which_one_goes_where|"
+    "what_order|the_direction|which_direction|"
     "the_orientation|the_exact_position|the_exact_positions|their_order|their_exact_order|their_exact_positions|"
     "the_exact_place|the_exact_places|the_exact_spot|where_exactly|where_on_the_table|where|where_it_is|where_they_are|"
     "where_it_stands|where_they_stand|where_you_build_it|where_you_put_it|where_you_put_them|which_is_which|"

@@ -102,7 +102,7 @@ _PHRASES = {
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
     phrases = by_first(tuple(_PHRASES))
-    tokens = _was_so(_grouped(_so_many_colors(_spaced_behind(_from_end_to_end(_in_the_corners(tokens))))))
+    tokens = _was_so(_grouped(_so_many_colors(_spaced_behind(_from_end_to_end(_in_the_corners(_once_more(tokens)))))))
     out: list[Token] = []
     at = 0
     while at < len(tokens):
@@ -132,6 +132,17 @@ def rephrased(tokens: list[Token]) -> list[Token]:
     return out
 
 
+def _once_more(tokens: list[Token]) -> list[Token]:
+    """ "A row of one red, one white and one red again": that red was listed before, the list shows."""
+    words = [token.word for token in tokens]
+    at = next((n for n, word in enumerate(words) if n > 3 and word == "again" and words[n - 1] in lexicon.COLOR), 0)
+    begun = next((n for n in range(at - 1) if words[n] in _ROWS and words[n + 1] in ("of", ":", "with")), at)
+    if not at or words[at - 1] not in words[begun : at - 1] or not {"and", "then", ","} & {*words[at - 3 : at - 1]}:
+        return tokens
+    return [*tokens[:at], *tokens[at + 1 :]]
+
+
+_ROWS = frozenset({"row", "line", "column", "tower", "stack"})
 _SPACED = (("touching",), ("evenly", "spaced"), ("equally", "spaced"), ("tightly", "packed"))
 _LINED = frozenset({"row", "line", "column"})
 

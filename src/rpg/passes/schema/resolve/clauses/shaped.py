@@ -170,9 +170,10 @@ def _first_named(blocks: Meaning | None, shape: Meaning | None, scene: Scene) ->
     if scene.things:
         return False
     plain = isinstance(blocks, Pronoun) and blocks.word in ("everything", "all")
-    if isinstance(blocks, Noun) and blocks.det in ("the", "all"):
+    if isinstance(blocks, Noun) and blocks.det in ("the", "all", "bare"):
         plain = blocks == Noun(head="block", det=blocks.det, plural=True, span=blocks.span)
-    return plain and isinstance(shape, Structure) and shape.members is not None
+    listed = isinstance(shape, Structure) and any(isinstance(x, OrderBy) and x.items for x in shape.details)
+    return plain and isinstance(shape, Structure) and (shape.members is not None or listed)
 
 
 def _of_them_all(clause: Clause, spec: Spec) -> None:

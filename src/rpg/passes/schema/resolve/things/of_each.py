@@ -2,7 +2,20 @@
 
 from __future__ import annotations
 
-from rpg.language.meaning import Amount, Chain, Clause, Coord, Meaning, Noun, OrderBy, Structure, Traits, Using, replace
+from rpg.language.meaning import (
+    Amount,
+    Chain,
+    Clause,
+    Coord,
+    Loc,
+    Meaning,
+    Noun,
+    OrderBy,
+    Structure,
+    Traits,
+    Using,
+    replace,
+)
 from rpg.passes.schema.resolve.things.counted import put
 
 
@@ -16,6 +29,12 @@ def each_later(chains: tuple[Chain, ...]) -> tuple[Chain, ...]:
             if many is None or line < 0:
                 continue
             clauses = found[line].clauses
+            alone = sum(len(x.clauses) for x in chains) == 2
+            if alone and (kinds := _quantified(clauses[place])) and isinstance(clause, Clause):
+                items = tuple(_so_many(x, many) for x in kinds)
+                there = replace(clause, theme=Coord(op="and", items=items, span=clause.span), adjuncts=())
+                found[n] = replace(found[n], clauses=tuple(there if x is clause else x for x in found[n].clauses))
+                continue
             told = _counted(clauses[place], many)
             whole = tuple(told if x is clauses[place] else x for x in clauses)
             found[line] = replace(found[line], clauses=whole)
@@ -29,6 +48,20 @@ def _of_each(clause: Meaning) -> int | None:
     sizes = [z for z in clause.adjuncts if getattr(z, "what", "") == "each"]
     amount = getattr(sizes[0], "amount", None) if len(sizes) == len(clause.adjuncts) == 1 else None
     return int(amount.low) if amount is not None and amount.low == amount.high else None
+
+
+def _quantified(clause: Meaning) -> tuple[Noun, ...]:
+    """The kinds of "exactly one green block on a red block": what is said of so many of them tells no number."""
+    place = clause.adjuncts[0] if isinstance(clause, Clause) and len(clause.adjuncts) == 1 else None
+    theme = clause.theme if isinstance(clause, Clause) and clause.verb in ("be", "place") else None
+    mark = place.landmark if isinstance(place, Loc) else None
+    if not isinstance(theme, Noun) or not isinstance(mark, Noun) or mark.det != "a" or mark.head == "patch":
+        return ()
+    some = theme.det in ("each", "no", "any") or (theme.amount is not None and theme.amount.strict)
+    some = some or (theme.amount is not None and theme.amount.low != theme.amount.high)
+    kinds = tuple(replace(x, det="bare", amount=None, plural=False) for x in (theme, mark))
+    alone = all(map(_single, kinds)) and theme.traits != mark.traits
+    return kinds if some and alone else ()
 
 
 def _counted(clause: Meaning, many: int) -> Meaning:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rpg.language.grammar.core import Parser, Results
 from rpg.language.grammar.things.nouns import simple
-from rpg.language.meaning import Clause, Noun, Traits
+from rpg.language.meaning import Amount, Clause, Coord, Loc, Manner, Meaning, Noun, Traits, replace
 
 _LEADS = ("there are", "put", "place", "set", "i see", "i want", "we see", "you see", "i want to see", "i would like")
 _JOINTS = (", of which", "of which", ", so that", "so that", ", with", ",", ":", "-", ";")
@@ -35,3 +35,30 @@ def _counted(whole: object) -> bool:
         and whole.amount.low > 1
         and whole.traits == Traits(colors=whole.traits.colors[:1])
     )
+
+
+def one_for_each(p: Parser, found: Meaning) -> Meaning:
+    """ "Yellow and green are each on a white block": as many white blocks, one under each."""
+    theme, place = (found.theme, found.adjuncts[:1]) if isinstance(found, Clause) else (None, ())
+    if not isinstance(found, Clause) or not isinstance(theme, Coord) or theme.op != "and" or found.negated or not place:
+        return found
+    mark = place[0].landmark if isinstance(place[0], Loc) and place[0].rel == "on" else None
+    if not isinstance(mark, Noun) or (mark.head, mark.det, mark.amount) != ("block", "a", Amount(1, 1)):
+        return found
+    many = len(theme.items)
+    if not all(isinstance(x, Noun) and _single(x) for x in theme.items) or not _each_told(p, theme, mark):
+        return found
+    own = replace(mark, det="bare", amount=Amount(many, many), plural=True)
+    dealt = Manner(kind="respectively", value="alike", span=mark.span)
+    return replace(found, adjuncts=(replace(place[0], landmark=own), *found.adjuncts[1:], dealt))
+
+
+def _single(noun: Noun) -> bool:
+    look = len(noun.traits.colors) + len(noun.traits.labels) == 1
+    return look and not noun.plural and noun.amount in (None, Amount(1, 1)) and noun.head != "patch"
+
+
+def _each_told(p: Parser, theme: Meaning, mark: Meaning) -> bool:
+    """Whether "each" stands between them."""
+    between = range(theme.span[1], mark.span[0])
+    return any(token.word == "each" and token.span[0] in between for token in p.tokens)

@@ -251,8 +251,7 @@ def _bare(p: Parser, i: int) -> Results[Meaning]:
     """Relations whose landmark is left unsaid: "nearby", "apart", "side by side"."""
     yield from measured_bare(p, i)
     for phrase, j in p.standing(i, _UNSAID):
-        between = _UNSAID[phrase] in ("between", "sandwiched")
-        landmark = Pronoun(word="them" if between else "each other", span=p.span(i, j))
+        landmark = Pronoun(word="them" if _UNSAID[phrase] == "between" else "each other", span=p.span(i, j))
         yield Loc(rel=_UNSAID[phrase], landmark=landmark, span=p.span(i, j)), j
         if _UNSAID[phrase] == "apart" and p.stands(j, (",", ":")):
             for (low, high), k in bounds(p, j + 1):
@@ -295,7 +294,6 @@ _UNSAID = {
     "one next to the other": "side_by_side", "one beside the other": "side_by_side",
     "each next to the other": "side_by_side",
     "in between": "between", "between them": "between", "in between them": "between",
-    "sandwiched in between": "sandwiched",
     "between the two": "between", "in the space between them": "between",
     "one in front of the other": "one_behind", "one behind the other": "one_behind",
     "one row behind the other": "one_behind", "one row in front of the other": "one_behind",

@@ -151,6 +151,7 @@ _FRAME = (
     "<where>* ,|:? is|are|will_be|should_be|must_be|: <this>? <break>*",
     "<where>? ,? <table>|<pictured>|it|that|everything|things|all|they <just>? <may>? <just>? <looks> <so> <where>* "
     "<break>*",
+    "<person> <just>? <may>? <just>? <see>|<want> it|<table>|everything|things <so> <where>* <break>*",
     "<where>? ,? <table>|<pictured> ,? <just>? <may>? <just>? <shows> <this>? <where>* <break>*",
     "<where>? ,? <table> <just>? <may> <just>? <has> <this>? <where>* <break>*",
     "<where>? ,? <pictured> ,? <just>? <may>? <just>? <has>|<is> <this>? <where>* <break>*",

@@ -115,6 +115,7 @@ _ANYPLACE = ("anywhere", "anywhere you like", "anywhere you want", "wherever", "
 _LINES = frozenset({"row", "line", "tower", "stack", "towers", "stacks", "column", "rows", "columns", "layers"})
 _STOPS = frozenset({"…", ";", ".", "!", "?", ":"})
 _BREAKS = _STOPS | {","}
+_ENDED = frozenset({".", "!"})
 _DEGREE_WORDS = "if as that when of for enough and but to near close far long small big large tiny up away out"
 _DEGREES = frozenset(_DEGREE_WORDS.split())
 """What an emphasis in front of them would change."""
@@ -154,6 +155,9 @@ def without_asides(tokens: list[Token]) -> list[Token]:
         end = max(_standing(words, at, phrases, fits) for phrases, fits in tables)
         if words[at] in VIEW.firsts:
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
+        if words[at] in ("left", "right") and at and words[at - 1] in _ENDED and words[at] in _before(words, at - 1):
+            seen = (j for j in VIEW.matches(p, at + 1) if j == len(words) or words[j] in _ENDED)
+            end = max(seen, default=end)  # "Left as I see it.", where something was said to be left
         if end == at:
             if waiting and words[at] in _STOPS:
                 out, waiting = out + waiting, []
@@ -176,6 +180,11 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     out += waiting
     plain = rephrased(in_words(repeated([token for n in range(len(out)) for token in _meant(out, n)])))
     return reckoned(exceptions_first(plain))
+
+
+def _before(words: list[str], end: int) -> list[str]:
+    """The words of the sentence that ends there."""
+    return words[max((n for n in range(end) if words[n] in _ENDED), default=0) : end]
 
 
 def _between(tokens: list[Token], at: int) -> Token:

@@ -137,6 +137,8 @@ def _built(
             understood.request, "refused", outcome, interpretation=understood, diagnostics=refusal.diagnostics
         )
     verdict = classify(reference.schema, outcome.program.task, proof, understood.intent)
+    if verdict.category != "FRESH":
+        understood = replace(understood, reference=reference.number)  # what keeps blocks of a version is made from it
     edits = recorded_edits(understood, outcome)
     steering = steering_of(understood, edits, verdict, proof, reference)
     return Steered(

@@ -11,6 +11,8 @@ from rpg.blocks.state import World
 from rpg.blocks.traits import kind_of, symbol_of
 from rpg.core.diagnostics import Diagnostic, Refusal
 from rpg.ir.schema import TaskSchema
+from rpg.ir.structures import Spells
+from rpg.ir.walk import atoms
 from rpg.steer.matching import matches
 from rpg.steer.operations.guard import SELECTS, unused
 from rpg.steer.refer import exists
@@ -158,6 +160,8 @@ def _has(view: View, traits: m.Traits) -> bool:
 
 
 def _has_structure(view: View, phrase: m.Structure) -> bool:
+    if phrase.kind == "word" and phrase.letter:
+        return any(isinstance(atom, Spells) and atom.word == phrase.letter for atom in atoms(view.schema.goal))
     if not exists(view, phrase):
         return False
     from rpg.steer.refer import resolve

@@ -13,6 +13,7 @@ from rpg.steer.requests.language import (
     colors,
     count,
     lexicon,
+    literal,
     longest,
     m,
     noun_phrase,
@@ -243,5 +244,10 @@ def _described(p: Parser, i: int, j: int, plainly: bool) -> Iterator[tuple[Refer
                     if last := longest(p, end, phrases_):
                         yield Reference(span=p.span(i, last), description=(found,), part=part), last
     if plainly:
+        word = p.seq(j, "the word") or j
+        text = literal(p, word)
+        if text is not None and len(text) > 1:  # "go back to CAT"
+            spelt = m.Structure(kind="word", det="the", letter=text, span=p.span(j, word + 1))
+            yield Reference(span=p.span(i, word + 1), description=(spelt,)), word + 1
         for found, end in noun_phrase(p, j):
             yield (Reference(span=p.span(i, end), description=(found,)), end)

@@ -165,6 +165,16 @@ def per_color(p: Parser, i: int) -> Results[Pattern]:
         yield Pattern(unit="stack", span=p.span(i, j)), j
 
 
+def _counted_behind(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
+    """ "red row, seven": how many blocks it has."""
+    if base.sizes or base.plural or base.kind not in _COUNTED or not p.stands(j, (",", ":")):
+        return
+    closed = j + 2 >= p.end or (p.words[j + 2] == "," and p.words[j + 3] in ("on", "in", "at", "near"))
+    if closed and (many := p.number(j + 1)):
+        size = Size(what="size", amount=Amount(many, many), span=p.span(j, j + 2))
+        yield replace(base, sizes=(size,), span=p.span(i, j + 2)), j + 2
+
+
 @rule
 def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
     yield base, j
@@ -201,12 +211,7 @@ def _sized(p: Parser, i: int, j: int, base: Structure) -> Results[Structure]:
                 painted = replace(base.traits, colors=named)
                 cost = base.cost + (0 if every or p.words[comma] == "all" else 1)
                 yield replace(base, traits=painted, span=p.span(i, k), cost=cost), k
-    if base.traits.colors and base.members is None and not (base.sizes or base.plural) and base.kind in _COUNTED:
-        closed = j + 2 >= p.end or (p.words[j + 2] == "," and p.words[j + 3] in ("on", "in", "at", "near"))
-        many = p.number(j + 1) if p.stands(j, (",", ":")) and closed else None
-        if many:  # "red row, seven"
-            size = Size(what="size", amount=Amount(many, many), span=p.span(j, j + 2))
-            yield replace(base, sizes=(size,), span=p.span(i, j + 2)), j + 2
+    yield from _counted_behind(p, i, j, base) if base.traits.colors and base.members is None else ()
     for unit, named, k in one_line_each(p, j) if plain and base.kind in _LINED and p.anywhere(_ONE) else ():
         pattern = Pattern(unit=unit, span=p.span(j, k))
         traits = replace(base.traits, colors=named)

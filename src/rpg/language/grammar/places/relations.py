@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.places.diagonals import diagonal
@@ -14,7 +12,7 @@ from rpg.language.grammar.places.outside import neither, outside
 from rpg.language.grammar.places.prepositions import CLOSE, DIRECT, relation, side_relation
 from rpg.language.grammar.places.regions import region
 from rpg.language.grammar.things.nouns import noun_phrase
-from rpg.language.meaning import Coord, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop
+from rpg.language.meaning import Coord, Loc, Meaning, Noun, PartOf, Pronoun, Structure, TableTop, replace
 
 _COMPARED = frozenset({"more", "less", "farther", "further", "closer", "nearer"})
 """ "Not more than 10 cm from" is a measure, and denies no place."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from rpg.language import lexicon
 from rpg.language.grammar.core import Parser, Results, choice, rule
@@ -27,6 +27,7 @@ from rpg.language.meaning import (
     Size,
     Structure,
     Traits,
+    replace,
 )
 
 _SHOWN = (

@@ -13,7 +13,7 @@ from rpg.language.grammar.talk.framing import VIEW
 from rpg.language.grammar.talk.rephrased import rephrased
 from rpg.language.grammar.things.all_but import exceptions_first
 from rpg.language.grammar.things.remainder import reckoned
-from rpg.language.phrases import Beginnings, by_first
+from rpg.language.phrases import by_first
 from rpg.language.tokens import Token
 
 _ANYWHERE = (
@@ -133,26 +133,12 @@ def without_asides(tokens: list[Token]) -> list[Token]:
     """The tokens without words that mean nothing, and without the commas that set them off."""
     tokens = [_side(tokens, n) or _between(tokens, n) for n in range(len(tokens))]
     words = ["" if t.kind not in ("word", "punct") or _shouted(t) else t.word for t in tokens]
-    tables = (
-        (by_first(_ANYWHERE), lambda first, last: True),
-        (by_first(_EMPHASIS), lambda first, last: _emphatic(words, last)),
-        (by_first(_FREE), lambda first, last: _set_off(words, first, last)),
-        (by_first(_LOOSE), lambda first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
-        (by_first(_ANYPLACE), lambda first, last: _anyplace(words, first, last)),
-        (by_first(_ALL_OVER), lambda first, last: _all_over(words, first, last)),
-        (by_first(_AT_ONCE), lambda first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),
-        (by_first(_DO_THIS), lambda first, last: last < len(words) and words[last] in _COMMANDS),
-        (by_first(_BUILT), lambda first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
-        (by_first(("only", "single", "sole")), lambda first, last: _the_only(words, first, last)),
-        (by_first(_FILLERS), lambda first, last: _filling(words, first, last)),
-        (by_first(_AT_ALL), lambda first, last: _denying(words, first, last)),
-    )
     p = Parser(tokens)
     out: list[Token] = []
     waiting: list[Token] = []
     at = 0
     while at < len(tokens):
-        end = max(_standing(words, at, phrases, fits) for phrases, fits in tables)
+        end = _standing(words, at)
         if words[at] in VIEW.firsts:
             end = max((j for j in VIEW.matches(p, at) if j > end and _same_view(words, at, j)), default=end)
         if words[at] in ("left", "right") and at and words[at - 1] in _ENDED and words[at] in _before(words, at - 1):
@@ -230,16 +216,14 @@ def _shouted(token: Token) -> bool:
     return token.kind == "word" and len(token.raw) > 1 and token.raw.isupper()
 
 
-def _standing(words: list[str], at: int, phrases: Beginnings, fits: Callable[[int, int], bool]) -> int:
-    """The position after the longest of `phrases` that stands and fits here, or `at`."""
-    if (begun := phrases.get(words[at])) is None:
-        return at
-    ends = [
-        at + len(phrase)
-        for phrase in begun
-        if tuple(words[at : at + len(phrase)]) == phrase and fits(at, at + len(phrase))
-    ]
-    return max(ends, default=at)
+def _standing(words: list[str], at: int) -> int:
+    """The position after the longest aside that stands and fits here, or `at`."""
+    longest = at
+    for phrase, fits in _ASIDES.get(words[at], ()):
+        end = at + len(phrase)
+        if end > longest and tuple(words[at:end]) == phrase and fits(words, at, end):
+            longest = end
+    return longest
 
 
 def _emphatic(words: list[str], end: int) -> bool:
@@ -309,23 +293,9 @@ _FILLERS = ("like", "sort of", "kind of", "i think", "i believe")
 _COUNTING = frozenset({"with", "of", "and", "then", "have", "make", "use", "be", "is", "are"})
 _DENYING = frozenset({"no", "not", "none", "nothing", "never", "without", "neither", "nor", "nobody"})
 _GOING_ON = _BREAKS | {
-    "",
-    "and",
-    "but",
-    "between",
-    "on",
-    "in",
-    "or",
-    "that",
-    "which",
-    "touching",
-    "left",
-    "is",
-    "are",
-    "may",
-    "must",
+    "", "and", "but", "between", "on", "in", "or", "that", "which", "touching", "left", "is", "are", "may", "must",
     "should",
-}
+}  # fmt: skip
 
 
 def _the_only(words: list[str], at: int, end: int) -> bool:
@@ -398,3 +368,26 @@ def _meant(tokens: list[Token], at: int) -> list[Token]:
     place = before.word in ("top", "bottom", "left", "right", "middle")
     letter = before.kind == "word" and len(before.raw) == 1 and before.raw.isupper()
     return [replace(token, word="and") if thing or place or letter else token]
+
+
+_FITTING: tuple[tuple[tuple[str, ...], Callable[[list[str], int, int], bool]], ...] = (
+    (_ANYWHERE, lambda words, first, last: True),
+    (_EMPHASIS, lambda words, first, last: _emphatic(words, last)),
+    (_FREE, _set_off),
+    (_LOOSE, lambda words, first, last: _FIXED.isdisjoint(words) and _set_off(words, first, last)),
+    (_ANYPLACE, _anyplace),
+    (_ALL_OVER, _all_over),
+    (_AT_ONCE, lambda words, first, last: _DENYING.isdisjoint(words) and words[last : last + 1] != ["as"]),
+    (_DO_THIS, lambda words, first, last: last < len(words) and words[last] in _COMMANDS),
+    (_BUILT, lambda words, first, last: last < len(words) and words[last] in lexicon.STRUCTURE),
+    (("only", "single", "sole"), _the_only),
+    (_FILLERS, _filling),
+    (_AT_ALL, _denying),
+)
+"""Asides, and where they are ones."""
+_ASIDES = {
+    word: [(phrase, fits) for phrases, fits in _FITTING for phrase in by_first(phrases).get(word, ())]
+    for phrases, _ in _FITTING
+    for word in by_first(phrases)
+}
+"""The asides by their first word."""

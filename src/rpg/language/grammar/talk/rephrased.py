@@ -97,11 +97,11 @@ _PHRASES = {
     "on its head": "upside down", "upon its head": "upside down", "on their heads": "upside down",
 }  # fmt: skip
 """What people write, and what it is read as."""
+_BEGINNINGS = by_first(tuple(_PHRASES))
 
 
 def rephrased(tokens: list[Token]) -> list[Token]:
     """The tokens with such turns of phrase in plain words; each of these stands for all that it replaces."""
-    phrases = by_first(tuple(_PHRASES))
     tokens = _was_so(_grouped(_so_many_colors(_spaced_behind(_from_end_to_end(_in_the_corners(_once_more(tokens)))))))
     out: list[Token] = []
     at = 0
@@ -118,7 +118,7 @@ def rephrased(tokens: list[Token]) -> list[Token]:
             out.append(replace(tokens[at], word="and"))
             at += 1
             continue
-        begun = phrases.get(tokens[at].word, ()) if tokens[at].kind == "word" else ()
+        begun = _BEGINNINGS.get(tokens[at].word, ()) if tokens[at].kind == "word" else ()
         words = [t.word if t.kind == "word" else "" for t in tokens[at : at + 6]] if begun else []
         said = max((x for x in begun if tuple(words[: len(x)]) == x), key=len, default=())
         if not said:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from rpg.language.meaning import (
     Amount,
     Chain,
@@ -22,6 +20,7 @@ from rpg.language.meaning import (
     That,
     Traits,
     parts_of,
+    replace,
 )
 from rpg.passes.schema.resolve.clauses.arranging import arrange_blocks
 from rpg.passes.schema.resolve.clauses.fitting import uses_orders

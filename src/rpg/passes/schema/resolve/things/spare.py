@@ -50,8 +50,11 @@ def ignore(clause: Clause, scene: Scene, scope: Scope) -> list[g.Goal]:
     """ "ignore the green block", "two black ones serve as a distraction"."""
     first = clause.theme is not None and clause.theme.span[0] == clause.span[0]  # not "ignore the rest"
     left_open = first and _of_no_others(clause.theme, scene)
-    if clause.theme is not None and not left_open:
-        pass_over(refer(clause.theme, scene, scope), scene)
+    items = clause.theme.items if isinstance(clause.theme, Coord) and clause.theme.op == "and" else ()
+    mixed = {isinstance(x, Noun) and x.head == "patch" for x in items} == {True, False}
+    for theme in items if mixed else (clause.theme,):  # "a white patch and a red block serve as distractors"
+        if theme is not None and not left_open:
+            pass_over(refer(theme, scene, scope), scene)
     return []
 
 

@@ -105,6 +105,8 @@ def _pronoun(view: View, phrase: m.Pronoun) -> Found:
             return Found(view.busy)
         if len(view.focus) > 1 and not built:
             return Found(view.focus)
+        if built and line and line.kind == "tower" and any(isinstance(shape.node, Towers) for shape in view.figures):
+            raise ambiguous(view, phrase.span, view.busy, phrase.word)  # the blocks of one tower, or all the towers
         return built or Found(view.busy or tuple(view.world.blocks))
     if built and (not view.focus or len(view.focus) > 1):
         return built

@@ -107,6 +107,8 @@ def _on(p: Parser, i: int) -> Iterator[tuple[r.Request, int]]:
             continue
         k = longest(p, j, _GOES) or j
         for where, end in place(p, k):
+            if further and k > j:
+                continue  # "and the orange one goes to the end" is one that is there
             if k > j or isinstance(where, r.Spot) or named:
                 if named:
                     new = replace(theme, det="a", amount=m.Amount(1, 1))

@@ -98,7 +98,8 @@ def _differs(turn: dict[str, Any], done: Steered, head: int) -> tuple[str, Score
     if classes and done.verdict.category not in classes:
         return f"class {done.verdict.category} ({done.verdict.reason})", "wrong"
     reference = done.interpretation.reference
-    fresh = "FRESH" in classes and turn.get("from", head) is None  # what keeps blocks all the same is made from the head
+    # What may be fresh but keeps blocks all the same is made from the version it was asked of.
+    fresh = "FRESH" in classes and turn.get("from", head) is None
     if done.verdict.category != "FRESH" and reference != (head if fresh else turn.get("from", head)):
         return f"from version {reference}", "wrong"
     schema = done.outcome.program.task

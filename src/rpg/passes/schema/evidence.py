@@ -121,6 +121,8 @@ def unfounded(words: Sequence[Token], task: TaskSchema, chosen: Collection[str] 
             return token
         if token.word == "while" and _meanwhile(words, index):
             return token
+        if token.word == "row" and index and words[index - 1].word == "bottom" and _deep_pyramid(task):
+            return token
         if token.word == "to" and _from_side_to_side(words, index) and _in_no_order(task, terms):
             return token
         if token.word in STAY and _where_it_is(words, index) and terms.isdisjoint({"stayed", "always"}):
@@ -219,6 +221,11 @@ def _in_one(words: Sequence[Token], index: int, task: TaskSchema) -> bool:
     here = [t.word for t in words[index + 1 : index + 4]]
     lines = sum(isinstance(x, Row | Stack | GroupBy | Towers) for x in atoms(task.goal))
     return here[:2] == ["in", "a"] and here[2:] in (["row"], ["line"], ["tower"], ["stack"]) and lines < 2
+
+
+def _deep_pyramid(task: TaskSchema) -> bool:
+    """Whether the base of a pyramid is no row."""
+    return any(isinstance(atom, Pyramid) and min(atom.base) > 1 for atom in atoms(task.goal))
 
 
 _ACROSS = {"left": "right", "right": "left", "front": "back", "back": "front", "top": "bottom", "bottom": "top"}

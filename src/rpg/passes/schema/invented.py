@@ -28,6 +28,7 @@ def check_invented(words: Sequence[Token], task: TaskSchema) -> None:
     _made_up_beside(words, task)
     _one_word(task)
     _counts_with_a_slash(words, task)
+    _ones_beside_patches(words, task)
     if task.assumed(COLORS_UNSAID):
         _spoken_of(words, task)
         _set_off(words)
@@ -48,6 +49,17 @@ def _counts_with_a_slash(words: Sequence[Token], task: TaskSchema) -> None:
     if slash is not None and any("/" in map(block.symbol, FACES) for block in idle):
         raise refuse("ambiguous", "so many of each, or cubes that show these numbers?", slash.span,
                      "say 'three of each'")  # fmt: skip
+
+
+def _ones_beside_patches(words: Sequence[Token], task: TaskSchema) -> None:
+    """Refuse "on any patch; there is a pink one and a gray one" as made-up patches and two blocks."""
+    if not task.assumed("the colour of the patch is not said"):
+        return
+    spoken_of = {name for part in (task.goal, *task.init.arranged) for name in names(part)}
+    idle = {str(block.color) for block in task.blocks if block.name not in spoken_of}
+    for color, one in pairwise(words):
+        if one.word in ("one", "ones") and lexicon.COLOR.get(color.word) in idle:
+            raise refuse("ambiguous", "is this a block or a patch?", color.span, f"say 'a {color.word} patch'")
 
 
 def _as_many_as_said(words: Sequence[Token], task: TaskSchema) -> None:

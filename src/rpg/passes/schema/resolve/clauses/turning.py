@@ -6,6 +6,7 @@ from rpg.core.diagnostics import Span
 from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.language.meaning import (
+    Amount,
     Chain,
     Clause,
     In,
@@ -132,8 +133,11 @@ def _untouched(clause: Clause, theme: Ref, scene: Scene, span: Span) -> g.Goal:
 
 
 def _moved_theme(clause: Clause) -> Meaning:
-    if isinstance(clause.theme, Noun) and clause.theme.det == "any" and clause.theme.amount is None:
-        return replace(clause.theme, det="all", plural=True)
+    if isinstance(clause.theme, Noun) and clause.theme.det == "any" and clause.theme.amount in (None, Amount(1, 1)):
+        some = clause.theme.part_of
+        return some if isinstance(some, Pronoun) else replace(clause.theme, det="all", amount=None, plural=True)
+    if isinstance(clause.theme, Pronoun) and clause.theme.word == "either of them":
+        return replace(clause.theme, word="them")  # "without moving either of them"
     return clause.theme or Pronoun(word="everything", span=clause.span)
 
 

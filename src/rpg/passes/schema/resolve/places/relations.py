@@ -263,6 +263,9 @@ def _landmarks(theme: Ref, mark: Ref, loc: Loc, scene: Scene, span: Span) -> g.G
         return disj([_landmarks(theme, part, loc, scene, span) for part in mark.parts], span)
     if mark.quant is not None:
         quant = mark.quant
+        if theme.quant is not None and theme.quant.high != 0 and quant.low == quant.high:
+            raise refuse("ambiguous", "so many of the ones, and so many of the others: it is not clear which",
+                         loc.span, "say 'on any of them', or name the blocks")  # fmt: skip
         return count(mark.names, quant, lambda b: _relate(theme, Ref(names=tuple(b)), loc, scene, span), span)  # type: ignore[arg-type]
     marks = one_by_one(mark, loc, scene)
     if len(marks) > 1 and (theme.op in ("or", "xor") or (theme.quant is not None and theme.quant.high != 0)):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 from functools import lru_cache
 
 import mujoco
@@ -20,7 +21,6 @@ QUIET_STEPS = 4
 SLEEPS_BELOW = 1e-4
 """Speed (m/s) below which blocks fall asleep where they may. No verdict on marginal scenes depends on it: see
 benchmarks/sleeping.py."""
-SLEEP = int(mujoco.mjtEnableBit.mjENBL_SLEEP)
 SAME_POSE, SAME_SPEED = 1e-6, 0.01
 """Poses this close (m, and parts of quaternions) at such speeds (m/s, rad/s) at most count as the same state."""
 
@@ -41,7 +41,6 @@ class Physics:
         self._poses, self._velocities = self.data.qpos[: 7 * self.count], self.data.qvel[: 6 * self.count]
         self._read = np.zeros(7 * self.count)
         self._reach = tuple(world.edge[name] * math.sqrt(3) / 2 for name in self.names)
-        self._sleeps_below: float | None = None
         for index, name in enumerate(self.names):
             joint = mujoco.mj_name2id(self.model, mujoco.mjtObj.mjOBJ_JOINT, name)
             if self.model.jnt_qposadr[joint] != 7 * index:
@@ -83,7 +82,9 @@ class Physics:
 
         Contacts of blocks that sleep are not listed.
         """
-        self._sleeps_below = below
+        self.model = copy(self.model)  # the scene's own is shared
+        self.model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+        self.model.opt.sleep_tolerance = below
 
     def asleep(self) -> bool:
         """Do all blocks sleep, so that no further step would move anything?"""
@@ -91,17 +92,7 @@ class Physics:
 
     def step(self, control_steps: int = 1) -> None:
         """Advance by control steps of 1/20 s."""
-        if self._sleeps_below is None:
-            mujoco.mj_step(self.model, self.data, SUBSTEPS * control_steps)
-            return
-        # the model is shared, and copying it takes longer than the steps of blocks that sleep
-        option = self.model.opt
-        awake = option.enableflags, option.sleep_tolerance
-        option.enableflags, option.sleep_tolerance = awake[0] | SLEEP, self._sleeps_below
-        try:
-            mujoco.mj_step(self.model, self.data, SUBSTEPS * control_steps)
-        finally:
-            option.enableflags, option.sleep_tolerance = awake
+        mujoco.mj_step(self.model, self.data, SUBSTEPS * control_steps)
 
     def settle(self) -> bool:
         """Step until nothing moves any more; False where something still does after SETTLE_STEPS."""

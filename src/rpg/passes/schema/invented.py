@@ -104,10 +104,10 @@ def _spoken_of(words: Sequence[Token], task: TaskSchema) -> None:
 def _set_off(words: Sequence[Token]) -> None:
     """Refuse "a tower of two and a tower of three, pink" as a tower of three pink ones and one of made-up colours."""
     shown = [*(t for t in words if t.word not in ("all", "both")), Token("punct", ".", ".", (0, 0))]
-    for n, color in enumerate(shown[:-1]):
-        alone = shown[n - 1].word == "," and (shown[n + 1].kind == "punct" and shown[n + 1].word not in ("'s", ":"))
-        if n > 1 and alone and color.word in lexicon.COLOR and shown[n - 2].word not in lexicon.COLOR:
-            listed = any(t.word in lexicon.COLOR for t in shown[n + 2 : n + 3])
-            if not listed:
-                raise refuse("ambiguous", "is this the colour of all of them, or of the last ones?", color.span,
-                             "put the colour in front of what has it: 'a pink tower'")  # fmt: skip
+    for n in range(2, len(shown) - 1):
+        before, comma, color, after = shown[n - 2 : n + 2]
+        alone = comma.word == "," and after.kind == "punct" and after.word not in ("'s", ":")
+        listed = any(t.word in lexicon.COLOR for t in (before, *shown[n + 2 : n + 3]))
+        if color.word in lexicon.COLOR and alone and not listed:
+            raise refuse("ambiguous", "is this the colour of all of them, or of the last ones?", color.span,
+                         "put the colour in front of what has it: 'a pink tower'")  # fmt: skip

@@ -48,7 +48,8 @@ _IS_FOR = ("is for", "are for", "is reserved for", "is meant for", "is the place
 _SHARE = ("share", "shares", "should share", "must share", "have to share", "are to share", "shall share")
 _CARRIES = (
     "holds up", "hold up", "should hold up", "must hold up", "has to carry", "has to hold", "has to support",
-    "is to carry", "is to support", "needs to carry", "shall carry", "is carrying", "is supporting", "is holding",
+    "is to carry", "is to support", "needs to carry", "shall carry", "shall hold", "shall support", "shall contain",
+    "shall bear", "is carrying", "is supporting", "is holding",
     "should carry", "must carry", "carries", "carry", "should hold", "must hold", "holds", "supports", "should support",
     "must support", "bears", "should bear", "must contain", "should contain", "contains",
 )  # fmt: skip

@@ -9,6 +9,7 @@ from rpg.language.grammar.core import Parser, Results, choice, rule
 from rpg.language.grammar.things.adjectives import adjectives, color, of_quality
 from rpg.language.grammar.things.labels import label_list
 from rpg.language.grammar.things.standby import NO_ROLE
+from rpg.language.grammar.things.told_relatives import told_relative
 from rpg.language.meaning import Loc, Meaning, Noun, That, Traits, replace
 
 _THAT = frozenset({"that", "which", "who", "what"})
@@ -65,23 +66,29 @@ def relative(p: Parser, i: int, head: str, plural: bool) -> Results[Any]:
                     yield Traits(**marks), k
             for marks, k in of_quality(p, j, head):
                 yield Traits(**marks), k
-            j = p.opt(j, "currently", "already", "initially")
+            j = p.one(j, _AT_FIRST) or j
         yield from _carrying(p, that, comma > i)
+        yield from told_relative(p, i, that, head, plural)
         start = that
-        while start < p.end and p.words[start] in lexicon.POSTURE | {"currently", "already", "initially"}:
+        while start < p.end and p.words[start] in lexicon.POSTURE | _AT_FIRST:
             start = p.reach(start + 1)
         whole = plural and p.words[that] in _SINGULAR
-        for places, k in _conditions(p, start, loc, comma > i) if start > that or p.words[that] == "touches" else ():
+        asserted = comma > i and _AT_FIRST.isdisjoint(p.words[that:start])
+        for places, k in _conditions(p, start, loc, asserted) if start > that or p.words[that] == "touches" else ():
             yield (tuple(That(kind="whole", clauses=x, span=x.span) for x in places) if whole else places), k
+    else:
+        yield from told_relative(p, i, 0, head, plural)
 
 
+_AT_FIRST = frozenset({"currently", "already", "initially", "originally", "now", "presently"})
 _SINGULAR = frozenset({"is", "stands", "lies", "sits", "rests", "touches"})
 
 
+_MUST = ("should", "must", "shall", "has to", "is to", "needs to")
 _CARRY = (
     "carries", "carry", "holds up", "hold up", "is carrying", "is holding", "is supporting", "holds", "hold",
     "supports", "support", "bears", "bear",
-    *(f"{must} {verb}" for must in ("should", "must", "has to", "is to") for verb in ("carry", "hold", "support")),
+    *(f"{must} {verb}" for must in _MUST for verb in ("carry", "hold", "support")),
 )  # fmt: skip
 
 
@@ -93,18 +100,21 @@ def _carrying(p: Parser, i: int, asserted: bool) -> Results[tuple[Meaning, ...]]
     j = p.any_of(i, _CARRY)
     for theme, k in simple(p, j) if j else ():
         if isinstance(theme, Noun) and theme.head != "patch" and not theme.plural and not theme.traits.labels:
-            wanted = asserted or p.words[i] in ("should", "must") or p.words[i + 1] == "to"
+            wanted = asserted or p.words[i] in _MUST or p.words[i + 1] == "to"
             mods = ("directly", "asserted") if wanted else ("directly",)
             yield (Loc(rel="under", landmark=theme, mods=mods, span=p.span(i, k)),), k
 
 
 def _conditions(p: Parser, i: int, loc: Any, asserted: bool) -> Results[tuple[Meaning, ...]]:
-    """Places; after a comma ("..., which is on the patch") they are said of the goal as well."""
+    """Places; after a comma ("..., which is on the patch") they are said of the goal as well, unless the block is moved
+    from there, or "at the start" follows."""
+    from rpg.language.grammar.clauses.manners import manner
+
     for first, j in loc(p, i):
-        yield (
-            ((replace(first, mods=(*first.mods, "asserted")),) if asserted and isinstance(first, Loc) else (first,)),
-            j,
-        )
+        begun = max((end for told, end in manner(p, j) if getattr(told, "kind", "") == "start"), default=0)
+        if asserted and not begun and isinstance(first, Loc):
+            first = replace(first, mods=(*first.mods, "asserted", "aside"))
+        yield (first,), begun or j
 
 
 def _shown(p: Parser, i: int) -> Results[Traits]:

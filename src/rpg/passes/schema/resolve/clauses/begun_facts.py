@@ -9,6 +9,7 @@ from rpg.language.meaning import (
     At,
     Chain,
     Clause,
+    Coord,
     Loc,
     Manner,
     Meaning,
@@ -51,6 +52,32 @@ def cleared_of(chains: tuple[Chain, ...], links: Sequence[str] | None = None) ->
 def _marks(said: Meaning) -> list[Traits]:
     """The looks of the patches that are named in a clause."""
     return [x.traits for x in parts_of(said) if isinstance(x, Noun) and x.head == "patch" and x.det == "the"]
+
+
+_MOVED = ("place", "stack", "pick", "use")
+
+
+def moved_from(clause: Clause) -> Clause:
+    """ "Put the red block, which is on the mat, on the blue one": what is said aside of a block that is moved is so
+    before."""
+    if clause.mode != "command" or clause.verb not in _MOVED or clause.negated:
+        return clause
+    theme = clause.theme
+    if isinstance(theme, Coord):
+        return replace(clause, theme=replace(theme, items=tuple(_before(x) for x in theme.items)))
+    return replace(clause, theme=_before(theme)) if isinstance(theme, Noun) and theme.conditions else clause
+
+
+def _before(noun: Meaning) -> Meaning:
+    if not isinstance(noun, Noun) or not noun.conditions:
+        return noun
+    told = (
+        replace(x, mods=tuple(m for m in x.mods if m not in ("asserted", "aside")))
+        if isinstance(x, Loc) and "aside" in x.mods
+        else x
+        for x in noun.conditions
+    )
+    return replace(noun, conditions=tuple(told))
 
 
 def wanted(clause: Clause) -> bool:

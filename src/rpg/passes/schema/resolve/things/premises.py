@@ -6,7 +6,7 @@ from rpg.ir import goal as g
 from rpg.ir import relations as r
 from rpg.ir import structures as s
 from rpg.ir.walk import names as names_in
-from rpg.language.meaning import Coord, In, Loc
+from rpg.language.meaning import Coord, In, Loc, Manner
 from rpg.passes.schema.resolve.goals.conflicts import required
 from rpg.passes.schema.resolve.goals.logic import conj
 from rpg.passes.schema.resolve.places.alone import beyond
@@ -56,6 +56,8 @@ def _facts(premise: object, scene: Scene) -> list[g.Goal]:
     """What a premise says of the end; what it says of the start is noted. Its landmark may have one of its own."""
     if not isinstance(premise, Premise):
         return []
+    if isinstance(premise.condition, Manner) and premise.condition.kind == "stay":
+        return [r.Stayed(a=premise.names, span=premise.span)]
     if not isinstance(premise.condition, Loc | In):
         raise refuse("misplaced", "it is not clear of what this is said", premise.span, "say it in its own sentence")
     theme = Ref(names=premise.names, span=premise.span)

@@ -1,0 +1,90 @@
+"""Corrections in the middle of a sentence: "the green - no, the blue one", "three, sorry, four", "on, I mean under"."""
+
+from __future__ import annotations
+
+from rpg.language import lexicon
+from rpg.language.tokens import Token
+
+_REPAIRS = (
+    "no", "sorry", "wait", "oops", "whoops", "i mean", "i meant", "or rather", "scratch that", "strike that",
+    "make that", "correction", "my mistake", "my bad", "actually no", "no wait", "hang on", "hold on", "i mean to say",
+)  # fmt: skip
+_BESIDE = frozenset({",", "uh", "um", "er", "erm", "uhm", "hmm", "oh", "ah", "actually", "rather", "not that", "…"})
+"""What stands among these words without being one of them."""
+_STOPS = frozenset({".", ";", ":", "!", "?"})
+_ARTICLES = frozenset({"the", "a", "an", "this", "that", "my"})
+_WHERE = frozenset({"on", "onto", "in", "into", "under", "beneath", "behind", "beside", "next", "near", "to", "above",
+                    "below", "at", "between", "upon"})  # fmt: skip
+_LEADS = frozenset({"next", "close", "right", "up", "directly", "just", "over"})
+"""What belongs to the word of place behind it."""
+_FAR = 9
+"""So many words before it at most is what is taken back."""
+
+
+def corrected(tokens: list[Token]) -> list[Token]:
+    """The tokens with what was taken back left out, where it is clear what that is; else as they were."""
+    at = 0
+    while at < len(tokens):
+        end = _repair(tokens, at)
+        if end and (mended := _mended(tokens, at, end)) is not None:
+            tokens = mended
+            continue
+        at = max(at + 1, end)
+    return tokens
+
+
+def _repair(tokens: list[Token], at: int) -> int:
+    """The position behind words that take something back, set off by a comma or dash on both sides; 0 without any."""
+    if not at or tokens[at].word not in (",", "…"):
+        return 0
+    end, repairs = at, 0
+    while end < len(tokens):
+        words = [t.word for t in tokens[end : end + 4]]
+        many = max((len(r) for r in _SPLIT if words[: len(r)] == [*r]), default=0)
+        repairs += bool(many)
+        if not many and tokens[end].word not in _BESIDE:
+            break
+        end += many or 1
+    last = tokens[end - 1].word
+    bare = last in ("no", "wait") and tokens[end - 2].word == ","  # ", no blocks on the mat"
+    return end if repairs and end < len(tokens) and not bare else 0
+
+
+_SPLIT = tuple(tuple(phrase.split()) for phrase in _REPAIRS)
+
+
+def _mended(tokens: list[Token], at: int, end: int) -> list[Token] | None:
+    """The sentence as it was meant; None where it is not clear what was taken back."""
+    begun = max((n + 1 for n in range(at) if tokens[n].word in _STOPS), default=0)
+    before = range(at - 1, max(begun, at - _FAR) - 1, -1)
+    kind = _kind(tokens, end)
+    back = next((n for n in before if _kind(tokens, n) == kind), None)
+    stop = next((n for n in range(end, len(tokens)) if tokens[n].word in (_STOPS | {","})), len(tokens))
+    places = {t.word for t in tokens[end + 1 : stop] if t.word in _WHERE}
+    if back is None or any(t.word in places for t in tokens[begun:at]):
+        return None
+    while back > begun and kind == "place" and tokens[back - 1].word in _LEADS:
+        back -= 1
+    closed = stop < len(tokens) and tokens[stop].word == ","
+    if kind in ("number", "color") and stop == end + 1 and back < at - 1:
+        rest = tokens[stop + closed :]
+        return [*tokens[:back], tokens[end], *tokens[back + 1 : at], *rest]
+    onward = stop + 1 < len(tokens) and tokens[stop + 1].word in _WHERE
+    rest = [*tokens[end:stop], *tokens[stop + (closed and onward) :]]
+    return [*tokens[:back], *rest]
+
+
+def _kind(tokens: list[Token], at: int) -> str:
+    """What a word may be replaced by: another of its kind."""
+    token = tokens[at]
+    if token.word == "one" and at and tokens[at - 1].word in lexicon.COLOR:
+        return "noun"
+    if token.kind == "number" or token.word in lexicon.NUMBER:
+        return "number"
+    if token.word in lexicon.COLOR:
+        return "color"
+    if token.word in _ARTICLES:
+        return "article"
+    if token.word in _WHERE:
+        return "place"
+    return "name" if len(token.raw) > 1 and token.raw.isupper() else token.word

@@ -161,6 +161,9 @@ def _fronted(p: Parser, i: int, mode: str) -> Results[Meaning]:
                 there = stands_there(p, i, p.opt(k, ","), first, mode)
                 told = [*there, *((_at(found, first), end) for found, end in _plain(p, p.opt(k, ","), mode))]
                 yield from ((_at(found, lying), end) for found, end in told)
+        for found, k in _fronted(p, j + 1, mode) if isinstance(first, Loc) and p.stands(j, ("and",)) else ():
+            if isinstance(found, Clause) and _goes_with(first, found):
+                yield _at(found, first), k
         j = p.opt(j, "order") if isinstance(first, Toward) else j
         j = p.opt(j, ",", ":")
         where = isinstance(first, Loc | In | At) or _both_places(first)
@@ -197,6 +200,16 @@ _SEEN = frozenset({"state", "end", "command"})
 def _both_places(first: Meaning) -> bool:
     """ "behind and to the left of it", "to the front left of it"."""
     return isinstance(first, Coord) and all(isinstance(x, Loc | In | Coord) for x in first.items)
+
+
+_OPPOSITES = frozenset({"left", "right"}), frozenset({"front", "behind"})
+
+
+def _goes_with(first: Loc, found: Clause) -> bool:
+    """ "In front of A and to the left of B, C shall be found": a further place of it, which may well be at both."""
+    others = [a for a in found.adjuncts if isinstance(a, Loc | In)]
+    rels = {first.rel, *(a.rel for a in others if isinstance(a, Loc))}
+    return len(others) == 1 and len(rels) == 2 and rels not in _OPPOSITES and found.verb in ("be", "place")
 
 
 def _at(found: Meaning, place: Meaning) -> Meaning:

@@ -37,11 +37,6 @@ _STANDS = (
     "stands", "lies", "go", "you put", "place", "put", "comes then", "come", "i want", "we want", "i need", "we need",
     "i would like", "we would like", "there shall be", "there has to be", "there needs to be", "i want to see",
 )  # fmt: skip
-_LAST = (
-    "should be", "must be", "should go", "must go", "goes", "go", "belong", "belongs", "has to be", "have to be",
-    "should lie", "should stand", "must lie", "must stand", "should sit", "is to be", "are to be", "has to go",
-)  # fmt: skip
-"""Verbs that may close what a place began: "on the mat the red block should be"."""
 _VERBS = Classes(
     {
         "must": ("should|must|shall|will|has_to|have_to|needs_to|need_to|ought_to|is_to|are_to",),
@@ -54,11 +49,18 @@ _VERBS = Classes(
             "is|are standing|lying|sitting|resting|placed|put|shown|found|located|seen|built",
             "has|have been placed|put|built|stacked|laid",
         ),
+        "last": (
+            "be|go|stand|lie|sit|rest|end_up|come_to_rest|come_to_lie|come_to_stand|belong",
+            "be placed|put|positioned|set|laid|moved|stacked|located|found|seen|standing|lying|sitting|resting down?",
+        ),
     }
 )
+_LAST = Patterns("<must> also|finally? <last>", "goes|go|belong|belongs", classes=_VERBS)
+"""Verbs that may close what a place began: "on the mat the red block should be"."""
 _STANDING = Patterns("there? also|then|only? <must> also? <be>", "there? also|then? <is>", classes=_VERBS)
 _THERE_MUST = Patterns("there also|then? <must> also? <be>", classes=_VERBS)
 _THERE_STANDS = Patterns("there also|then? <is>", classes=_VERBS)
+_CLOSED = frozenset({"", ",", ";", "and"})
 _FACTS = frozenset({"is", "are", "sits", "stands", "lies", "rests", "lie", "stand", "sit", "rest"})
 _SEEN = Patterns(
     "there should|must|shall|has_to? be|is|are|stand|stands|lie|lies|come|comes",
@@ -80,8 +82,8 @@ def stands_there(p: Parser, i: int, j: int, first: Meaning, mode: str) -> Result
         bare = isinstance(theme, Noun) and not k and theme.det == "bare" and theme.amount is None
         if bare and isinstance(theme, Noun) and not (theme.traits.colors or theme.traits.labels):
             continue
-        behind = p.any_of(end, _LAST) if not k else 0
-        for more, last in [((), behind)] if behind >= p.end > 0 else adjuncts(p, end):
+        behind = max(_LAST.matches(p, end), default=0) if not k else 0
+        for more, last in [((), behind)] if behind and p.words[behind] in _CLOSED else adjuncts(p, end):
             verb = "build" if isinstance(theme, Structure) else "be"
             when = "start" if mode == "start" else "goal"
             span = p.span(i, last)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rpg.language.meaning import (
     Absolute,
     Amount,
+    Chain,
     Clause,
     In,
     Into,
@@ -15,6 +16,7 @@ from rpg.language.meaning import (
     Pronoun,
     Size,
     Structure,
+    That,
     Toward,
     Traits,
     replace,
@@ -29,6 +31,7 @@ def plainly(clause: Clause) -> Clause:
     """The clause without what says once more how many go where."""
     if clause.negated:
         return clause
+    clause = _told_inside(clause)
     kept = clause.adjuncts
     grouped = [a for a in kept if isinstance(a, OrderBy) and a.by == "grouped"]
     if grouped and _of_no_line(clause):
@@ -48,6 +51,18 @@ def plainly(clause: Clause) -> Clause:
     if amount is not None and amount.low > 1 and any(_as_many(a, amount) for a in kept):
         kept = tuple(a for a in kept if not (isinstance(a, Size) and a.what == "columns" and a.amount == Amount(1, 1)))
     return replace(clause, adjuncts=kept) if kept != clause.adjuncts else clause
+
+
+def _told_inside(clause: Clause) -> Clause:
+    """ "Stack them so that every colour has its own tower": the way that they are stacked."""
+    so = clause.adjuncts[0] if len(clause.adjuncts) == 1 else None
+    inside = so.clauses if isinstance(so, That) and so.kind == "so" else None
+    told = inside.clauses[0] if isinstance(inside, Chain) and len(inside.clauses) == 1 else None
+    if clause.verb != "stack" or not isinstance(told, Clause) or told.verb != "stack" or told.negated:
+        return clause
+    same = isinstance(told.theme, Noun) and (told.theme.det, told.theme.head) == ("the", "block")
+    plain = same and isinstance(told.theme, Noun) and told.theme.traits == Traits() and not told.theme.conditions
+    return replace(clause, adjuncts=told.adjuncts) if plain and told.adjuncts else clause
 
 
 def _of_no_line(clause: Clause) -> bool:

@@ -7,6 +7,12 @@ from rpg.language.meaning import Absolute, At, Loc, Meaning, Noun, Places, Prono
 _ENDS = ({"top", "bottom"}, {"left", "right"}, {"front", "back"})
 _UP = frozenset({"on", "above"})
 _DOWN = frozenset({"under"})
+_BESIDE = frozenset({"beside", "adjacent"})
+_WAYS = {
+    "bottom": _UP, "top": _DOWN, "left": _BESIDE | {"right"}, "right": _BESIDE | {"left"},
+    "front": _BESIDE | {"behind"}, "back": _BESIDE | {"front"},
+}  # fmt: skip
+"""How what comes next lies to a block at this end."""
 _IT = frozenset({"it", "that", "this", "them", "those", "that one", "this one"})
 
 
@@ -25,7 +31,8 @@ def _one_look(theme: Meaning) -> bool:
 
 
 def onward(parts: list[Absolute]) -> list[Absolute]:
-    """ "red at the bottom, two blue ones above it, white on those": each next to the one before, up or down a tower."""
+    """ "red at the bottom, two blue ones above it, white on those": each next to the one before, up or down a tower;
+    "white on the left, pink to the right of it, cyan at the right end" along a row."""
     found: list[Absolute] = []
     way: frozenset[str] | None = None
     for part in parts:
@@ -37,7 +44,7 @@ def onward(parts: list[Absolute]) -> list[Absolute]:
             found.append(replace(part, adjuncts=(At(side="next", whole=place.rel, span=place.span),)))
         else:
             side = place.side if isinstance(place, At) and place.index in (None, 1) else ""
-            way = {"bottom": _UP, "top": _DOWN, "middle": way, "next": way}.get(side)
+            way = way if side in ("middle", "next") else _WAYS.get(side)
             found.append(part)
     return found
 

@@ -14,7 +14,7 @@ from rpg.passes.schema.resolve.orders.between_ends import between_ends
 from rpg.passes.schema.resolve.orders.extremes import directed, sorted_from
 from rpg.passes.schema.resolve.orders.onward import onward
 from rpg.passes.schema.resolve.orders.parts import place_of
-from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, positions
+from rpg.passes.schema.resolve.orders.positions import SIDES, Placed, belongs, positions
 from rpg.passes.schema.resolve.orders.reading import reading_begins
 from rpg.passes.schema.resolve.orders.runs import painted
 from rpg.passes.schema.resolve.things.items import by_look, claimed, claims
@@ -74,7 +74,8 @@ def order_of(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene, scope:
     if found.by == "any" and not spec.orders and spec.listed and (first or _doubled(names, scene)):
         found = _merge(found, OrderBy(by="given", span=span), names, kind, scene, scope, first)
     starts = all(place.side == "first" for item in spec.absolutes if (place := place_of(item)) is not None)
-    spec.absolutes = onward(spec.absolutes) if kind == "stack" else spec.absolutes
+    inside = kind == "stack" or all(belongs(item.theme, names, scene) for item in spec.absolutes)
+    spec.absolutes = onward(spec.absolutes) if inside else spec.absolutes
     placed = positions(spec, names, kind, scene)
     if placed is not None and found.by == "alternating":
         return _begun(found, placed, names, kind, scene, span)

@@ -80,7 +80,7 @@ def positions(spec: Spec, names: tuple[str, ...], kind: str, scene: Scene) -> Pl
     ends = "rest" not in sides and ("ends" in sides or "outer" in sides)
     for item in list(spec.absolutes):
         place = place_of(item)
-        if place is None or not _belongs(item.theme, names, scene):
+        if place is None or not belongs(item.theme, names, scene):
             continue
         if place.side == "rest" or (place.side == "middle" and ends and _whole(item, place)):
             rest.append(item)
@@ -331,10 +331,10 @@ def ranks_from(
     return _free_runs(ranks, places, scene)
 
 
-def _belongs(theme: Meaning, names: tuple[str, ...], scene: Scene) -> bool:
+def belongs(theme: Meaning, names: tuple[str, ...], scene: Scene) -> bool:
     """Whether a description can be one of the members: it fits one, or one whose looks are open could take it on."""
     if isinstance(theme, Coord):
-        return all(_belongs(item, names, scene) for item in theme.items)
+        return all(belongs(item, names, scene) for item in theme.items)
     if isinstance(theme, Pronoun):
         return not theme.word.startswith("=") or set(theme.word[1:].split()) <= set(names)
     if not isinstance(theme, Noun):

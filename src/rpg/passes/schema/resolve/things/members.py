@@ -234,7 +234,7 @@ def _from_absolutes(shape: Structure, spec: Spec, need: int | None, scene: Scene
     """ "a tower with a red block at the bottom and a blue one on top": its members, when their number agrees."""
     from rpg.language.meaning import At
 
-    spec.absolutes = onward(spec.absolutes) if shape.kind == "stack" else spec.absolutes
+    spec.absolutes = onward(spec.absolutes) if shape.kind in ("stack", "row", "line", "column") else spec.absolutes
     spec.absolutes = in_between(spec.absolutes) if need in (None, 3) else spec.absolutes
     inside = [a for a in spec.absolutes if isinstance(a.adjuncts[0], At)]
     if not inside or (need is not None and sum(amount_of(item.theme) or 1 for item in inside) < need):

@@ -10,7 +10,7 @@ from random import Random
 from rpg.blocks.arrange import CHANGES, Impossible, arrange
 from rpg.blocks.arrange.explain import explain
 from rpg.blocks.arrange.solve import AT_A_GLANCE, Solver
-from rpg.blocks.evaluate import evaluate
+from rpg.blocks.evaluate import rests, satisfied
 from rpg.blocks.initial import sample_start
 from rpg.blocks.outset import at_every_start
 from rpg.blocks.state import BlockState, World
@@ -59,6 +59,11 @@ def waypoints(
     raise Impossible(explain(moment, world, begin))
 
 
+def fixes(goal: g.Goal) -> bool:
+    """Does the goal fix where some blocks are at the end by where they start?"""
+    return any(atom.kind in FIXING for atom in atoms(goal))
+
+
 def leaves_room(goal: g.Goal, world: World, start: BlockState, rng: Random) -> bool:
     """Can every scene of an episode that begins with `start` be arranged?"""
     solvers = (Solver(moment, world, start, ROOM_TRIES, AT_A_GLANCE) for moment in _moments(goal))
@@ -69,6 +74,17 @@ def always_ahead(goal: g.Goal, init: InitialState) -> bool:
     """Does a later stage hold at every start?"""
     sequences = (part for part in _conjuncts(goal) if isinstance(part, g.Sequence))
     return any(at_every_start(stage.goal, init) for sequence in sequences for stage in sequence.stages[1:])
+
+
+def stage_holds(goal: g.Goal, start: BlockState, later: bool) -> bool:
+    """Does the first stage of a sequence hold at `start`, or with `later` any one of them?"""
+    seen = start.since(start)
+    return any(
+        satisfied(stage.goal, seen)
+        for part in _conjuncts(goal)
+        if isinstance(part, g.Sequence)
+        for stage in part.stages[: None if later else 1]
+    ) and rests(seen)
 
 
 def _moments(goal: g.Goal) -> Iterator[g.Goal]:
@@ -91,9 +107,10 @@ def _starts(goal: g.Goal, init: InitialState, world: World) -> Iterator[BlockSta
     past = any(at_every_start(part, init) for part in (goal, *stages))
     for attempt in range(0 if past else STARTS):
         start = sample_start(init, world, 0, attempt)
-        seen = replace(start, start=start)
-        ahead = not evaluate(goal, seen) and not any(evaluate(stage, seen) for stage in stages)
-        if ahead and all(evaluate(part, seen) for part in standing):
+        seen = start.since(start)
+        if any(satisfied(part, seen) for part in (*stages, goal)):
+            continue
+        if all(satisfied(part, seen) for part in standing):
             yield start
     yield sample_start(init, world, 0)
 

@@ -21,7 +21,7 @@ from rpg.blocks.state import BlockState, World
 from rpg.blocks.symmetry import Cells
 from rpg.blocks.verdict import FALSE, Verdict, as_verdict, between
 from rpg.blocks.verdicts import Looked, Verdicts, counted
-from rpg.blocks.waypoints import FIXING, always_ahead, leaves_room
+from rpg.blocks.waypoints import always_ahead, fixes, leaves_room, stage_holds
 from rpg.core.diagnostics import Refusal
 from rpg.env import told
 from rpg.env.embodiment import ACTION_SIZE, Action, Embodiment, Robot
@@ -34,7 +34,6 @@ from rpg.env.told import Asked
 from rpg.ir import goal as g
 from rpg.ir.node import Node
 from rpg.ir.schema import InitialState
-from rpg.ir.walk import atoms
 
 ATTEMPTS = 100
 """Starts drawn in search of one where the goal is still ahead."""
@@ -263,6 +262,8 @@ class BlockTask(Relations, Structures, Setup):
         narrow = False
         for attempt in range(ATTEMPTS):
             start = sample_start(init, self.world, seed, attempt, self._plainly)
+            if attempt and self._plainly_past(start, fallback is not None and attempt < MOST_AHEAD):
+                continue
             self._begin(start)
             if self._past():
                 continue
@@ -277,7 +278,8 @@ class BlockTask(Relations, Structures, Setup):
                 break
         if fallback is None:
             raise Refusal([crowded(ATTEMPTS) if narrow else solved_at_start(ATTEMPTS)])
-        self._begin(fallback)
+        if start is not fallback:
+            self._begin(fallback)
         return fallback
 
     def _plainly(self) -> Physics | None:
@@ -357,15 +359,17 @@ class BlockTask(Relations, Structures, Setup):
         self._begin_naming(0)
         return answer, noted
 
+    def _plainly_past(self, start: BlockState, later: bool) -> bool:
+        """Is it seen at a glance that a stage is met at `start`, or with `later` that one holds that is not up yet?"""
+        return len(self._namings) == 1 and self._told is not None and stage_holds(self._told.goal, start, later)
+
     def _past(self) -> bool:
         """Is the goal met, or a stage of it, or is the episode lost?"""
         return self.solved() or (self._judge is None and (self.judge().failed or self.judge().stage > 0))
 
     def _leaves_room(self, start: BlockState, draw: str) -> bool:
         """Can the goal be reached from `start`, though it fixes where some blocks are at the end?"""
-        if not self._fixes or self._told is None:
-            return True
-        return leaves_room(self._told.goal, self.world, start, Random(draw))
+        return not self._fixes or self._told is None or leaves_room(self._told.goal, self.world, start, Random(draw))
 
     @cached_property
     def _told(self) -> told.Told | None:
@@ -376,7 +380,7 @@ class BlockTask(Relations, Structures, Setup):
     @cached_property
     def _fixes(self) -> bool:
         """Does the goal fix where some blocks are at the end by where they start?"""
-        return self._told is not None and any(atom.kind in FIXING for atom in atoms(self._told.goal))
+        return self._told is not None and fixes(self._told.goal)
 
     def _remembered(self) -> Memory:
         """What is remembered of the episode under the naming at hand: to each its own."""

@@ -103,11 +103,10 @@ class Rule:
         return abs(verdict.margin) if verdict.value == self.holds else None
 
 
-def rules_of(literals: Iterable[Literal], assembly: Assembly) -> list[Rule]:
-    """The literals as rules, with respect to the pieces at hand."""
+def rules_of(literals: Iterable[Literal], about: Iterable[tuple[str, ...]], assembly: Assembly) -> list[Rule]:
+    """The literals, each with the names that are `about` in it, as rules with respect to the pieces at hand."""
     found = []
-    for atom, holds, hint in literals:
-        mentioned = names(atom)
+    for (atom, holds, hint), mentioned in zip(literals, about, strict=True):
         blocks = tuple(n for n in mentioned if n in assembly.of)
         split = len({id(assembly.of[n]) for n in blocks}) > 1
         patches = tuple(n for n in mentioned if n not in assembly.of) if len(blocks) < len(mentioned) else ()
@@ -140,6 +139,18 @@ class Search:
         self.state = BlockState(self.world, self.position, orientation, start=start)
         self.origins: dict[int, Origin] = {}
         self.pieces = bounds.pieces
+
+    def run(self) -> Iterator[BlockState]:
+        """Arrangements that meet all rules, as they are found."""
+        if not all(rule.blocks or rule.open_ended or rule.slack(self.state) is not None for rule in self.rules):
+            return
+        if self._sound():
+            self._survey()
+            yield from self._descend(self.pieces)
+
+    def _survey(self) -> None:
+        """What the search asks again and again: which rules are about which pieces, and how much room those take."""
+        rules = self.rules
         self.ground = Ground(self.pieces, self.state, [r.atom for r in rules if r.holds])
         self.touching = {
             id(piece): [r for r in rules if not piece.position.keys().isdisjoint(r.blocks)] for piece in self.pieces
@@ -149,22 +160,18 @@ class Search:
         self.bound = {piece: any(rule.holds for rule in found) for piece, found in self.touching.items()}
         self.open_ended = [rule for rule in rules if rule.open_ended]
 
-    def run(self) -> Iterator[BlockState]:
-        """Arrangements that meet all rules, as they are found."""
-        if not all(rule.blocks or rule.open_ended or rule.slack(self.state) is not None for rule in self.rules):
-            return
-        if all(self._sound(piece) for piece in self.pieces):
-            yield from self._descend(self.pieces)
-
-    def _sound(self, piece: Piece) -> bool:
-        """Do the conditions within a piece hold, which is so wherever it stands?"""
-        within = [r for r in self.touching[id(piece)] if not r.per_place and (r.holds or not r.open_ended)]
-        if not within:
-            return True
-        self._write(piece, (0.0, 0.0))
-        sound = all((rule.slack(self.state) or 0.0) > LEAST_MARGIN for rule in within)
-        self._wipe(piece)
-        return sound
+    def _sound(self) -> bool:
+        """Do the conditions within each piece hold, which is so wherever it stands?"""
+        within = [r for r in self.rules if r.blocks and not r.per_place and (r.holds or not r.open_ended)]
+        # what must be fails sooner than what must not; structures take longest to judge
+        within.sort(key=lambda rule: (rule.open_ended, not rule.holds))
+        for piece in {id(piece): piece for piece in (self.assembly.of[r.blocks[0]] for r in within)}.values():
+            self._write(piece, (0.0, 0.0))
+            sound = all((r.slack(self.state) or 0.0) > LEAST_MARGIN for r in within if r.blocks[0] in piece.position)
+            self._wipe(piece)
+            if not sound:
+                return False
+        return True
 
     def _descend(self, waiting: list[Piece]) -> Iterator[BlockState]:
         if not waiting:

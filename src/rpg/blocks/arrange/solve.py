@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import count, islice, product
 from random import Random
 from threading import Lock
@@ -84,7 +84,7 @@ class Solver:
     def solve(self, rng: Random, vary: bool = False) -> BlockState | None:
         """A goal state; None where none is found. `vary`: any one rather than the most natural one."""
         budget = Budget(self.tries)
-        ways: Iterable[Conjunction] = _ways(self.goal, tuple(self.world.assets.values()))
+        ways: Iterable[Conjunction] = self._ways
         if vary:
             ways = list(ways)
             rng.shuffle(ways)
@@ -98,22 +98,34 @@ class Solver:
             pass
         return None
 
+    @cached_property
+    def _ways(self) -> _Ways:
+        """The alternatives of the goal; to look them up takes about as long as to place a block."""
+        return _ways(self.goal, tuple(self.world.assets.values()))
+
     def _sweep(
         self, literals: Conjunction, rng: Random, effort: Effort, budget: Budget, vary: bool
     ) -> BlockState | None:
         """A goal state that meets one alternative of the goal."""
         assemblies = self._assemblies(literals, rng, effort, budget, vary)
+        about = [names(literal.atom) for literal in literals]
         for assembly in islice(assemblies, effort.layouts):
             share = Budget(min(effort.tries, budget.left))
             before = share.left
-            state = self._placed(assembly, literals, rng, share, effort.style(vary))
+            state = self._placed(assembly, literals, about, rng, share, effort.style(vary))
             if state is not None:
                 return state
             budget.spend(before - max(share.left, 0))
         return None
 
     def _placed(
-        self, assembly: Assembly, literals: Conjunction, rng: Random, budget: Budget, style: Style
+        self,
+        assembly: Assembly,
+        literals: Conjunction,
+        about: list[tuple[str, ...]],
+        rng: Random,
+        budget: Budget,
+        style: Style,
     ) -> BlockState | None:
         try:
             bounds = Bounds(assembly, [atom for atom, holds, _ in literals if holds])
@@ -122,7 +134,7 @@ class Solver:
             return None
         if bounds.tight is not None:
             self.reasons.append(bounds.tight)
-        search = Search(assembly, bounds, rules_of(literals, assembly), rng, budget, self.start, style)
+        search = Search(assembly, bounds, rules_of(literals, about, assembly), rng, budget, self.start, style)
         try:
             for state in islice(search.run(), LEAVES):
                 if satisfied(self.goal, state) and settled(state):

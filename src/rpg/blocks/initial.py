@@ -9,18 +9,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import lru_cache
 from random import Random
 
 import numpy as np
 
 from rpg.blocks.arrange import arrange
 from rpg.blocks.constants import TABLE_Z, WORKSPACE_X, WORKSPACE_Y
-from rpg.blocks.geometry import Polygon, footprint, polygon_gap, rectangle
+from rpg.blocks.geometry import Polygon, footprint, patch_outline, polygon_gap, rectangle
 from rpg.blocks.heaps import Heap, above, dropped, in_one_piece, shaft
 from rpg.blocks.physics import Physics, settled_state
 from rpg.blocks.state import BlockState, Quat, Vec3, World, yaw_quat
 from rpg.core.diagnostics import Diagnostic, Refusal
-from rpg.ir.goal import All
+from rpg.ir.goal import All, Goal
 from rpg.ir.schema import InitialState
 from rpg.ir.walk import names
 
@@ -74,9 +75,9 @@ class _Layout:
         """The place of a block of edge `size` on the table, which others keep clear of."""
         self.obstacles.append(_Obstacle(_outline(x, y, yaw, size), size / math.sqrt(2), size / 2))
 
-    def put(self, name: str, position: Vec3, orientation: Quat) -> None:
+    def put(self, name: str, position: Vec3, orientation: Quat, outline: Polygon) -> None:
+        """A block anywhere, with its outline on the table."""
         self.position[name], self.orientation[name] = position, orientation
-        outline = footprint(BlockState(self.world, self.position, self.orientation), name)
         self.obstacles.append(_Obstacle(outline, within=self.world.edge[name] / 2))
 
     def keep_clear(self, outline: Polygon) -> None:
@@ -221,22 +222,24 @@ def _put_poses(init: InitialState, layout: _Layout, draw: str) -> None:
 
 def _put_arranged(init: InitialState, layout: _Layout, draw: str) -> bool:
     """Blocks that a goal mentions, in a state where it holds; off the patches that it does not mention."""
-    goal = All(goals=init.arranged)
-    mentioned = set(names(goal))
-    assets = [asset for name, asset in layout.world.assets.items() if name in mentioned]
-    found = arrange(goal, World(assets), rng=Random(f"{draw}/arranged"), natural=False)[0]
-    for name in found.position:
-        outline = footprint(found, name)
-        if not all(polygon_gap(outline, footprint(layout.state(), p)) >= TIGHT for p in _others(layout, mentioned)):
-            return False
-    for name in found.position:
-        layout.put(name, found.position[name], found.orientation[name])
+    goal, world, others = _arrangement(init.arranged, layout.world)
+    found = arrange(goal, world, rng=Random(f"{draw}/arranged"), natural=False)[0]
+    outlines = {name: footprint(found, name) for name in found.position}
+    if any(polygon_gap(outline, other) < TIGHT for outline in outlines.values() for other in others):
+        return False
+    for name, outline in outlines.items():
+        layout.put(name, found.position[name], found.orientation[name], outline)
     return True
 
 
-def _others(layout: _Layout, mentioned: set[str]) -> list[str]:
-    """Patches that are not in `mentioned`."""
-    return [name for name in layout.world.patches if name not in mentioned]
+@lru_cache(maxsize=1)
+def _arrangement(arranged: tuple[Goal, ...], world: World) -> tuple[Goal, World, list[Polygon]]:
+    """What is built at every start of one task: the goal that it is built by, its objects alone, and the outlines of
+    the patches that are not part of it."""
+    goal = All(goals=arranged)
+    mentioned = set(names(goal))
+    others = [patch_outline(patch) for name, patch in world.patches.items() if name not in mentioned]
+    return goal, World(asset for name, asset in world.assets.items() if name in mentioned), others
 
 
 def _put_heap(names: tuple[str, ...], layout: _Layout, rng: Random) -> bool:
@@ -266,7 +269,7 @@ def _acceptable(heaps: Iterable[Heap], before: BlockState, state: BlockState) ->
             return False
         if name not in heaped and math.dist((x, y, z), before.position[name]) > STIRRED:
             return False
-    return all(in_one_piece(heap, state) for heap in heaps) and not _on_patches(heaped, state)
+    return all(in_one_piece(heap, state) for heap in heaps) and not (heaped and _on_patches(heaped, state))
 
 
 def _on_patches(blocks: Iterable[str], state: BlockState) -> bool:

@@ -82,9 +82,7 @@ class Physics:
 
         Contacts of blocks that sleep are not listed.
         """
-        self.model = copy(self.model)  # the scene's own is shared
-        self.model.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
-        self.model.opt.sleep_tolerance = below
+        self.model = _sleepy(self.model, below)
 
     def asleep(self) -> bool:
         """Do all blocks sleep, so that no further step would move anything?"""
@@ -114,6 +112,15 @@ class Physics:
     def sane(self) -> bool:
         """Are all numbers finite?"""
         return bool(np.isfinite(self.data.qpos).all() and np.isfinite(self.data.qvel).all())
+
+
+@lru_cache(maxsize=16)
+def _sleepy(model: mujoco.MjModel, below: float) -> mujoco.MjModel:
+    """A copy of a scene, which is shared, in which blocks that rest may sleep; it is shared too."""
+    made = copy(model)
+    made.opt.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+    made.opt.sleep_tolerance = below
+    return made
 
 
 @lru_cache(maxsize=1)
